@@ -4,7 +4,8 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>The largest circle inside measured points, or the smallest around them. Immutable.</summary>
 /// <remarks>
-/// Both touch two or three of the points (<see cref="Contacts"/>) and are as uncertain as these: standard errors are those of the circle through the contacts, to first order.
+/// Both touch two or three of the points (<see cref="Contacts"/>) and are as uncertain as these: standard errors are those of the circle
+/// through the contacts, to first order.
 /// </remarks>
 public sealed class ExtremeCircle
 {
@@ -27,7 +28,9 @@ public sealed class ExtremeCircle
     /// <summary>Signed distance of each point from the circle, positive outside, in the order given, in millimetres.</summary>
     public IReadOnlyList<double> Residuals { get; }
 
-    /// <summary>Standard errors of the center in x and in y, in millimetres, to first order; of a diameter's middle in either direction.</summary>
+    /// <summary>
+    /// Standard errors of the center in x and in y, in millimetres, to first order; of a diameter's middle in either direction.
+    /// </summary>
     public Vector2 CenterStandardError { get; }
 
     /// <summary>Standard error of the radius, in millimetres, to first order.</summary>
@@ -35,14 +38,18 @@ public sealed class ExtremeCircle
 
     /// <summary>The largest circle that none of the points lies inside of, with its center among them.</summary>
     /// <remarks>
-    /// With <c>u</c> the unit vectors and <c>d</c> the distances from a center to the points, a step <c>s</c> of it changes the distances by <c>-u.s</c>. The largest <c>r</c> with
-    /// <c>r + u.s &lt;= d</c> for all points is a linear program in three unknowns, solved by exchanging one of three points that surround the center for the point that is violated
+    /// With <c>u</c> the unit vectors and <c>d</c> the distances from a center to the points, a step <c>s</c> of it changes the distances
+    /// by <c>-u.s</c>. The largest <c>r</c> with
+    /// <c>r + u.s &lt;= d</c> for all points is a linear program in three unknowns, solved by exchanging one of three points that
+    /// surround the center for the point that is violated
     /// most (dual simplex), from the center of <see cref="CircleFit"/> on, until the center rests.
     /// </remarks>
     /// <param name="points">At least three points around a center.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the circle that the gauge states, in millimetres; zero if unknown.</param>
+    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the circle that the gauge states, in millimetres; zero if
+    /// unknown.</param>
     /// <exception cref="GeometryException">
-    /// Those of <see cref="CircleFit.Fit"/>; <see cref="GeometryError.NotAround"/> if the points leave half a turn or more open, so that no circle inside them is the largest.
+    /// Those of <see cref="CircleFit.Fit"/>; <see cref="GeometryError.NotAround"/> if the points leave half a turn or more open, so that
+    /// no circle inside them is the largest.
     /// </exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static ExtremeCircle Inscribed(IReadOnlyList<Point2> points, double pointUncertaintyMm = 0)
@@ -63,10 +70,13 @@ public sealed class ExtremeCircle
     }
 
     /// <summary>The smallest circle that none of the points lies outside of.</summary>
-    /// <remarks>Point after point: one outside of the circle so far lies on the next one (Welzl 1991, without the shuffle, so that the order of steps is the points').</remarks>
+    /// <remarks>Point after point: one outside of the circle so far lies on the next one (Welzl 1991, without the shuffle, so that the
+    /// order of steps is the points').</remarks>
     /// <param name="points">At least three points.</param>
-    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the circle that the gauge states, in millimetres; zero if unknown.</param>
-    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see cref="GeometryError.CoincidentPoints"/> if all are one place.</exception>
+    /// <param name="pointUncertaintyMm">Standard uncertainty of a point across the circle that the gauge states, in millimetres; zero if
+    /// unknown.</param>
+    /// <exception cref="GeometryException"><see cref="GeometryError.TooFewPoints"/>; <see cref="GeometryError.NotFinite"/>; <see
+    /// cref="GeometryError.CoincidentPoints"/> if all are one place.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static ExtremeCircle Circumscribed(IReadOnlyList<Point2> points, double pointUncertaintyMm = 0)
     {
@@ -133,7 +143,8 @@ public sealed class ExtremeCircle
                 return basis;
             }
 
-            // Shares of the center (0) and of the new point in the triangle of the three; which corner leaves first when the new point comes in.
+            // Shares of the center (0) and of the new point in the triangle of the three; which corner leaves first when the new point
+            // comes in.
             double[] center = Shares(a, b, c, determinant, Vector2.Zero), point = Shares(a, b, c, determinant, u[worst]);
             var leaves = Enumerable.Range(0, 3).Where(k => point[k] > 1e-12).MinBy(k => center[k] / point[k]);
             basis[leaves] = worst;

@@ -69,7 +69,9 @@ public sealed record MatingDraft
     [JsonIgnore]
     internal int NextLabel => Points.Select(p => PointLabel.NumberOf(p.Label)).DefaultIfEmpty().Max() + 1;
 
-    /// <summary>False for a draft of a file that somebody else wrote: with lists or keys that a feature has not, or with nothing in a list.</summary>
+    /// <summary>
+    /// False for a draft of a file that somebody else wrote: with lists or keys that a feature has not, or with nothing in a list.
+    /// </summary>
     [JsonIgnore]
     internal bool IsWhole => Features.All(f => f is not null && f.Flanks.Count == f.Kind.LeastPoints.Count && f.Kind.Keys.All(k => f.Keys.ContainsKey(k.Name)) && f.Flanks.All(k => k is not null && !k.Contains(null!)))
         && !OtherPoints.Contains(null!) && !Chain.Contains(null!) && !Comparisons.Contains(null!) && !Gauge.Contributions.Contains(null!);

@@ -3,7 +3,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What kinds of features have in common when they turn the corrections at their key points into a wish for each motion that cuts them.</summary>
+/// <summary>
+/// What kinds of features have in common when they turn the corrections at their key points into a wish for each motion that cuts them.
+/// </summary>
 internal static class FeatureWish
 {
     /// <summary>Sine of the angle up to which two lines count as pieces of one polyline: 5.7 degrees, as in the rewriting of the program.</summary>
@@ -13,7 +15,9 @@ internal static class FeatureWish
     public static Func<double[], ArcLengthField> Straight(FeatureCut cut) =>
         values => ArcLengthField.Straight([.. cut.Pass.Feet.Select(cut.Pass.Along)], values, cut.Job.Gauge.Uncertainty.CombinedMm);
 
-    /// <summary>The displacement at a length, given the left normal there: along the normal, or both components of the vector, as the job asks.</summary>
+    /// <summary>
+    /// The displacement at a length, given the left normal there: along the normal, or both components of the vector, as the job asks.
+    /// </summary>
     /// <param name="cut">The cut.</param>
     /// <param name="field">The field of values at its key points.</param>
     public static Func<double, Vector2, Vector2> Course(FeatureCut cut, Func<double[], ArcLengthField> field)

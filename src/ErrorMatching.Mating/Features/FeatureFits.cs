@@ -13,7 +13,8 @@ internal static class FeatureFits
         Named(feature, () => Geometry.Wedge.Fit(first, second, uncertaintyMm));
 
     /// <summary>
-    /// The angle inside the corner where one element ends and the next begins: between the way back along the first and the way on along the second (equation 1 of Wang 2021).
+    /// The angle inside the corner where one element ends and the next begins: between the way back along the first and the way on along
+    /// the second (equation 1 of Wang 2021).
     /// Elements that go straight on have 180 degrees.
     /// </summary>
     public static Angle Inside(LineFit first, LineFit second) => Angle.Between(-first.Line.Direction, second.Line.Direction);

@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// A kind of feature: how it is read from a job, edited and sketched. What a feature of the kind does by itself its <see cref="JobFeature"/> says. Both stand in the kind's
+/// A kind of feature: how it is read from a job, edited and sketched. What a feature of the kind does by itself its <see
+/// cref="JobFeature"/> says. Both stand in the kind's
 /// folder, and nothing outside of it asks which kind a feature has; <see cref="FeatureKinds"/> lists them.
 /// </summary>
 public abstract class FeatureKind
@@ -20,7 +21,10 @@ public abstract class FeatureKind
     /// <summary>What names of new features begin with: <c>L</c>.</summary>
     public abstract string Letter { get; }
 
-    /// <summary>How many key points it takes at least: a number for each of its lists of points. A job with one list writes it as it is, one with several as a list of lists.</summary>
+    /// <summary>
+    /// How many key points it takes at least: a number for each of its lists of points. A job with one list writes it as it is, one with
+    /// several as a list of lists.
+    /// </summary>
     public abstract IReadOnlyList<int> LeastPoints { get; }
 
     /// <summary>True if it is straight at both ends, so that no arc and no bend continues it.</summary>
@@ -29,7 +33,9 @@ public abstract class FeatureKind
     /// <summary>Keys that a job's features of this kind have beside those of all.</summary>
     public abstract IReadOnlyList<FeatureKey> Keys { get; }
 
-    /// <summary>The quantities that a report states of it: names with their unit at the end, such as <c>lengthMm</c>, and what people call them.</summary>
+    /// <summary>
+    /// The quantities that a report states of it: names with their unit at the end, such as <c>lengthMm</c>, and what people call them.
+    /// </summary>
     public abstract IReadOnlyDictionary<string, string> Quantities { get; }
 
     /// <summary>What a verification compares of it, beside its deviations.</summary>
@@ -49,7 +55,8 @@ public abstract class FeatureKind
     public abstract FeatureSketch Sketch(IReadOnlyList<int> counts, double step, double height);
 
     /// <summary>
-    /// What cuts a feature of the kind where it is sought by its key points and where these do not lie one behind the other from its first motion to its last, as on a closed
+    /// What cuts a feature of the kind where it is sought by its key points and where these do not lie one behind the other from its
+    /// first motion to its last, as on a closed
     /// contour.
     /// </summary>
     /// <param name="path">The program, interpreted.</param>

@@ -12,7 +12,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Reader">Who reads the job.</param>
 internal sealed record FeatureReading(JsonItem Item, string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, JobReader Reader)
 {
-    /// <summary>Its labels, list by list, each with as many as the kind takes at least; what is wrong with them becomes a problem of the job.</summary>
+    /// <summary>
+    /// Its labels, list by list, each with as many as the kind takes at least; what is wrong with them becomes a problem of the job.
+    /// </summary>
     /// <param name="kind">The kind.</param>
     public IReadOnlyList<List<string>> Points(FeatureKind kind)
     {

@@ -258,7 +258,8 @@ public static class BoundarySearch
         path.Motions[one.First].Block <= path.Motions[other.Last].Block && path.Motions[other.First].Block <= path.Motions[one.Last].Block;
 
     /// <summary>
-    /// A pass: the cut that it is of, what leads past all key points, whether from the last to the first and whether that is all of it, how far it must be away, how near
+    /// A pass: the cut that it is of, what leads past all key points, whether from the last to the first and whether that is all of it,
+    /// how far it must be away, how near
     /// it is to that, and the two outermost points at both ends.
     /// </summary>
     private sealed record Pass(

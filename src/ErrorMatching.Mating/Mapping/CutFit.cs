@@ -55,7 +55,8 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
         return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null, Twice = twice };
     }
 
-    // A closed contour passes the place where it begins once more where it ends, and so do the ways in and out: only a cut beyond these comes back.
+    // A closed contour passes the place where it begins once more where it ends, and so do the ways in and out: only a cut beyond these
+    // comes back.
     private static bool ComesBack(NcPath path, FoundPass cut, FoundPass whole, SoughtFoot foot, Point2 point) =>
         new[] { cut with { Last = whole.First - 2 }, cut with { First = whole.Last + 2 } }
             .Any(rest => rest.First <= rest.Last && SoughtFoot.Of(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);

@@ -2,7 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Compares counterparts with the part (Wang 2021, section 4): deviations of every feature, what its kind has besides (for a line its length, for a triangle its angle), and what the job asks for.</summary>
+/// <summary>
+/// Compares counterparts with the part (Wang 2021, section 4): deviations of every feature, what its kind has besides (for a line its
+/// length, for a triangle its angle), and what the job asks for.
+/// </summary>
 internal static class Verifier
 {
     /// <summary>Compares two counterparts with the part.</summary>

@@ -3,7 +3,10 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>Bores, bosses, slots and keys as the referee cuts them from the rewritten program: what is left of the mating error is the rounding of the program.</summary>
+/// <summary>
+/// Bores, bosses, slots and keys as the referee cuts them from the rewritten program: what is left of the mating error is the rounding of
+/// the program.
+/// </summary>
 public sealed class ClosedContourLoopTests
 {
     /// <summary>Center and radius are each rounded by up to 0.7 um, and the frame's own coordinates a little.</summary>
@@ -11,7 +14,10 @@ public sealed class ClosedContourLoopTests
 
     private const int Parts = 300;
 
-    /// <summary>A tangent way in to the place where flank and end touch, which hardly moves across but along its own direction: the proof takes the new arc for one that went astray.</summary>
+    /// <summary>
+    /// A tangent way in to the place where flank and end touch, which hardly moves across but along its own direction: the proof takes
+    /// the new arc for one that went astray.
+    /// </summary>
     private const int StrangeWaysAllowed = 2;
 
     [Fact]

@@ -32,7 +32,8 @@ public sealed class SampleMatchTests
             var found = cut.Probe(new(point.Theoretical.X, point.Theoretical.Y), normal) - actual;
             Assert.True(Math.Abs(found - point.PredictedMm) <= 0.003, FormattableString.Invariant($"{sample} {point.Point}: predicted {point.PredictedMm:0.0000}, cut {found:0.0000}, was {-point.DecidedMm:0.0000}"));
 
-            // The paper's samples tolerate 0.05 mm to both sides, circle and slot 0.02; as designed, the counterpart lacks what the part has too much.
+            // The paper's samples tolerate 0.05 mm to both sides, circle and slot 0.02; as designed, the counterpart lacks what the part
+            // has too much.
             if (Math.Abs(found) > limit)
             {
                 outside.Add((point.Point, Math.Abs(actual) <= limit));
@@ -44,7 +45,10 @@ public sealed class SampleMatchTests
         Assert.Equal(sample == "complex-mating" ? ["2", "4"] : [], report.Outside.Points);
     }
 
-    /// <summary>By hand: of all circles through three of the eight points that hold no other one, with their center among the three, that through points 1, 4 and 7 is the largest.</summary>
+    /// <summary>
+    /// By hand: of all circles through three of the eight points that hold no other one, with their center among the three, that through
+    /// points 1, 4 and 7 is the largest.
+    /// </summary>
     [Fact]
     public void The_boss_gets_the_largest_circle_inside_the_bore()
     {

@@ -3,7 +3,8 @@ using System.Globalization;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// Random bores and bosses by number: one to four arcs, cut either way round, with I and J or R, G90 or G91, by the tool's center or under cutter compensation, with straight or
+/// Random bores and bosses by number: one to four arcs, cut either way round, with I and J or R, G90 or G91, by the tool's center or
+/// under cutter compensation, with straight or
 /// tangent ways in and out; and a part whose circle has another center and another radius.
 /// </summary>
 internal static class RandomCircles

@@ -3,7 +3,8 @@ using System.Globalization;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// Random slots and keys by number: cut either way round, their ends in one arc or two, begun within a flank or where it begins, with I and J or R, G90 or G91, by the tool's center or under
+/// Random slots and keys by number: cut either way round, their ends in one arc or two, begun within a flank or where it begins, with I
+/// and J or R, G90 or G91, by the tool's center or under
 /// cutter compensation, with straight or tangent ways in and out; and a part of another width, length, place and direction.
 /// </summary>
 internal static class RandomSlots

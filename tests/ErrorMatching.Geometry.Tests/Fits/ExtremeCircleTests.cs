@@ -4,7 +4,8 @@ public class ExtremeCircleTests
 {
     private const int Cases = 300;
 
-    // A square's corners: the circle around them has its half diagonal, and no circle that holds none of them inside is larger than that one.
+    // A square's corners: the circle around them has its half diagonal, and no circle that holds none of them inside is larger than that
+    // one.
     [Fact]
     public void A_square_has_its_own_circle_inside_and_around()
     {
@@ -92,7 +93,8 @@ public class ExtremeCircleTests
         return points;
     }
 
-    // All circles through two ends of a diameter or three points, of which the smallest that holds all points, or the largest that holds none and whose center lies among its three.
+    // All circles through two ends of a diameter or three points, of which the smallest that holds all points, or the largest that holds
+    // none and whose center lies among its three.
     private static Circle2 Brute(Point2[] points, int sign)
     {
         var found = new List<Circle2>();

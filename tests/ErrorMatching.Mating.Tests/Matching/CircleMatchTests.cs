@@ -8,7 +8,9 @@ public sealed class CircleMatchTests
 {
     private const string Head = "%\nO1000\nN10 G21 G90 G17\n", Tail = "N90 M30\n%\n";
 
-    /// <summary>A bore of diameter 40 about (50, 30), by the center of a tool of 6 mm: in two halves, as one block, and in thirds by R.</summary>
+    /// <summary>
+    /// A bore of diameter 40 about (50, 30), by the center of a tool of 6 mm: in two halves, as one block, and in thirds by R.
+    /// </summary>
     private const string Halves = Head + "N20 G0 X50. Y30.\nN40 G1 X67. F300\nN50 G3 X33. I-17. J0.\nN60 X67. I17. J0.\nN70 G1 X50.\n" + Tail;
 
     private const string Whole = Head + "N20 G0 X50. Y30.\nN40 G1 X67. F300\nN50 G3 I-17. J0.\nN70 G1 X50.\n" + Tail;
@@ -56,7 +58,8 @@ public sealed class CircleMatchTests
     [InlineData("circumscribed", 0.02)]
     public void The_method_says_which_circle_of_a_lobed_part_is_met(string method, double growth)
     {
-        // Three lobes: every other point 0.02 outside, the others 0.02 inside. Gauss finds neither; the circles inside and around touch three of them.
+        // Three lobes: every other point 0.02 outside, the others 0.02 inside. Gauss finds neither; the circles inside and around touch
+        // three of them.
         var lobed = Label(Enumerable.Range(0, 6).Select(i => At(60 * i, i % 2 == 0 ? 0.02 : -0.02)));
         var match = Circle(Halves, "N50..N60", Around(6), lobed, method);
         Assert.Equal(17 + growth, Arcs(match.Match().After, "N50..N60")[0].Radius, 0.0011);

@@ -8,7 +8,10 @@ public sealed class SlotMatchTests
 {
     private const string Head = "%\nO1000\nN10 G21 G90 G17\n", Tail = "N90 M30\n%\n";
 
-    /// <summary>A slot of 20 mm width and 60 mm length about (0, 0) along x, by the center of a tool of 6 mm: half circles of radius 7 about (20, 0) and (-20, 0); the tool comes to the middle of a flank.</summary>
+    /// <summary>
+    /// A slot of 20 mm width and 60 mm length about (0, 0) along x, by the center of a tool of 6 mm: half circles of radius 7 about (20,
+    /// 0) and (-20, 0); the tool comes to the middle of a flank.
+    /// </summary>
     private const string Slot = Head + "N20 G0 X0. Y0.\nN30 G1 Y-7. F300\nN40 X20.\nN50 G3 Y7. I0. J7.\nN60 G1 X-20.\nN70 G3 Y-7. I0. J-7.\nN80 G1 X0.\nN85 Y0.\n" + Tail;
 
     /// <summary>The same with ends of two quarters each, and the way in to a joint of flank and end.</summary>
@@ -91,7 +94,8 @@ public sealed class SlotMatchTests
         Features = [MatchCase.Feature("slot", "S1", blocks, points)],
     };
 
-    // Two points on each flank and end in the order of cutting, where the rays and normals of the nominal slot meet the slot that is asked for.
+    // Two points on each flank and end in the order of cutting, where the rays and normals of the nominal slot meet the slot that is
+    // asked for.
     private static string Places(string program, (Point2 Middle, double Degrees, double Radius, double Half) slot)
     {
         var (nominal, turn) = (slot.Radius == 3.02 || slot.Radius == 2.97 ? 3.02 : 10.0, program == Key ? -1 : 1);

@@ -11,7 +11,13 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least three labels around it.</param>
 /// <param name="Method">Which circle stands for its points.</param>
-public sealed record CircleFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, IReadOnlyList<string> Points, CircleMethod Method)
+public sealed record CircleFeature(
+    string Name,
+    IReadOnlyList<string> Blocks,
+    JobTolerance Tolerance,
+    CoordinatePlane Plane,
+    IReadOnlyList<string> Points,
+    CircleMethod Method)
     : JobFeature(Name, Blocks, Tolerance, Plane)
 {
     /// <summary>Code of the refusal of key points that say too little about their circle.</summary>
@@ -24,7 +30,8 @@ public sealed record CircleFeature(string Name, IReadOnlyList<string> Blocks, Jo
     public const string RadiusVanishes = "radius-vanishes";
 
     /// <summary>
-    /// What points must cover for least squares, degrees: over less, the radius is more than ten times as uncertain as the mean of the points, for over 90 degrees the cosine, which a
+    /// What points must cover for least squares, degrees: over less, the radius is more than ten times as uncertain as the mean of the
+    /// points, for over 90 degrees the cosine, which a
     /// shift follows, spreads about its mean by 0.088.
     /// </summary>
     private const double LeastAngle = 90;
@@ -65,15 +72,19 @@ public sealed record CircleFeature(string Name, IReadOnlyList<string> Blocks, Jo
     {
         foreach (var pass in map.Passes)
         {
-            var other = FeaturePass.Moving(path, pass.First, pass.Last).Select(i => (int?)i).FirstOrDefault(i => !path.Motions[i!.Value].IsArc || !CircleKind.BelongsTo(path, pass.First, i.Value));
-            if (other is { } motion)
+            var motion = FeaturePass.Moving(path, pass.First, pass.Last)
+                .FirstOrDefault(i => !path.Motions[i].IsArc || !CircleKind.BelongsTo(path, pass.First, i), -1);
+            if (motion >= 0)
             {
-                return FeatureMapper.At(path, path.Motions[motion].Block, NotOneCircle, "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.", Name);
+                const string Why = "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.";
+                return FeatureMapper.At(path, path.Motions[motion].Block, NotOneCircle, Why, Name);
             }
         }
 
         var covered = 360 - ExtremeCircle.LargestGap(Point2.Origin, [.. map.Normals.Select(n => Point2.Origin + n)]).Degrees;
-        var (isEnough, needed) = Method == CircleMethod.LeastSquares ? (covered >= LeastAngle - 1e-9, "at least 90") : (covered > HalfTurn, "more than 180");
+        var (isEnough, needed) = Method == CircleMethod.LeastSquares
+            ? (covered >= LeastAngle - 1e-9, "at least 90")
+            : (covered > HalfTurn, "more than 180");
         return isEnough ? null : FeatureMapper.At(
             path,
             path.Motions[map.Passes[0].First].Block,
@@ -108,8 +119,10 @@ public sealed record CircleFeature(string Name, IReadOnlyList<string> Blocks, Jo
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured)
     {
         var (wanted, found) = (Fit(measured.Theoretical, 0).Circle, Fit(measured.Actual, 0).Circle);
-        return [.. Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0]).Select(p => found.Foot(found.Center + (p - wanted.Center)))];
+        var boundary = Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0]);
+        return [.. boundary.Select(p => found.Foot(found.Center + (p - wanted.Center)))];
     }
 
-    private MeasuredCircle Fit(IReadOnlyList<Point2> points, double u) => FeatureFits.Named(Name, () => MeasuredCircle.Of(Method, points, u));
+    private MeasuredCircle Fit(IReadOnlyList<Point2> points, double u) =>
+        FeatureFits.Named(Name, () => MeasuredCircle.Of(Method, points, u));
 }

@@ -75,7 +75,8 @@ public sealed class CircleKind : FeatureKind
         // As large as its points need, one step apart.
         var radius = Math.Max(height, step * counts[0] / (2 * Math.PI));
         var circle = new Circle2(new(radius, 0), radius);
-        return new([.. Enumerable.Range(0, counts[0]).Select(i => circle.At(Angle.FromDegrees(180 - (360.0 * i / counts[0]))))], Around(circle), (2 * radius) + step);
+        Point2[] points = [.. Enumerable.Range(0, counts[0]).Select(i => circle.At(Angle.FromDegrees(180 - (360.0 * i / counts[0]))))];
+        return new(points, Around(circle), (2 * radius) + step);
     }
 
     /// <inheritdoc/>
@@ -85,7 +86,12 @@ public sealed class CircleKind : FeatureKind
         reading.Tolerance,
         reading.Plane,
         reading.Points(this)[0],
-        reading.Item.Find("method")?.Text switch { Inscribed => CircleMethod.Inscribed, Circumscribed => CircleMethod.Circumscribed, _ => CircleMethod.LeastSquares });
+        reading.Item.Find("method")?.Text switch
+        {
+            Inscribed => CircleMethod.Inscribed,
+            Circumscribed => CircleMethod.Circumscribed,
+            _ => CircleMethod.LeastSquares,
+        });
 
     /// <inheritdoc/>
     internal override FoundPass? WholeOf(NcPath path, FoundPass cut, int motion)
@@ -118,5 +124,6 @@ public sealed class CircleKind : FeatureKind
     }
 
     /// <summary>A circle as a closed polyline.</summary>
-    private static Point2[] Around(Circle2 circle) => [.. Enumerable.Range(0, Pieces + 1).Select(i => circle.At(Angle.FromDegrees(360.0 * i / Pieces)))];
+    private static Point2[] Around(Circle2 circle) =>
+        [.. Enumerable.Range(0, Pieces + 1).Select(i => circle.At(Angle.FromDegrees(360.0 * i / Pieces)))];
 }

@@ -24,11 +24,14 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
     }
 
     /// <summary>The places of the boundary at the key points, each moved by its correction.</summary>
-    public Point2[] Moved(IReadOnlyList<Vector2> corrections) => [.. Rays.Select((ray, i) => Boundary.Center + (ray * Boundary.Radius) + corrections[i])];
+    public Point2[] Moved(IReadOnlyList<Vector2> corrections) =>
+        [.. Rays.Select((ray, i) => Boundary.Center + (ray * Boundary.Radius) + corrections[i])];
 
     /// <summary>
-    /// The wishes that make another circle of the boundary; path and boundary share the shift of the center and the growth of the radius. Ends move along their own rays, so that
-    /// tangent ways in and out move across their direction only. Of a circle of one block a wish says a diameter: its middle goes where that of the new circle ends.
+    /// The wishes that make another circle of the boundary; path and boundary share the shift of the center and the growth of the radius.
+    /// Ends move along their own rays, so that
+    /// tangent ways in and out move across their direction only. Of a circle of one block a wish says a diameter: its middle goes where
+    /// that of the new circle ends.
     /// </summary>
     public IEnumerable<ElementWish> Wishes(FeatureCut cut, Circle2 wanted)
     {
@@ -42,7 +45,11 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
             }
             else
             {
-                yield return new(i, Along(arc.StartAngle, shift, radius), Along(arc.StartAngle + (arc.Sweep * 0.5), shift, radius), Along(arc.StartAngle + arc.Sweep, shift, radius));
+                yield return new(
+                    i,
+                    Along(arc.StartAngle, shift, radius),
+                    Along(arc.StartAngle + (arc.Sweep * 0.5), shift, radius),
+                    Along(arc.StartAngle + arc.Sweep, shift, radius));
             }
         }
     }
@@ -55,7 +62,8 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         return ray * (shift.Dot(ray) + Math.Sqrt(Math.Max(0, (radius * radius) - (across * across))) - Path.Radius);
     }
 
-    // Both ends of a circle of one block are one place. Told apart from their ray by less than any word can say, they take what is asked, each the same, and do not slide along the ways
+    // Both ends of a circle of one block are one place. Told apart from their ray by less than any word can say, they take what is asked,
+    // each the same, and do not slide along the ways
     // in and out, each by itself. And a shift straight across the diameter looks like none at both of its ends, but for as little along it.
     private ElementWish OfOneBlock(int motion, Arc2 arc, Vector2 shift, double radius)
     {

@@ -67,7 +67,8 @@ public sealed record CurveFeature(
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
 
-    // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does, the smooth course is taken and the arc comes as near as it can.
+    // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does,
+    // the smooth course is taken and the arc comes as near as it can.
     private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
     {
         if (cut.Job.Compensation.Along == CompensationDirection.Vector || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
@@ -84,7 +85,9 @@ public sealed record CurveFeature(
     private ArcLengthField Smooth(MatingJob job, FeaturePass pass, double[] values) =>
         ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, job.Gauge.Uncertainty.CombinedMm);
 
-    /// <summary>The fit, or null for a curve that is no function over its chord: its compensation works along the boundary and does not need one.</summary>
+    /// <summary>
+    /// The fit, or null for a curve that is no function over its chord: its compensation works along the boundary and does not need one.
+    /// </summary>
     private CurveFit? Fit(IReadOnlyList<Point2> points, PolynomialFitOptions options)
     {
         try

@@ -10,7 +10,13 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least two labels in the order of cutting.</param>
 /// <param name="Method">How the line is fitted.</param>
-public sealed record LineFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, IReadOnlyList<string> Points, LineMethod Method)
+public sealed record LineFeature(
+    string Name,
+    IReadOnlyList<string> Blocks,
+    JobTolerance Tolerance,
+    CoordinatePlane Plane,
+    IReadOnlyList<string> Points,
+    LineMethod Method)
     : JobFeature(Name, Blocks, Tolerance, Plane)
 {
     /// <inheritdoc/>

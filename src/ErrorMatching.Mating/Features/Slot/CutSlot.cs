@@ -7,7 +7,8 @@ namespace ErrorMatching.Mating;
 /// <param name="One">Center of one of its ends.</param>
 /// <param name="Other">Center of the other.</param>
 /// <param name="PathRadius">Radius of the arcs of the tool's path.</param>
-/// <param name="ToMaterial">How much further from the center line the boundary lies: a tool radius where the material is outside, that much less where it is inside, nothing under cutter compensation.</param>
+/// <param name="ToMaterial">How much further from the center line the boundary lies: a tool radius where the material is outside, that
+/// much less where it is inside, nothing under cutter compensation.</param>
 internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, double ToMaterial)
 {
     private const double Same = 0.01;
@@ -38,11 +39,14 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
         var isOutside = pass.Feet[0].MaterialIsLeft == (first.Kind == MotionKind.ArcClockwise);
         var aside = first.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : toolDiameterMm / 2;
         var slot = new CutSlot(first.Center, path.Motions[second].Center, first.Arc.Radius, isOutside ? aside : -aside);
-        return Array.FindIndex(moving, m => !slot.Has(path.Motions[m], first.Kind)) is >= 0 and var stranger ? (null, moving[stranger]) : (slot, -1);
+        return Array.FindIndex(moving, m => !slot.Has(path.Motions[m], first.Kind)) is >= 0 and var stranger
+            ? (null, moving[stranger])
+            : (slot, -1);
     }
 
     /// <summary>The place of its boundary at a foot.</summary>
-    public Point2 BoundaryAt(NcPath path, KeyPointFoot foot) => path.Motions[foot.Motion].PlaneAt(foot.Fraction) - (foot.Normal * Math.Abs(ToMaterial));
+    public Point2 BoundaryAt(NcPath path, KeyPointFoot foot) =>
+        path.Motions[foot.Motion].PlaneAt(foot.Fraction) - (foot.Normal * Math.Abs(ToMaterial));
 
     /// <summary>The wishes that make another slot of the boundary: the path's is as much wider, its ends have the same centers.</summary>
     /// <param name="cut">The cut.</param>
@@ -59,7 +63,8 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
         }
     }
 
-    // Where flank and end touch they go on doing so. Between, a place of a flank goes straight across, and one of an end along its ray, so that tangent ways in and out move across their direction only.
+    // Where flank and end touch they go on doing so. Between, a place of a flank goes straight across, and one of an end along its ray,
+    // so that tangent ways in and out move across their direction only.
     private Vector2 Move(Point2 place, CutSlot to)
     {
         var (along, side) = ((place - Other).Dot(Direction), Math.Sign((place - Other).Cross(Direction)));
@@ -85,11 +90,13 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
     {
         if (motion.IsArc)
         {
-            return motion.Kind == turn && Math.Abs(motion.Arc.Radius - PathRadius) <= Same && Math.Min(motion.Center.DistanceTo(One), motion.Center.DistanceTo(Other)) <= Same;
+            return motion.Kind == turn && Math.Abs(motion.Arc.Radius - PathRadius) <= Same
+                && Math.Min(motion.Center.DistanceTo(One), motion.Center.DistanceTo(Other)) <= Same;
         }
 
         var axis = new Line2(Other, One - Other);
-        return Math.Abs(Math.Abs(axis.SignedDistance(motion.PlaneStart)) - PathRadius) <= Same && Math.Abs(Math.Abs(axis.SignedDistance(motion.PlaneEnd)) - PathRadius) <= Same
+        return Math.Abs(Math.Abs(axis.SignedDistance(motion.PlaneStart)) - PathRadius) <= Same
+            && Math.Abs(Math.Abs(axis.SignedDistance(motion.PlaneEnd)) - PathRadius) <= Same
             && axis.SignedDistance(motion.PlaneStart) * axis.SignedDistance(motion.PlaneEnd) > 0;
     }
 }

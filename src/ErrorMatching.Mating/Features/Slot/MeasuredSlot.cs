@@ -3,7 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// The slot that stands for points: two parallel lines by total least squares with one direction, and round ends that touch both and lie where the points of each end want them (least squares of
+/// The slot that stands for points: two parallel lines by total least squares with one direction, and round ends that touch both and lie
+/// where the points of each end want them (least squares of
 /// the distances, the radius being half the width).
 /// </summary>
 internal sealed record MeasuredSlot
@@ -25,7 +26,10 @@ internal sealed record MeasuredSlot
     /// <summary>Half the width, mm.</summary>
     public required double Radius { get; init; }
 
-    /// <summary>Standard errors of width, length and direction (radians), and of the middle in x and in y, to first order, as if none of them knew of the others.</summary>
+    /// <summary>
+    /// Standard errors of width, length and direction (radians), and of the middle in x and in y, to first order, as if none of them knew
+    /// of the others.
+    /// </summary>
     public (double Width, double Length, double Direction, Vector2 Middle) StandardErrors { get; private init; }
 
     /// <summary>Signed distance of each point from it, positive outside, in the order of the lists, mm.</summary>
@@ -41,7 +45,8 @@ internal sealed record MeasuredSlot
     public Point2 Middle => FirstCenter.Lerp(SecondCenter, 0.5);
 
     /// <summary>Fits it.</summary>
-    /// <param name="points">Two or more points of the first flank, one or more of the end behind it, of the second flank and of the other end.</param>
+    /// <param name="points">Two or more points of the first flank, one or more of the end behind it, of the second flank and of the other
+    /// end.</param>
     /// <param name="u">Standard uncertainty of a point, mm.</param>
     /// <exception cref="GeometryException">The points determine no slot: flanks of one place, or an end beside them.</exception>
     public static MeasuredSlot Of(IReadOnlyList<IReadOnlyList<Point2>> points, double u)
@@ -54,7 +59,14 @@ internal sealed record MeasuredSlot
         var radius = Math.Abs(across) / 2;
         var axis = new Line2(first + (normal * (across / 2)), direction);
         var (one, other) = (End(points[1], axis, radius, 1), End(points[3], axis, radius, -1));
-        var slot = new MeasuredSlot { Direction = direction, FirstCenter = axis.At(one.Along), SecondCenter = axis.At(other.Along), Radius = radius, FirstIsLeft = across < 0 };
+        var slot = new MeasuredSlot
+        {
+            Direction = direction,
+            FirstCenter = axis.At(one.Along),
+            SecondCenter = axis.At(other.Along),
+            Radius = radius,
+            FirstIsLeft = across < 0,
+        };
         double[] residuals = [.. points.SelectMany((list, i) => list.Select(p => i % 2 == 0
             ? Math.Abs(axis.SignedDistance(p)) - radius
             : p.DistanceTo(i == 1 ? slot.FirstCenter : slot.SecondCenter) - radius))];
@@ -97,7 +109,8 @@ internal sealed record MeasuredSlot
 
     private static double Square(double value) => value * value;
 
-    private static Point2 Mean(IReadOnlyList<Point2> points) => Point2.Origin + (points.Aggregate(Vector2.Zero, (sum, p) => sum + (p - Point2.Origin)) / points.Count);
+    private static Point2 Mean(IReadOnlyList<Point2> points) =>
+        Point2.Origin + (points.Aggregate(Vector2.Zero, (sum, p) => sum + (p - Point2.Origin)) / points.Count);
 
     // The direction in which points of both flanks scatter most about their own means (total least squares).
     private static Vector2 Common(IReadOnlyList<Point2> a, Point2 meanOfA, IReadOnlyList<Point2> b, Point2 meanOfB)

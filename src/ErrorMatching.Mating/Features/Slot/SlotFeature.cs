@@ -4,13 +4,22 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Two parallel flanks with round ends, cut in one go: a slot or a key. Its flanks shift and tilt together, its ends follow and go on touching both.</summary>
+/// <summary>
+/// Two parallel flanks with round ends, cut in one go: a slot or a key. Its flanks shift and tilt together, its ends follow and go on
+/// touching both.
+/// </summary>
 /// <param name="Name">Its name, unique in the job.</param>
 /// <param name="Blocks">Selectors of the blocks that cut it.</param>
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
-/// <param name="Lists">In the order of cutting at least two labels on a flank, one on the end behind it, two on the other flank and one on the other end.</param>
-public sealed record SlotFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, IReadOnlyList<IReadOnlyList<string>> Lists)
+/// <param name="Lists">In the order of cutting at least two labels on a flank, one on the end behind it, two on the other flank and one
+/// on the other end.</param>
+public sealed record SlotFeature(
+    string Name,
+    IReadOnlyList<string> Blocks,
+    JobTolerance Tolerance,
+    CoordinatePlane Plane,
+    IReadOnlyList<IReadOnlyList<string>> Lists)
     : JobFeature(Name, Blocks, Tolerance, Plane)
 {
     /// <summary>Code of the refusal of blocks or points that are not those of a slot.</summary>
@@ -56,7 +65,9 @@ public sealed record SlotFeature(string Name, IReadOnlyList<string> Blocks, JobT
         {
             if (CutSlot.Of(path, pass, 0) is { Slot: null, Stranger: var stranger })
             {
-                return At(path, stranger, NotASlot, "it is neither a flank nor a round end of a slot. Name the two flanks and the two ends alone, without the way in and out.");
+                const string Why = "it is neither a flank nor a round end of a slot. "
+                    + "Name the two flanks and the two ends alone, without the way in and out.";
+                return At(path, stranger, NotASlot, Why);
             }
 
             int[] lists = [.. Lists.SelectMany((labels, list) => labels.Select(_ => list))];
@@ -64,7 +75,9 @@ public sealed record SlotFeature(string Name, IReadOnlyList<string> Blocks, JobT
             if (wrong >= 0)
             {
                 var (has, wants) = lists[wrong] % 2 == 1 ? ("a flank", "a round end") : ("a round end", "a flank");
-                return At(path, pass.Feet[wrong].Motion, NotASlot, $"the point {pass.Feet[wrong].Label} lies at {has}; expected {wants}. Name the points of a flank, of the end behind it, of the other flank and of the other end.");
+                var why = $"the point {pass.Feet[wrong].Label} lies at {has}; expected {wants}. "
+                    + "Name the points of a flank, of the end behind it, of the other flank and of the other end.";
+                return At(path, pass.Feet[wrong].Motion, NotASlot, why);
             }
         }
 
@@ -112,5 +125,6 @@ public sealed record SlotFeature(string Name, IReadOnlyList<string> Blocks, JobT
         return FeatureFits.Named(Name, () => MeasuredSlot.Of(lists, u));
     }
 
-    private MatingRefusal At(NcPath path, int motion, string code, string message) => FeatureMapper.At(path, path.Motions[motion].Block, code, message, Name);
+    private MatingRefusal At(NcPath path, int motion, string code, string message) =>
+        FeatureMapper.At(path, path.Motions[motion].Block, code, message, Name);
 }

@@ -101,7 +101,8 @@ public sealed class SlotKind : FeatureKind
         {
             for (var first = Math.Max(cut.First, motion - span + 1); first <= motion && first + span - 1 <= cut.Last; first++)
             {
-                if (path.Motions[first].PlaneStart.DistanceTo(path.Motions[first + span - 1].PlaneEnd) < SamePlaceMm && path.Motions[first].MovesInPlane)
+                if (path.Motions[first].PlaneStart.DistanceTo(path.Motions[first + span - 1].PlaneEnd) < SamePlaceMm
+                    && path.Motions[first].MovesInPlane)
                 {
                     return new(first, first + span - 1);
                 }

@@ -3,7 +3,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Each flank of a triangle has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc, stays tangent to both.</summary>
+/// <summary>
+/// Each flank of a triangle has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc,
+/// stays tangent to both.
+/// </summary>
 internal static class TriangleWish
 {
     /// <summary>The wishes for one cut, in the order of its motions.</summary>

@@ -135,7 +135,8 @@ public sealed class DrawingTests
         Assert.Null(Scene(new DrawnPoint("1", new(0, 0), new(0, 1), 0.1, 0, 0)));
     }
 
-    // A square of side 10 from its corner, a deviation in the middle of its first side and of its last: the corner lies half way between both, seen from either end.
+    // A square of side 10 from its corner, a deviation in the middle of its first side and of its last: the corner lies half way between
+    // both, seen from either end.
     [Fact]
     public void A_closed_boundary_closes_in_its_drawing()
     {

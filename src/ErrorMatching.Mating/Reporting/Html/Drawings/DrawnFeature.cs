@@ -44,7 +44,10 @@ internal sealed class DrawnFeature
     /// <summary>Unit normal of a piece, into the part.</summary>
     public Vector2 Normal(int segment) => _outline.Left(segment) * _side;
 
-    /// <summary>A deviation at a vertex: even between the key points, across the ends of a closed boundary as well; that of the nearest key point beyond those of an open one.</summary>
+    /// <summary>
+    /// A deviation at a vertex: even between the key points, across the ends of a closed boundary as well; that of the nearest key point
+    /// beyond those of an open one.
+    /// </summary>
     public double At(int vertex, Func<DrawnPoint, double> deviation)
     {
         var station = _outline.StationOf(vertex);
