@@ -17,7 +17,8 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     public uint UnknownLetters { get; } = LettersOf(dialect, LetterRole.Unknown);
 
     /// <summary>Letters whose number is a length.</summary>
-    public uint LengthLetters { get; } = LettersOf(dialect, LetterRole.Axis, LetterRole.Center, LetterRole.Radius);
+    public uint LengthLetters { get; } =
+        LettersOf(dialect, LetterRole.Axis) | LettersOf(dialect, LetterRole.Center) | LettersOf(dialect, LetterRole.Radius);
 
     /// <summary>
     /// LinuxCNC has a motion for each step of a cycle even where it leads nowhere, and one for each block that states a straight one.
@@ -113,12 +114,12 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
         return (given & bit) == 0 ? at : (incremental & bit) != 0 ? Sum(at, Length(letter)) : Length(letter);
     }
 
-    private static uint LettersOf(NcDialect dialect, params ReadOnlySpan<LetterRole> roles)
+    private static uint LettersOf(NcDialect dialect, LetterRole role)
     {
         var letters = 0u;
         for (var letter = 'A'; letter <= 'Z'; letter++)
         {
-            letters |= roles.Contains(dialect.RoleOf((byte)letter)) ? BlockWords.Bit(letter) : 0;
+            letters |= dialect.RoleOf((byte)letter) == role ? BlockWords.Bit(letter) : 0;
         }
 
         return letters;

@@ -14,7 +14,10 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
     /// <summary>So many first blocks set the modes, and so many blocks lead to the middle.</summary>
     public const int LeadIn = 16 * RunBorders.Stretch;
 
-    private Task<(NcInterpreter Run, ModalState Began)?>? _ahead;
+    private Task<RunAhead?>? _ahead;
+
+    // A class: tasks of our own structs are not compiled before they run.
+    private sealed record RunAhead(NcInterpreter Run, ModalState Began);
 
     /// <summary>The block at which it began, until the first core has come there.</summary>
     public int Seam { get; private set; } = int.MaxValue;
@@ -45,7 +48,7 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
     }
 
     // The rest of the program from the seam on, as far as it has cuts and rapids only; null where something else leads to the seam.
-    private (NcInterpreter Run, ModalState Began)? Ahead(ModalState state, NcMotions motions, int seam, CancellationToken end)
+    private RunAhead? Ahead(ModalState state, NcMotions motions, int seam, CancellationToken end)
     {
         var before = new NcInterpreter(program, dialect, new(), null, end);
         before.RunCuts(state, seam - LeadIn, seam);
@@ -58,6 +61,6 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
         ahead.RunCuts(before.State, seam, program.BlockCount);
 
         // A problem would have to be told in its order, and only once; there should be none.
-        return ahead.HasProblems ? null : (ahead, before.State);
+        return ahead.HasProblems ? null : new(ahead, before.State);
     }
 }
