@@ -33,12 +33,12 @@ public sealed class SystemSetupTests
         foreach (var row in Mistakes)
         {
             var (side, field, text, problem, told) = row.Data;
-            ((TextField)seat.System.Field(field)).Text = text;
+            ((TextField)seat.System.FieldOf(field)).Text = text;
             seat.Settle();
             seat.Shell.Editing.Save.Execute(null);
             seat.Seat.WaitFor(() => !seat.Shell.Editing.Save.IsRunning, "Saving does not end.");
             var at = problem.Replace("problem-", "edit-", StringComparison.Ordinal);
-            Assert.StartsWith(told, seat.System.Field(at).Problem, StringComparison.Ordinal);
+            Assert.StartsWith(told, seat.System.FieldOf(at).Problem, StringComparison.Ordinal);
             if (seen.Add(side))
             {
                 // What the field says is on the screen, and the focus is there.
