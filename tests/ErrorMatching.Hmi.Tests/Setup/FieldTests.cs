@@ -48,9 +48,9 @@ public sealed class FieldTests
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-name").Classes);
 
         // Of another field with its row, as several have that name; where the focus is gone to one that is well, of the first again.
-        seat.Seat.Type("edit-features[2].name", "L1");
+        seat.Seat.Tap("edit-features[2].name").Type("edit-features[2].name", "L/1");
         seat.Settle();
-        Assert.Equal(("L1 · Name", "Another one has this name."), (seat.TextOf("setup-told"), seat.TextOf("problem-features[2].name")));
+        Assert.Equal(("L/1 · Name", seat.Setup.Features[2].Name.Problem), (seat.TextOf("setup-told"), seat.TextOf("problem-features[2].name")));
         Assert.Contains("wrong", seat.Seat.See("edit-features[2].name").Classes);
         Assert.Null(seat.Seat.Find("problem-name"));
         _ = seat.Seat.See("edit-workOrder").Focus();
@@ -58,7 +58,7 @@ public sealed class FieldTests
         Assert.Equal("Workpiece", seat.TextOf("setup-told"));
         Assert.Equal("Fill this in.", AutomationProperties.GetHelpText(seat.Seat.See("edit-name")));
 
-        seat.Seat.Type("edit-name", "Named").Type("edit-features[2].name", "C1");
+        seat.Seat.Tap("edit-name").Type("edit-name", "Named").Tap("edit-features[2].name").Type("edit-features[2].name", "C1");
         seat.Settle();
         Assert.Null(seat.Seat.Find("setup-told"));
         Assert.Null(seat.Seat.Find("problem-name"));
