@@ -18,9 +18,10 @@ public sealed class ComputeAnewTests
         seat.Cell.Deliver(2, 0.001);
         seat.WaitFor(2, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Operator).Tap("nav-compensation").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
-        Assert.Null(seat.Find("compute-anew"));
+        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
 
         Change(seat, "-31.95", "-31.951");
+        seat.WaitFor(() => seat.See("compute-anew").IsEffectivelyEnabled, "It cannot be computed anew.");
         Assert.Contains("accent", seat.See("compute-anew").Classes);
         Assert.DoesNotContain("accent", seat.See("approve").Classes);
         Assert.Equal("Made before the job was changed. To use the current job, recalculate this.", seat.TextOf("detail-changed-job"));
@@ -35,7 +36,7 @@ public sealed class ComputeAnewTests
         // In the place of the one before, chosen, and made with the job as it is.
         seat.WaitFor(() => Rows(seat).Select(r => (r.Id, r.IsOfChangedJob)).SequenceEqual([(3L, false), (2L, true)]), "It does not stand in its place.");
         Assert.Equal(3, ((CompensationViewModel)seat.Shell.Current!).Chosen?.Id);
-        Assert.Null(seat.Find("compute-anew"));
+        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
         Assert.Null(seat.Find("detail-changed-job"));
 
         // By the keyboard as well, and what was computed anew once can be again.
@@ -67,11 +68,14 @@ public sealed class ComputeAnewTests
             }
         }
 
-        Change(seat, "-31.95", "-31.951");
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-3").See("compute-anew");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-3").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");
+        var (anew, waits) = (seat.See("compute-anew").Bounds, seat.See("compensation-waits").Bounds);
+        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
 
-        // It has room beside what it waits for.
-        seat.See("compensation-waits");
+        // It has room beside what it waits for, before its job is changed and then.
+        Change(seat, "-31.95", "-31.951");
+        seat.WaitFor(() => seat.See("compute-anew").IsEffectivelyEnabled, "It cannot be computed anew.");
+        Assert.Equal((anew, waits), (seat.See("compute-anew").Bounds, seat.See("compensation-waits").Bounds));
         BeClean(seat);
         seat.Tap("correction-1").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
         seat.See("release");

@@ -142,6 +142,87 @@ public sealed class TargetTests
         Assert.Empty(known.Except(said));
     });
 
+    /// <summary>In each field of each side something is typed that cannot be meant, and nothing at all; in each choice everything is chosen.</summary>
+    [Theory]
+    [InlineData(Screens.Points, TouchSize.Standard)]
+    [InlineData(Screens.System, TouchSize.Standard)]
+    [InlineData(Screens.Points, TouchSize.Largest)]
+    [InlineData(Screens.System, TouchSize.Largest)]
+    public Task Nothing_that_is_said_of_a_field_moves_a_target(string screen, TouchSize touch) => SetupSeat.AtAsync(screen, here =>
+    {
+        var (seat, editing, moved, tried) = (here.Seat, here.Shell.Editing, new List<string>(), new HashSet<string>(StringComparer.Ordinal));
+        seat.Shell.Preferences.TouchSize = touch;
+
+        // A row of each kind, and what is empty is told too.
+        editing.Change("", d => d with { Chain = [new("cover", "15", "-0.1", "0.1")], Comparisons = [new("a", "angle", "L1, L1")] });
+        here.Settle();
+        editing.Tell();
+        seat.Tap("nav-" + screen);
+        var sample = editing.Draft;
+        string[] sides = screen == Screens.Points ? [""] : ["side-coordinates", "side-blocks", "side-tolerances", "side-machine", "side-gauge"];
+        foreach (var side in sides)
+        {
+            if (side.Length > 0)
+            {
+                seat.Tap(side);
+            }
+
+            here.Settle();
+            foreach (var id in Targets(seat).Keys.Where(k => k.StartsWith("edit-", StringComparison.Ordinal)).ToArray())
+            {
+                // In a long list, rows far from what is looked at are not there.
+                if (seat.Find(id) is not { } field || !field.Focus())
+                {
+                    continue;
+                }
+
+                here.Settle();
+                var before = Targets(seat);
+                foreach (var (name, mistake) in Mistakes((SetupViewModel)seat.Shell.Current!, id))
+                {
+                    mistake();
+                    here.Settle();
+                    if (editing.Problems.Count > 0 && Targets(seat).Keys.ToHashSet().SetEquals(before.Keys))
+                    {
+                        _ = tried.Add(id);
+                        moved.AddRange(Moved(seat, before).Select(m => $"{side} {touch}: \"{name}\" in {id} moves {m}"));
+                    }
+
+                    editing.Typed = null;
+                    editing.Change("", _ => sample);
+                    here.Settle();
+                }
+            }
+        }
+
+        Assert.True(moved.Count == 0, string.Join('\n', moved));
+        Assert.InRange(tried.Count, screen == Screens.Points ? 5 : 40, 200);
+    });
+
+    private static IEnumerable<(string Name, Action Mistake)> Mistakes(SetupViewModel setup, string id) => setup.FieldOf(id) switch
+    {
+        TextField text => [("?!", () => text.Text = "?!"), ("", () => text.Text = "")],
+        ChoiceField choice => choice.Items.Where(i => i != choice.Chosen).Select(i => (i.Word, (Action)(() => choice.Chosen = i))),
+        _ => [],
+    };
+
+    [Theory]
+    [InlineData("nav-verification", "piece-", "verification-mating")]
+    [InlineData("nav-freeform", "surface-", "freeform-job")]
+    public Task A_choice_that_comes_with_a_second_job_moves_no_row(string screen, string row, string choice) => Seat.AtAsync(seat =>
+    {
+        new Tour(seat).Deliver();
+        seat.SignIn(DemoCell.Setter).Tap(screen);
+        seat.WaitFor(() => Targets(seat).Keys.Any(k => k.StartsWith(row, StringComparison.Ordinal)), "There is no row.");
+        var before = Targets(seat);
+        Assert.DoesNotContain(choice, before.Keys);
+        var box = seat.Window.GetVisualDescendants().OfType<ComboBox>().Single(c => AutomationProperties.GetAutomationId(c) == choice);
+        using var shown = box.SetValue(Visual.IsVisibleProperty, true, BindingPriority.Animation);
+        seat.User.Settle();
+        Assert.Contains(choice, Targets(seat).Keys);
+        Assert.Empty(Moved(seat, before));
+    });
+
     // What comes by itself or after a tap, and is not there yet: a screen reader reads it out, or it shows progress.
     private static Control[] Saying(Seat seat) => [.. seat.Window.GetVisualDescendants().OfType<Control>()
         .Where(c => c is ProgressBar || (c is TextBlock && AutomationProperties.GetLiveSetting(c) != AutomationLiveSetting.Off))

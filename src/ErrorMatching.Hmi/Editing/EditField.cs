@@ -2,12 +2,15 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A field of the draft on a screen: its name, and what is wrong with it beside it.</summary>
+/// <summary>A field of the draft on a screen: its name, and what is wrong with it.</summary>
 /// <param name="editing">The job that is edited.</param>
 /// <param name="path">Where it stands in the draft (<see cref="DraftPaths"/>).</param>
 /// <param name="label">Key of its name.</param>
 public abstract class EditField(JobEditing editing, string path, string label) : Observable
 {
+    /// <summary>What the identifiers of fields begin with.</summary>
+    internal const string IdStart = "edit-";
+
     private string? _problem;
     private bool _isTouched;
     private bool _isWrong;
@@ -19,8 +22,14 @@ public abstract class EditField(JobEditing editing, string path, string label) :
     /// <summary>Its name.</summary>
     public string Label => Texts.Current[label];
 
+    /// <summary>Name of the row that it stands in, where others of its name stand in other rows; null where none does.</summary>
+    public Func<string>? Row { get; init; }
+
+    /// <summary>Its name with that of its row.</summary>
+    public string Title => Row?.Invoke() is { Length: > 0 } row ? $"{row} · {Label}" : Label;
+
     /// <summary>Identifies it.</summary>
-    public string AutomationId => "edit-" + path.Replace("$.", "", StringComparison.Ordinal);
+    public string AutomationId => IdStart + path.Replace("$.", "", StringComparison.Ordinal);
 
     /// <summary>Identifies what is wrong with it.</summary>
     public string ProblemId => "problem-" + path.Replace("$.", "", StringComparison.Ordinal);
@@ -58,6 +67,9 @@ public abstract class EditField(JobEditing editing, string path, string label) :
     /// <summary>True if something is wrong with it or it is still to be filled in.</summary>
     public bool IsToMend => HasProblem && !IsDoubtful;
 
+    /// <summary>True if nothing stands in it and that is told.</summary>
+    public bool IsToFillIn => IsToMend && !IsWrong && IsEmpty;
+
     /// <summary>True if it can be edited now.</summary>
     public bool CanEdit => editing.CanEdit;
 
@@ -82,12 +94,20 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         Problem = IsDoubtful ? Sentence.Joined(questions) : told;
         IsWrong = HasProblem && all.Any(p => !p.IsMissing);
         Say(nameof(IsToMend));
+        Say(nameof(IsToFillIn));
         Say(nameof(CanEdit));
         Say(nameof(Label));
+        Say(nameof(Title));
+        ShowTold();
     }
 
     /// <summary>Shows what the draft has.</summary>
     protected abstract void Refresh();
+
+    /// <summary>Shows what follows from what is wrong.</summary>
+    protected virtual void ShowTold()
+    {
+    }
 
     /// <summary>Changes the draft.</summary>
     protected void Change(Func<MatingDraft, MatingDraft> change)

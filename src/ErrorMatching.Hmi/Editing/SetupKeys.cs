@@ -32,7 +32,7 @@ internal static class SetupKeys
             return false;
         }
 
-        // With what is wrong with it, which stands under it in the same view: once it has its room there.
+        // With its name, which stands over it in the same view: once it has its room there.
         var whole = field.GetVisualParent() is Control { } around && around.Bounds.Height < screen.Bounds.Height / 2 ? around : field;
         whole.BringIntoView();
         Dispatcher.UIThread.Post(whole.BringIntoView, DispatcherPriority.Loaded);

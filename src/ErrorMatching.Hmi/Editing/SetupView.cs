@@ -1,4 +1,5 @@
 using Avalonia;
+using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
@@ -14,7 +15,11 @@ public abstract class SetupView : UserControl
     private string? _wanted;
 
     /// <summary>A view without a screen to set up yet.</summary>
-    protected SetupView() => LayoutUpdated += (_, _) => Look();
+    protected SetupView()
+    {
+        LayoutUpdated += (_, _) => Look();
+        AddHandler(GotFocusEvent, OnFocus, RoutingStrategies.Bubble, handledEventsToo: true);
+    }
 
     /// <inheritdoc/>
     protected override void OnDataContextChanged(EventArgs e)
@@ -83,6 +88,15 @@ public abstract class SetupView : UserControl
         if (_setup is not null)
         {
             _setup.FieldWanted += GoTo;
+        }
+    }
+
+    // That of a field is spoken of.
+    private void OnFocus(object? sender, FocusChangedEventArgs e)
+    {
+        if (e.Source is Control field && AutomationProperties.GetAutomationId(field) is { } id && id.StartsWith(EditField.IdStart, StringComparison.Ordinal))
+        {
+            _setup?.Look(id);
         }
     }
 

@@ -8,6 +8,7 @@ public abstract class SetupViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
     private string _shape = "";
+    private string? _at;
 
     /// <summary>A screen at the job that is edited.</summary>
     protected SetupViewModel(ShellViewModel shell)
@@ -128,6 +129,12 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>What did not work or is to be known: of the screen, else of the job.</summary>
     public string? Trouble => Message ?? Editing.Message;
 
+    /// <summary>
+    /// The field that is spoken of: the one with the focus, or that had it last, where something is wrong with it; else the first such one
+    /// of what is open of the screen. Null if there is none.
+    /// </summary>
+    public EditField? Told => TellableFields() is var fields && fields.FirstOrDefault(f => f.AutomationId == _at) is { } at ? at : fields.FirstOrDefault(f => f.IsToMend);
+
     /// <summary>True if nothing is in front of the screen.</summary>
     public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
 
@@ -140,9 +147,23 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>Key of the screen.</summary>
     protected abstract string Key { get; }
 
+    /// <summary>Which side of the screen is open (<see cref="ProblemPlace"/>).</summary>
+    protected virtual int OpenSide => 0;
+
     private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key);
 
     private int MissingThere => Editing.MissingCount - MissingHere;
+
+    /// <summary>A field by its AutomationId.</summary>
+    internal EditField FieldOf(string automationId) => Fields.First(f => f.AutomationId == automationId);
+
+    /// <summary>Says where the focus is now.</summary>
+    /// <param name="automationId">Of the field.</param>
+    internal void Look(string automationId)
+    {
+        _at = automationId;
+        Say(nameof(Told));
+    }
 
     /// <summary>Begins to follow the draft, once the fields are made.</summary>
     protected void Begin()
@@ -216,6 +237,10 @@ public abstract class SetupViewModel : ScreenViewModel
         ArgumentNullException.ThrowIfNull(field);
         FieldWanted?.Invoke(field.AutomationId);
     }
+
+    // What is typed itself: of everything else is spoken where it stands.
+    private EditField[] TellableFields() =>
+        [.. Fields.Where(f => f.HasProblem && f is not NoteField && (Key == Screens.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
 
     // What was said of the draft as it was is over.
     private void Forget()

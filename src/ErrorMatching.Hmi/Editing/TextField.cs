@@ -20,8 +20,11 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
     /// <summary>Whether it may stay empty in a draft; null if it never may.</summary>
     public Func<MatingDraft, bool>? MayBeEmpty { get; init; }
 
+    /// <summary>Key of an example of what is typed there; null for none.</summary>
+    public string? Example { get; init; }
+
     /// <summary>What stands in the empty field.</summary>
-    public string Placeholder => MayBeEmpty?.Invoke(Editing.Draft) != true ? "" : Default is { } value ? Texts.Current.With("Setup.Default", value) : Texts.Current["Setup.Optional"];
+    public string Placeholder => IsToFillIn ? Texts.Current["Setup.FillIn"] : Example is { } example ? Texts.Current[example] : MayBeEmpty?.Invoke(Editing.Draft) != true ? "" : Default is { } value ? Texts.Current.With("Setup.Default", value) : Texts.Current["Setup.Optional"];
 
     /// <summary>What stands there.</summary>
     public string Text
@@ -55,6 +58,9 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
     protected override bool IsEmpty => string.IsNullOrWhiteSpace(_shown);
 
     /// <inheritdoc/>
+    protected override void ShowTold() => Say(nameof(Placeholder));
+
+    /// <inheritdoc/>
     protected override void Refresh()
     {
         // What was typed and cannot be meant stays to be mended.
@@ -62,7 +68,5 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
         {
             Set(ref _shown, get(Editing.Draft), nameof(Text));
         }
-
-        Say(nameof(Placeholder));
     }
 }

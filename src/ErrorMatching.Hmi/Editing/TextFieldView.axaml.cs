@@ -2,7 +2,7 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A field that is typed into, with its name above and what is wrong below.</summary>
+/// <summary>A field that is typed into, with its name above; it is marked where something is wrong.</summary>
 public sealed partial class TextFieldView : StackPanel
 {
     /// <summary>The view.</summary>

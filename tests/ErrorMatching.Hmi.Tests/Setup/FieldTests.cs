@@ -1,7 +1,9 @@
+using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Controls.Presenters;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -37,19 +39,48 @@ public sealed class FieldTests
     });
 
     [Fact]
-    public Task What_is_wrong_is_made_where_something_is_and_goes_with_it() => SetupSeat.AtAsync("points", seat =>
+    public Task What_is_wrong_is_said_in_the_strip_for_the_field_with_the_focus_else_for_the_first() => SetupSeat.AtAsync("points", seat =>
     {
-        var notes = seat.Seat.Window.GetVisualDescendants().OfType<FieldNote>().ToArray();
-        Assert.NotEmpty(notes);
-        Assert.All(notes, n => Assert.Null(n.Child));
-
+        Assert.Null(seat.Seat.Find("setup-told"));
         seat.Seat.Type("edit-name", " ");
         seat.Settle();
-        Assert.NotNull(seat.Seat.TextOf("problem-name"));
-        Assert.Single(notes, n => n.Child is not null);
+        Assert.Equal(("Workpiece", "Fill this in."), (seat.TextOf("setup-told"), seat.TextOf("problem-name")));
+        Assert.DoesNotContain("wrong", seat.Seat.See("edit-name").Classes);
 
-        seat.Seat.Type("edit-name", "Named");
+        // Of another field with its row, as several have that name; where the focus is gone to one that is well, of the first again.
+        seat.Seat.Tap("edit-features[2].name").Type("edit-features[2].name", "L/1");
         seat.Settle();
+        Assert.Equal(("L/1 · Name", seat.Setup.Features[2].Name.Problem), (seat.TextOf("setup-told"), seat.TextOf("problem-features[2].name")));
+        Assert.Contains("wrong", seat.Seat.See("edit-features[2].name").Classes);
         Assert.Null(seat.Seat.Find("problem-name"));
+        _ = seat.Seat.See("edit-workOrder").Focus();
+        seat.Settle();
+        Assert.Equal("Workpiece", seat.TextOf("setup-told"));
+        Assert.Equal("Fill this in.", AutomationProperties.GetHelpText(seat.Seat.See("edit-name")));
+
+        seat.Seat.Tap("edit-name").Type("edit-name", "Named").Tap("edit-features[2].name").Type("edit-features[2].name", "C1");
+        seat.Settle();
+        Assert.Null(seat.Seat.Find("setup-told"));
+        Assert.Null(seat.Seat.Find("problem-name"));
+    });
+
+    [Fact]
+    public Task What_is_still_to_be_filled_in_says_so_in_the_empty_field_once_it_is_told() => SetupSeat.AtAsync(Screens.System, seat =>
+    {
+        var boxes = new[] { "edit-features[0].points[1]", "edit-features[0].points[0]/x", "edit-features[0].points[1]/y" };
+        seat.Seat.Tap("setup-anew");
+        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
+        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Label = "" }, .. f.Flanks[0].Skip(2)]] }));
+        seat.Settle();
+        Assert.All(boxes, b => Assert.Equal("", ((TextBox)seat.Seat.See(b)).PlaceholderText));
+        seat.Seat.Tap("setup-problems");
+        seat.Settle();
+        foreach (var (language, words) in new[] { (Language.TraditionalChinese, "待填"), (Language.English, "to fill in") })
+        {
+            Texts.Current.Language = language;
+            seat.Settle();
+            Assert.All(boxes, b => Assert.Equal(words, ((TextBox)seat.Seat.See(b)).PlaceholderText));
+            Assert.Empty(Layout.Problems(seat.Seat.Window));
+        }
     });
 }

@@ -32,6 +32,7 @@ public sealed class NewJobTests
         seat.Seat.Type("edit-name", "Bracket");
         Assert.Equal(("Bracket", "Not saved · complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
         BothLanguages.Take(seat.Seat, "setup-job-unsaved");
+        InAllSizes(seat);
         seat.Seat.Tap("setup-discard");
         Assert.Equal(("Complex mating", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
     });
@@ -52,6 +53,7 @@ public sealed class NewJobTests
         Assert.Equal(
             "Saved as complex-mating/Bracket. It is not in use: complex-mating still runs at vmc1, slot A.", seat.TextOf("setup-notice"));
         BothLanguages.Take(here, "setup-saved-beside");
+        InAllSizes(seat);
 
         // It is opened, changed and saved as any other, and both of its versions are kept.
         editing.Change("", d => d with { WorkOrder = "WO-9" });
@@ -204,6 +206,22 @@ public sealed class NewJobTests
         seat.Settle();
         Assert.Empty(seat.Shell.Editing.Problems);
     }
+
+    // The larger the targets, the less room has the box of jobs; in both languages everything in it is read.
+    private static void InAllSizes(SetupSeat seat)
+    {
+        foreach (var touch in new[] { TouchSize.Large, TouchSize.Largest, TouchSize.Standard })
+        {
+            seat.Shell.Preferences.TouchSize = touch;
+            foreach (var language in new[] { Language.TraditionalChinese, Language.English })
+            {
+                Texts.Current.Language = language;
+                seat.Settle();
+                Assert.Empty(Layout.Problems(seat.Seat.Window));
+            }
+        }
+    }
+
     private static void SaveBeside(SetupSeat seat)
     {
         SetUp(seat);

@@ -159,9 +159,11 @@ public sealed class PointSetupTests
     {
         seat.Seat.Type("edit-features[0].points", "1").Type("edit-features[2].name", "L1");
         seat.Settle();
-        Assert.StartsWith("Too few points", seat.Seat.TextOf("problem-features[0].points"), StringComparison.Ordinal);
         Assert.Equal("This name is already used.", seat.Seat.TextOf("problem-features[2].name"));
-        seat.Seat.Type("edit-name", " ");
+        _ = seat.Seat.See("edit-features[0].points").Focus();
+        seat.Settle();
+        Assert.StartsWith("Too few points", seat.Seat.TextOf("problem-features[0].points"), StringComparison.Ordinal);
+        seat.Seat.Tap("edit-name").Type("edit-name", " ");
         seat.Settle();
         Assert.Equal("Fill this in.", seat.Seat.TextOf("problem-name"));
         Assert.Null(seat.Seat.Find("problem-workOrder"));

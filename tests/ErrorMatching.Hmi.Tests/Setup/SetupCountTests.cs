@@ -24,7 +24,7 @@ public sealed class SetupCountTests
             Assert.Equal(side is ProblemPlace.Tolerances or ProblemPlace.Machine ? 1 : 0, count);
             var head = seat.Seat.See("side-" + Sides[side]);
             Assert.Equal(count > 0 ? $"To correct: {count}" : null, AutomationProperties.GetHelpText(head));
-            Assert.Equal(count > 0, head.GetVisualDescendants().OfType<TextBlock>().Any(t => t.IsEffectivelyVisible && t.Text == Shown.Count(count)));
+            Assert.Equal(count > 0, head.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible && p.Classes.Contains("alarm")));
         }
 
         Assert.True(save.IsEffectivelyEnabled);

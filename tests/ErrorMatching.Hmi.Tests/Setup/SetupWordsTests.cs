@@ -50,14 +50,14 @@ public sealed class SetupWordsTests
     public Task Fields_that_may_stay_empty_say_so() => SetupSeat.AtAsync("system", seat =>
     {
         // Verifications compare with it, whatever the compensation follows.
-        Assert.Equal("counterpart.csv", ((TextField)seat.System.Field("edit-counterpart.measured")).Text);
+        Assert.Equal("counterpart.csv", ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Text);
         seat.Shell.Editing.BeginAnew.Execute(null);
         seat.Settle();
-        Assert.Equal(("", "optional"), (((TextField)seat.System.Field("edit-counterpart.measured")).Text, ((TextField)seat.System.Field("edit-counterpart.measured")).Placeholder));
+        Assert.Equal(("", "optional"), (((TextField)seat.System.FieldOf("edit-counterpart.measured")).Text, ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Placeholder));
         Assert.Equal(
             ["empty: 0.5", "empty: 0", "optional", "empty: 1", "empty: 10"],
-            new[] { "edit-counterpart.mapMm", "edit-counterpart.frame.translateMm[1]", "edit-originCheck.point", "edit-compensation.limitMm", "edit-gauge.measuring.probingSpeedMmPerS" }.Select(f => ((TextField)seat.System.Field(f)).Placeholder));
-        Assert.Equal("", ((TextField)seat.System.Field("edit-counterpart.toolDiameterMm")).Placeholder);
+            new[] { "edit-counterpart.mapMm", "edit-counterpart.frame.translateMm[1]", "edit-originCheck.point", "edit-compensation.limitMm", "edit-gauge.measuring.probingSpeedMmPerS" }.Select(f => ((TextField)seat.System.FieldOf(f)).Placeholder));
+        Assert.Equal("", ((TextField)seat.System.FieldOf("edit-counterpart.toolDiameterMm")).Placeholder);
 
         // It stands in the field on the screen as well, as long as the field is empty.
         seat.Seat.Tap("side-machine");

@@ -33,12 +33,12 @@ public sealed class SystemSetupTests
         foreach (var row in Mistakes)
         {
             var (side, field, text, problem, told) = row.Data;
-            ((TextField)seat.System.Field(field)).Text = text;
+            ((TextField)seat.System.FieldOf(field)).Text = text;
             seat.Settle();
             seat.Shell.Editing.Save.Execute(null);
             seat.Seat.WaitFor(() => !seat.Shell.Editing.Save.IsRunning, "Saving does not end.");
             var at = problem.Replace("problem-", "edit-", StringComparison.Ordinal);
-            Assert.StartsWith(told, seat.System.Field(at).Problem, StringComparison.Ordinal);
+            Assert.StartsWith(told, seat.System.FieldOf(at).Problem, StringComparison.Ordinal);
             if (seen.Add(side))
             {
                 // What the field says is on the screen, and the focus is there.
@@ -64,7 +64,9 @@ public sealed class SystemSetupTests
         seat.Settle();
         Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-features[0].toleranceMm[0]"));
         Assert.Contains("wrong", seat.Seat.See("edit-features[0].toleranceMm[0]").Classes);
-        Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-toleranceChain[0].toleranceMm[0]"));
+        _ = seat.Seat.See("edit-toleranceChain[0].toleranceMm[0]").Focus();
+        seat.Settle();
+        Assert.Equal(("cover · Lower, mm", "The lower limit is above the upper one."), (seat.TextOf("setup-told"), seat.TextOf("problem-toleranceChain[0].toleranceMm[0]")));
 
         // Limits that are not used are not judged.
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Tolerance = "chain:rss" }));
@@ -306,10 +308,12 @@ public sealed class SystemSetupTests
             pictures.Take("system-wrong-" + side, isPictured: false);
         }
 
-        // With the field that is to be corrected in sight, and what is wrong with it.
+        // With the field that is to be corrected in sight, and what is wrong with it above.
         seat.Seat.Tap("side-coordinates").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-toleranceChain[1].toleranceMm[1]") is { IsFocused: true }, "The field has no focus.");
         seat.Settle();
-        var (wrong, list) = (seat.Seat.See("problem-toleranceChain[1].toleranceMm[1]"), seat.Seat.See("edit-toleranceChain[1].toleranceMm[1]").FindAncestorOfType<ScrollViewer>()!);
+        _ = seat.Seat.See("problem-toleranceChain[1].toleranceMm[1]");
+        var wrong = seat.Seat.See("edit-toleranceChain[1].toleranceMm[1]");
+        var list = wrong.FindAncestorOfType<ScrollViewer>()!;
         Assert.InRange(wrong.TranslatePoint(new(0, wrong.Bounds.Height), list)!.Value.Y, 0, list.Bounds.Height);
         pictures.Take("system-wrong", isPictured: false);
         pictures.MustBeClean();

@@ -26,7 +26,10 @@ public sealed class FlankEdit : Observable
             _isOne ? "Points.Count" : string.Create(CultureInfo.InvariantCulture, $"Points.Count.{editing.Draft.Features[feature].Kind}.{flank + 1}"),
             d => CountOf(d).ToString(CultureInfo.InvariantCulture),
             (d, t) => IsCount(t, out var count) ? d.WithPoints(feature, flank, count) : d,
-            t => IsCount(t, out _) ? null : "not-a-count");
+            t => IsCount(t, out _) ? null : "not-a-count")
+        {
+            Row = () => FeatureEdit.NameOf(editing, feature),
+        };
         Less = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) - 1)), () => editing.CanEdit && CountOf(editing.Draft) > 0);
         More = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) + 1)), () => editing.CanEdit && CountOf(editing.Draft) < Most);
     }

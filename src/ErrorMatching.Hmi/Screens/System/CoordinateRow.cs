@@ -46,10 +46,20 @@ public sealed record CoordinateRow(string Feature, TextField Label, TextField X,
         }
     }
 
-    private static CoordinateRow Row(JobEditing editing, string feature, string path, bool hasZ, Func<MatingDraft, PointDraft> get, Func<MatingDraft, PointDraft, MatingDraft> set) => new(
-        feature,
-        new(editing, path, "System.Label", d => get(d).Label, (d, t) => set(d, get(d) with { Label = t })),
-        new(editing, DraftPaths.Coordinate(path, "x"), "System.X", d => get(d).X, (d, t) => set(d, get(d) with { X = t })),
-        new(editing, DraftPaths.Coordinate(path, "y"), "System.Y", d => get(d).Y, (d, t) => set(d, get(d) with { Y = t })),
-        hasZ ? new(editing, DraftPaths.Coordinate(path, "z"), "System.Z", d => get(d).Z, (d, t) => set(d, get(d) with { Z = t })) : null);
+    private static CoordinateRow Row(JobEditing editing, string feature, string path, bool hasZ, Func<MatingDraft, PointDraft> get, Func<MatingDraft, PointDraft, MatingDraft> set)
+    {
+        var label = new TextField(editing, path, "System.Label", d => get(d).Label, (d, t) => set(d, get(d) with { Label = t })) { Row = () => feature };
+        return new(
+            feature,
+            label,
+            Coordinate("x", "System.X", p => p.X, (p, t) => p with { X = t }),
+            Coordinate("y", "System.Y", p => p.Y, (p, t) => p with { Y = t }),
+            hasZ ? Coordinate("z", "System.Z", p => p.Z, (p, t) => p with { Z = t }) : null);
+
+        TextField Coordinate(string axis, string name, Func<PointDraft, string> of, Func<PointDraft, string, PointDraft> with) =>
+            new(editing, DraftPaths.Coordinate(path, axis), name, d => of(get(d)), (d, t) => set(d, with(get(d), t)))
+            {
+                Row = () => $"{feature} {label.Text}".Trim(),
+            };
+    }
 }

@@ -11,9 +11,6 @@ public sealed class SideHead(string title) : Observable
     /// <summary>Its name.</summary>
     public string Title => Texts.Current[title];
 
-    /// <summary>How much is to be corrected there.</summary>
-    public string Wrong => Shown.Count(_wrong);
-
     /// <summary>How much is still to be filled in there.</summary>
     public string Missing => Shown.Count(_missing);
 
@@ -28,6 +25,12 @@ public sealed class SideHead(string title) : Observable
 
     /// <summary>True if something can be saved there and is hardly meant.</summary>
     public bool HasAsked => _asked > 0;
+
+    /// <summary>True where that much is shown: there is room for the worst alone.</summary>
+    public bool ShowsMissing => HasMissing && !HasWrong;
+
+    /// <summary>True where it is shown that something is asked about.</summary>
+    public bool ShowsAsked => HasAsked && !HasWrong && !HasMissing;
 
     /// <summary>Says how much is to be corrected and to be filled in there, and how much is asked about, in the language of the screen.</summary>
     internal void Show(int wrong, int missing, int asked)

@@ -11,7 +11,12 @@ internal sealed class SystemFields(JobEditing editing)
     private static readonly int ToleranceColumns = 4 + FeatureKinds.All.Max(k => k.Keys.Count);
 
     /// <summary>The blocks of each feature.</summary>
-    public IReadOnlyList<FieldRow> Blocks() => [.. Features().Select(f => new FieldRow(editing.Draft.Features[f].Name, [Text(DraftPaths.Feature(f, "blocks"), "System.Blocks", d => d.Features[f].Blocks, (d, t) => d.WithFeature(f, x => x with { Blocks = t }))]))];
+    public IReadOnlyList<TextField> Blocks() => [.. Features().Select(f =>
+        new TextField(editing, DraftPaths.Feature(f, "blocks"), "System.Blocks", d => d.Features[f].Blocks, (d, t) => d.WithFeature(f, x => x with { Blocks = t }))
+        {
+            Example = "System.BlocksExample",
+            Row = () => FeatureEdit.NameOf(editing, f),
+        })];
 
     /// <summary>Limits and fit of each feature.</summary>
     public IReadOnlyList<FieldRow> Tolerances() => [.. Features().Select(Tolerance)];
@@ -95,8 +100,8 @@ internal sealed class SystemFields(JobEditing editing)
         i,
         d => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Without(i) } },
         [
-            Text(At("gauge.uncertaintyMm", i, "name"), "System.ContributionName", d => d.Gauge.Contributions[i].Name, (d, t) => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, d.Gauge.Contributions[i] with { Name = t }) } }),
-            Text(At("gauge.uncertaintyMm", i, "valueMm"), "System.Uncertainty", d => d.Gauge.Contributions[i].Value, (d, t) => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, d.Gauge.Contributions[i] with { Value = t }) } }),
+            Contribution(i, "name", "System.ContributionName", c => c.Name, (c, t) => c with { Name = t }),
+            Contribution(i, "valueMm", "System.Uncertainty", c => c.Value, (c, t) => c with { Value = t }),
         ]))];
 
     /// <summary>Comparisons beside those of the features.</summary>
@@ -142,23 +147,40 @@ internal sealed class SystemFields(JobEditing editing)
         return new(feature.Name, cells) { Columns = ToleranceColumns };
 
         TextField Automatic(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Default = Texts.Current["System.Automatic"], MayBeEmpty = _ => true };
+            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Default = Texts.Current["System.Automatic"], MayBeEmpty = _ => true, Row = () => FeatureEdit.NameOf(editing, f) };
 
         TextField Text(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
+            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Row = () => FeatureEdit.NameOf(editing, f) };
 
         ChoiceField Choice(string field, string label, IReadOnlyList<string> words, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, words, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)));
+            new(editing, DraftPaths.Feature(f, field), label, words, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t))) { Row = () => FeatureEdit.NameOf(editing, f) };
     }
 
     private FieldRow Row(string name, int index, Func<MatingDraft, MatingDraft> without, IReadOnlyList<EditField> cells) =>
         new("", cells, new(() => editing.Change("", without), () => editing.CanEdit), string.Create(CultureInfo.InvariantCulture, $"{name}-{index}-remove"));
 
     private TextField Link(int i, string field, string label, Func<ChainLinkDraft, string> get, Func<ChainLinkDraft, string, ChainLinkDraft> set) =>
-        Text(At("toleranceChain", i, field), label, d => get(d.Chain[i]), (d, t) => d with { Chain = d.Chain.Replaced(i, set(d.Chain[i], t)) });
+        new(editing, At("toleranceChain", i, field), label, d => get(d.Chain[i]), (d, t) => d with { Chain = d.Chain.Replaced(i, set(d.Chain[i], t)) })
+        {
+            Row = () => editing.Draft.Chain.ElementAtOrDefault(i)?.Name ?? "",
+        };
 
     private TextField Comparison(int i, string field, string label, Func<ComparisonDraft, string> get, Func<ComparisonDraft, string, ComparisonDraft> set) =>
-        Text(At("verify", i, field), label, d => get(d.Comparisons[i]), (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, set(d.Comparisons[i], t)) });
+        new(editing, At("verify", i, field), label, d => get(d.Comparisons[i]), (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, set(d.Comparisons[i], t)) })
+        {
+            Row = () => editing.Draft.Comparisons.ElementAtOrDefault(i)?.Name ?? "",
+        };
+
+    private TextField Contribution(int i, string field, string label, Func<ContributionDraft, string> get, Func<ContributionDraft, string, ContributionDraft> set) =>
+        new(
+            editing,
+            At("gauge.uncertaintyMm", i, field),
+            label,
+            d => get(d.Gauge.Contributions[i]),
+            (d, t) => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, set(d.Gauge.Contributions[i], t)) } })
+        {
+            Row = () => editing.Draft.Gauge.Contributions.ElementAtOrDefault(i)?.Name ?? "",
+        };
 
     private TextField Text(string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) => new(editing, path, label, get, set);
 

@@ -29,7 +29,7 @@ public sealed partial class SystemViewModel
     private BlocksRow[] MakeBlocks()
     {
         _picked = NextPicked(0);
-        return [.. _fields.Blocks().Select((r, i) => new BlocksRow(i, r.Title, (TextField)r.Cells[0], new(() => PickFor(i))))];
+        return [.. _fields.Blocks().Select((b, i) => new BlocksRow(i, Editing.Draft.Features[i].Name, b, new(() => PickFor(i))))];
     }
 
     private void PickFor(int feature)

@@ -152,6 +152,9 @@ public sealed partial class SystemViewModel : SetupViewModel
     protected override string Key => Screens.System;
 
     /// <inheritdoc/>
+    protected override int OpenSide => Side;
+
+    /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields =>
     [
         Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks), .. Tolerances.Concat(Chain).SelectMany(r => r.Cells), .. Frame, .. Alignment, .. Compensation,
@@ -186,9 +189,6 @@ public sealed partial class SystemViewModel : SetupViewModel
             Editing.Change("", d => d with { Program = program, Counterpart = d.Counterpart with { Program = Path.GetFileName(path) } });
         }
     }
-
-    /// <summary>A field by its AutomationId.</summary>
-    internal EditField Field(string automationId) => Fields.First(f => f.AutomationId == automationId);
 
     /// <summary>The row of <see cref="Pairs"/> that a field stands in; -1 if it is no coordinate's.</summary>
     internal int RowOf(string automationId) => Pairs.ToList().FindIndex(p => new[] { p.First, p.Second }.OfType<CoordinateRow>().SelectMany(c => c.Fields).Any(f => f.AutomationId == automationId));
@@ -255,6 +255,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     {
         var isOther = Set(ref _side, side, nameof(Side));
         Shell.Looked.SystemSide = side;
+        Say(nameof(Told));
         return isOther;
     }
 
