@@ -16,10 +16,10 @@ public sealed class SystemSetupTests
     public static TheoryData<string, string, string, string, string> Mistakes => new()
     {
         { "coordinates", "edit-features[0].points[1]/y", "", "problem-features[0].points[1]/y", "Fill this in." },
-        { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "A number is needed" },
+        { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "Enter a number" },
         { "blocks", "edit-features[0].blocks", "N121", "problem-features[0].blocks", "The program has no such block" },
         { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm[0]", "The lower limit is above the upper one." },
-        { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "A number is needed" },
+        { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "Enter a number" },
         { "machine", "edit-counterpart.frame.translateMm[0]", "", "problem-counterpart.frame.translateMm[0]", "Fill this in." },
         { "machine", "edit-originCheck.point", "O", "problem-originCheck.limitMm", "Fill this in." },
         { "gauge", "edit-gauge.uncertaintyMm", "", "problem-gauge.uncertaintyMm", "Fill this in." },
