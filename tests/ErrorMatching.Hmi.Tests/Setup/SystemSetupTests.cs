@@ -125,7 +125,7 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.Draft.OtherPoints.Any(p => p.Label == "O"), "Nothing is pasted.");
         Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
         Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
-        Assert.StartsWith("The table has 3 points. No point had the label O: at the end of the list", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("The table has 3 points. No point had the label O: added at the end", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.EndsWith("Not in the table: 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         // Into a field: a table goes to all, a number to the field.
@@ -163,7 +163,7 @@ public sealed class SystemSetupTests
         var drafts = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"));
         drafts.Keep(new() { Job = job.Name, By = "berta", At = seat.Clock.GetUtcNow(), BaseSha256 = JobEdits.Sha256Of(job), Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" } });
         seat.SignIn(DemoCell.Setter).Tap("nav-points");
-        Assert.StartsWith("Unsaved changes of berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
+        Assert.StartsWith("Unsaved changes by berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
         seat.Tap(isContinued ? "setup-kept-continue" : "setup-kept-discard");
         seat.WaitFor(() => seat.Find("setup-kept") is null, "They are still asked about.");
         var here = new SetupSeat(seat).Settle();
