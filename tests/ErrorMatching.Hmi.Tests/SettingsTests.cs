@@ -71,7 +71,7 @@ public sealed class SettingsTests
         Assert.Null(seat.Find("users-password"));
         Assert.Null(seat.Find("users-disable"));
         seat.Tap("user-row-otto").Type("users-password", "short").Type("users-again", "short").Tap("users-set-password").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
-        Assert.StartsWith("A password needs 12 characters", seat.TextOf("signing-message"), StringComparison.Ordinal);
+        Assert.StartsWith("A password needs at least 12 characters", seat.TextOf("signing-message"), StringComparison.Ordinal);
         seat.Tap("signing-leave").Type("users-password", Fresh).Type("users-again", Fresh).Tap("users-set-password");
         Sign(seat);
         Assert.Equal(DemoCell.Operator, seat.Station.Users.SignIn(DemoCell.Operator, Fresh).Name);

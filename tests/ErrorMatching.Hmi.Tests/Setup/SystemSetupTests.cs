@@ -16,10 +16,10 @@ public sealed class SystemSetupTests
     public static TheoryData<string, string, string, string, string> Mistakes => new()
     {
         { "coordinates", "edit-features[0].points[1]/y", "", "problem-features[0].points[1]/y", "Fill this in." },
-        { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "A number is needed" },
+        { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "Enter a number" },
         { "blocks", "edit-features[0].blocks", "N121", "problem-features[0].blocks", "The program has no such block" },
         { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm[0]", "The lower limit is above the upper one." },
-        { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "A number is needed" },
+        { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "Enter a number" },
         { "machine", "edit-counterpart.frame.translateMm[0]", "", "problem-counterpart.frame.translateMm[0]", "Fill this in." },
         { "machine", "edit-originCheck.point", "O", "problem-originCheck.limitMm", "Fill this in." },
         { "gauge", "edit-gauge.uncertaintyMm", "", "problem-gauge.uncertaintyMm", "Fill this in." },
@@ -127,7 +127,7 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.Draft.OtherPoints.Any(p => p.Label == "O"), "Nothing is pasted.");
         Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
         Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
-        Assert.StartsWith("The table has 3 points. No point had the label O: at the end of the list", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith("The table has 3 points. No point had the label O: added at the end", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.EndsWith("Not in the table: 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         // Into a field: a table goes to all, a number to the field.
@@ -165,7 +165,7 @@ public sealed class SystemSetupTests
         var drafts = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"));
         drafts.Keep(new() { Job = job.Name, By = "berta", At = seat.Clock.GetUtcNow(), BaseSha256 = JobEdits.Sha256Of(job), Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" } });
         seat.SignIn(DemoCell.Setter).Tap("nav-points");
-        Assert.StartsWith("Unsaved changes of berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
+        Assert.StartsWith("Unsaved changes by berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
         seat.Tap(isContinued ? "setup-kept-continue" : "setup-kept-discard");
         seat.WaitFor(() => seat.Find("setup-kept") is null, "They are still asked about.");
         var here = new SetupSeat(seat).Settle();
