@@ -1,6 +1,8 @@
 using System.IO.Compression;
 using ErrorMatching.Cell;
 
+namespace OwnTransport;
+
 /// <summary>A machine whose programs are in a ZIP archive, such as one that a control imports as a whole.</summary>
 /// <remarks>
 /// Each change writes a new archive and renames it over the old one, so the archive is whole at every instant. That is all

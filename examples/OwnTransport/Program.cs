@@ -2,6 +2,7 @@
 // new one, whole, and a change that somebody made at the control is not overwritten.
 using System.Security.Cryptography;
 using ErrorMatching.Cell;
+using OwnTransport;
 
 var folder = Directory.CreateTempSubdirectory("own-transport-");
 var machine = new ArchiveFolder("mill-2", Path.Combine(folder.FullName, "programs.zip"));

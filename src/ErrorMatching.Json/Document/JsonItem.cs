@@ -17,6 +17,7 @@ public sealed class JsonItem
         (Kind, Place, _parent, _name, _index) = (kind, place, parent, name, index);
     }
 
+    /// <summary>What kind of value it is.</summary>
     public JsonItemKind Kind { get; }
 
     /// <summary>Where the value starts.</summary>

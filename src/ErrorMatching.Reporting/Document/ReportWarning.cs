@@ -6,5 +6,6 @@ namespace ErrorMatching.Reporting;
 /// <param name="Values">The values in the sentence, in order: names, and numbers as formatted in the sentence.</param>
 public sealed record ReportWarning(string Code, string Message, params IReadOnlyList<string> Values)
 {
+    /// <inheritdoc/>
     public override string ToString() => Message;
 }

@@ -37,6 +37,7 @@ public sealed class SentenceForm
         (_words, Kinds) = ([.. words], kinds);
     }
 
+    /// <summary>Its name, by which translations find it.</summary>
     public string Name { get; }
 
     /// <summary>Its words with placeholders.</summary>

@@ -51,7 +51,13 @@ public sealed class ExampleTests
         var file = Path.Combine(
             configuration.Parent!.Parent!.FullName, example, configuration.Name, OperatingSystem.IsWindows() ? example + ".exe" : example);
         using var process = Process.Start(
-            new ProcessStartInfo(file, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true })!;
+            new ProcessStartInfo(file, arguments) 
+            {
+                UseShellExecute = false,
+                WorkingDirectory = folder,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+            })!;
         var error = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
         var output = await process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
         await process.WaitForExitAsync(TestContext.Current.CancellationToken);

@@ -55,7 +55,7 @@ public sealed partial class FolderTests
     private static IEnumerable<string> NamesIn(string source) =>
         Names().Matches(Quoted().Replace(source, "")).Select(m => m.Value).Distinct(StringComparer.Ordinal);
 
-    [GeneratedRegex("\"\"\"[\\s\\S]*?\"\"\"|//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"", RegexOptions.None, Timeout.Infinite)]
+    [GeneratedRegex("\"\"\"[\\s\\S]*?\"\"\"|//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Quoted();
 
     [GeneratedRegex(@"\b[A-Z]\w+\b", RegexOptions.None, Timeout.Infinite)]
