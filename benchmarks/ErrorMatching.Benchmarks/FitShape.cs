@@ -14,7 +14,12 @@ public static class FitShape
     /// <summary>A grid of points on a shape: 70 (10 by 7) or 5,000 (100 by 50).</summary>
     public static PointGrid Grid(string name, int points, double noiseUm)
     {
-        var (along, across) = points switch { 70 => (10, 7), 5000 => (100, 50), _ => throw new ArgumentOutOfRangeException(nameof(points), points, "70 or 5000") };
+        var (along, across) = points switch
+        {
+            70 => (10, 7),
+            5000 => (100, 50),
+            _ => throw new ArgumentOutOfRangeException(nameof(points), points, "70 or 5000")
+        };
         var random = new Random(1);
         return new([.. Enumerable.Range(0, across).Select(j => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, along).Select(i =>
         {
@@ -35,5 +40,6 @@ public static class FitShape
     private static double Square(double x) => x * x;
 
     // Box-Muller transform.
-    private static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+    private static double Normal(Random random) =>
+        Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 }

@@ -12,7 +12,9 @@ internal static class HugeFiles
 
     private static readonly string[] Patterns =
     [
-        "(", "[", "X[", "AB(", "#", "#[", "\"", "X=IC(", "X=\"", ",R", "X1.5 ", "X#", "O<", "AB", "A=", "A=(", "(\"", "IF ", "X=+", "X-", " ", "1 ", "NOT ", "X=NOT ", "X sin[", "#<", "()", "(a)", "XX=", "X1=", "AB[", "%", "/", "N1", "G1", "M3 ", "9", ".", "-", "=", ":", "L1 ", "\0", "\u00e4",
+        "(", "[", "X[", "AB(", "#", "#[", "\"", "X=IC(", "X=\"", ",R", "X1.5 ", "X#", "O<", "AB", "A=", "A=(", "(\"", "IF ", "X=+", "X-",
+        " ", "1 ", "NOT ", "X=NOT ", "X sin[", "#<", "()", "(a)", "XX=", "X1=", "AB[", "%", "/", "N1", "G1", "M3 ", "9", ".", "-", "=", ":",
+        "L1 ", "\0", "\u00e4",
     ];
 
     /// <summary>Runs the figures.</summary>
@@ -29,8 +31,13 @@ internal static class HugeFiles
             {
                 foreach (var pattern in Patterns)
                 {
-                    File.WriteAllText(file, "G1 X1 F100\n" + string.Concat(Enumerable.Repeat(pattern, LineBytes / pattern.Length)) + "\nG1 X2\n", Encoding.Latin1);
-                    var taken = Time($"a line of a megabyte of {pattern} ({dialect}), library", () => NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(file)), NcDialects.Named(dialect)));
+                    File.WriteAllText(
+                        file,
+                        "G1 X1 F100\n" + string.Concat(Enumerable.Repeat(pattern, LineBytes / pattern.Length)) + "\nG1 X2\n",
+                        Encoding.Latin1);
+                    var taken = Time(
+                        $"a line of a megabyte of {pattern} ({dialect}), library",
+                        () => NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(file)), NcDialects.Named(dialect)));
                     worst = taken.Seconds > worst.Seconds ? taken : worst;
                 }
             }
@@ -39,7 +46,11 @@ internal static class HugeFiles
             Fill(file);
             Show(Measurement.OfProcess(1, "a file of 1 GiB, nc check", MillionBlocks.Console, ["nc", "check", file], folder));
             Show(Measurement.OfProcess(
-                1, "a file of 1 GiB, 101 blocks displaced", MillionBlocks.Console, ["nc", "displace", file, "--blocks", "N1000000..N1000100", "--normal", "0.02", "--out", Path.Combine(folder, "moved.nc")], folder));
+                1,
+                "a file of 1 GiB, 101 blocks displaced",
+                MillionBlocks.Console,
+                ["nc", "displace", file, "--blocks", "N1000000..N1000100", "--normal", "0.02", "--out", Path.Combine(folder, "moved.nc")],
+                folder));
             return 0;
         }
         finally
@@ -55,7 +66,8 @@ internal static class HugeFiles
         stream.Write("G21 G17 G40 G90\nG0 X0. Y0. Z5.\nG1 Z-2. F500.\n"u8);
         for (var i = 1; stream.Position < NcProgram.MaxBytes - 100; i++)
         {
-            stream.Write(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"N{i} G1 X{i % 100_000 * 0.2:0.000} Y{20 * Math.Sin(0.002 * i):0.000} Z-2.000\n")));
+            stream.Write(Encoding.ASCII.GetBytes(string.Create(
+                CultureInfo.InvariantCulture, $"N{i} G1 X{i % 100_000 * 0.2:0.000} Y{20 * Math.Sin(0.002 * i):0.000} Z-2.000\n")));
         }
 
         stream.Write(Encoding.ASCII.GetBytes("(" + new string('-', (int)(NcProgram.MaxBytes - stream.Position - 2)) + ")"));
@@ -69,5 +81,8 @@ internal static class HugeFiles
     }
 
     private static void Show(Measurement m) =>
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{m.Name}: {m.Seconds:0.00} s{(m.PeakBytes > 0 ? string.Create(CultureInfo.InvariantCulture, $", peak {m.PeakBytes / 1e6:0} MB") : "")}"));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{m.Name}: {m.Seconds:0.00} "
+                + $"s{(m.PeakBytes > 0 ? string.Create(CultureInfo.InvariantCulture, $", peak {m.PeakBytes / 1e6:0} MB") : "")}"));
 }

@@ -12,7 +12,12 @@ internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
         var best = new Measurement(name, double.MaxValue, 0);
         for (var run = 0; run < runs; run++)
         {
-            var start = new ProcessStartInfo(executable, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true };
+            var start = new ProcessStartInfo(executable, arguments)
+            {
+                UseShellExecute = false,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true
+            };
             start.Environment["HOME"] = home;
             var watch = Stopwatch.StartNew();
             using var process = Process.Start(start)!;
@@ -42,8 +47,12 @@ internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
         var status = $"/proc/{id}/status";
         try
         {
-            var line = File.Exists(status) ? File.ReadLines(status).FirstOrDefault(l => l.StartsWith("VmHWM:", StringComparison.Ordinal)) : null;
-            return line is null ? 0 : 1024 * long.Parse(line.Split(' ', StringSplitOptions.RemoveEmptyEntries)[1], CultureInfo.InvariantCulture);
+            var line = File.Exists(status)
+                ? File.ReadLines(status).FirstOrDefault(l => l.StartsWith("VmHWM:", StringComparison.Ordinal))
+                : null;
+            return line is null
+                ? 0
+                : 1024 * long.Parse(line.Split(' ', StringSplitOptions.RemoveEmptyEntries)[1], CultureInfo.InvariantCulture);
         }
         catch (IOException)
         {

@@ -12,7 +12,8 @@ internal static class MillionBlocks
     private const int Runs = 7;
 
     /// <summary>The built console.</summary>
-    public static string Console => Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+    public static string Console => Repository.PathTo(
+        "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
 
     /// <summary>Runs the figures.</summary>
     /// <param name="blocks">Number of blocks; null for a million.</param>
@@ -25,19 +26,23 @@ internal static class MillionBlocks
             var file = Path.Combine(folder, "wave.nc");
             var bytes = Write(file, count);
             var range = $"N{10L * (count / 20 * 9)}..N{(10L * (count / 20 * 11)) - 10}";
-            string[] Displace(string how, string by) => ["nc", "displace", file, "--dialect", "fanuc", "--blocks", range, how, by, "--out", Path.Combine(folder, "moved.nc")];
+            string[] Displace(string how, string by) =>
+                ["nc", "displace", file, "--dialect", "fanuc", "--blocks", range, how, by, "--out", Path.Combine(folder, "moved.nc")];
             Measurement[] measured =
             [
                 Measurement.OfProcess(Runs, "errormatch nc displace --normal", Console, Displace("--normal", "0.02"), folder),
                 Measurement.OfProcess(Runs, "errormatch nc displace --by", Console, Displace("--by", "0.02,0.01"), folder),
                 Measurement.OfProcess(Runs, "errormatch nc check", Console, ["nc", "check", file, "--dialect", "fanuc"], folder),
             ];
-            System.Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, {bytes / 1e6:0.0} MB, {range} displaced, best of {Runs} runs"));
+            System.Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"{count} blocks, {bytes / 1e6:0.0} MB, {range} displaced, best of {Runs} runs"));
             System.Console.WriteLine("| what | seconds | peak MB | times the file |");
             System.Console.WriteLine("|---|---|---|---|");
             foreach (var m in measured)
             {
-                System.Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {m.Name} | {m.Seconds:0.000} | {m.PeakBytes / 1e6:0} | {(double)m.PeakBytes / bytes:0.00} |"));
+                System.Console.WriteLine(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"| {m.Name} | {m.Seconds:0.000} | {m.PeakBytes / 1e6:0} | {(double)m.PeakBytes / bytes:0.00} |"));
             }
 
             var program = NcProgram.Read(File.ReadAllBytes(file), NcDialects.FanucMill.Syntax);
@@ -50,7 +55,8 @@ internal static class MillionBlocks
                 best = Math.Min(best, watch.Elapsed.TotalSeconds);
             }
 
-            System.Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"Interpreting from memory: {count / best / 1e6:0.0} million blocks a second."));
+            System.Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"Interpreting from memory: {count / best / 1e6:0.0} million blocks a second."));
             return 0;
         }
         finally
@@ -66,7 +72,9 @@ internal static class MillionBlocks
         text.WriteLine("%\nO1000\nN10 G21 G17 G40 G90 G54\nN20 G0 X0. Y0. Z5.\nN30 G1 Z-2. F500.");
         for (var i = 4; i < blocks - 4; i++)
         {
-            text.WriteLine(string.Create(CultureInfo.InvariantCulture, $"N{i * 10L} G1 X{0.2 * i:0.000} Y{20 * Math.Sin(0.002 * i):0.000} Z-2.000{(i % 50 == 0 ? " F800." : "")}"));
+            text.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"N{i * 10L} G1 X{0.2 * i:0.000} Y{20 * Math.Sin(0.002 * i):0.000} Z-2.000{(i % 50 == 0 ? " F800." : "")}"));
         }
 
         text.WriteLine("M30\n%");

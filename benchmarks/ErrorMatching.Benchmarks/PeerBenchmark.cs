@@ -30,23 +30,32 @@ internal static class PeerBenchmark
             var program = Program(count);
             var file = Path.Combine(folder, "program.ngc");
             File.WriteAllBytes(file, program);
-            var console = Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
+            var console = Repository.PathTo(
+                "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+            Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
             var reference = Measurement.OfProcess(Runs, "rs274 -g, whole process", peer, ["-g", file], folder);
             var read = NcProgram.Read(program, NcDialects.LinuxCnc.Syntax);
             NcInterpreter.Run(read, NcDialects.LinuxCnc);
             Measurement[] ours =
             [
-                Measurement.OfProcess(Runs, "errormatch nc motion, whole process", console, ["nc", "motion", file, "--dialect", "linuxcnc"], folder),
-                Measurement.OfProcess(Runs, "errormatch nc check, whole process", console, ["nc", "check", file, "--dialect", "linuxcnc"], folder),
-                Memory("the library, from bytes in memory to motions", () => NcInterpreter.Run(NcProgram.Read(program, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)),
+                Measurement.OfProcess(
+                    Runs, "errormatch nc motion, whole process", console, ["nc", "motion", file, "--dialect", "linuxcnc"], folder),
+                Measurement.OfProcess(
+                    Runs, "errormatch nc check, whole process", console, ["nc", "check", file, "--dialect", "linuxcnc"], folder),
+                Memory(
+                    "the library, from bytes in memory to motions",
+                    () => NcInterpreter.Run(NcProgram.Read(program, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc)),
                 Memory("the library, interpreting alone", () => NcInterpreter.Run(read, NcDialects.LinuxCnc)),
             ];
             Console.WriteLine("| what | seconds | million blocks/s | peak MB | times rs274 |");
             Console.WriteLine("|---|---|---|---|---|");
             foreach (var m in ours.Prepend(reference))
             {
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {m.Name} | {m.Seconds:0.000} | {count / m.Seconds / 1e6:0.00} | {m.PeakBytes / 1e6:0} | {reference.Seconds / m.Seconds:0.0} |"));
+                Console.WriteLine(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"| {m.Name} | {m.Seconds:0.000} | {count / m.Seconds / 1e6:0.00} | {m.PeakBytes / 1e6:0} | "
+                        + $"{reference.Seconds / m.Seconds:0.0} |"));
             }
 
             return 0;
@@ -90,7 +99,8 @@ internal static class PeerBenchmark
         return new(name, best, allocated);
     }
 
-    private static string? Find() => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
+    private static string? Find() =>
+        (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
         .Select(f => Path.Combine(f, "rs274"))
         .FirstOrDefault(File.Exists);
 }

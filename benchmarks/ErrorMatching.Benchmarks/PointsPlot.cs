@@ -22,5 +22,7 @@ internal sealed class PointsPlot(IReadOnlyList<Point2> points) : PlotArea
     }
 
     protected override PlotDatum? DatumNear(Point2 screen, double reach) =>
-        _index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach) is var i and >= 0 ? new(points[i], $"{points[i].X} {points[i].Y}", i) : null;
+        _index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach) is var i and >= 0
+            ? new(points[i], $"{points[i].X} {points[i].Y}", i)
+            : null;
 }

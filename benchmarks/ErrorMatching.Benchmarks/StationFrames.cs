@@ -30,7 +30,9 @@ internal static class StationFrames
             var count = blocks is null ? 1_000_000 : int.Parse(blocks, CultureInfo.InvariantCulture);
             Write(file, count);
             var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{count} blocks, a plot of {Points} points; {Frames} frames each, times of the thread of the screen in ms"));
+            Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{count} blocks, a plot of {Points} points; {Frames} frames each, times of the thread of the screen in ms"));
             Console.WriteLine("| size | what | median | 99 of 100 | longest | frames/s by the mean |");
             Console.WriteLine("|---|---|---|---|---|---|");
             foreach (var size in Sizes)
@@ -54,7 +56,12 @@ internal static class StationFrames
         var user = new ScreenUser(window).Settle();
         var stage = new Panel { Opacity = 0, IsEnabled = false };
         window.Content = stage;
-        stage.Children.Add(new ContentControl { Content = new ProgramPicture(OpenedProgram.Read("N10 G0 X0. Y0. Z5.\nN20 G1 Z0. F500.\nN30 X9.\n"u8.ToArray(), NcDialects.FanucMill)) });
+        stage.Children.Add(
+            new ContentControl
+            {
+                Content = new ProgramPicture(OpenedProgram.Read(
+                    "N10 G0 X0. Y0. Z5.\nN20 G1 Z0. F500.\nN30 X9.\n"u8.ToArray(), NcDialects.FanucMill))
+            });
         user.Settle();
         try
         {
@@ -62,16 +69,22 @@ internal static class StationFrames
             window.Content = null;
             user.Settle();
             await OpenAsync(window, user, size, file, "");
-            var (text, path) = (window.GetVisualDescendants().OfType<ProgramText>().Single(), window.GetVisualDescendants().OfType<PathPlot>().Single());
+            var (text, path) = (
+                window.GetVisualDescendants().OfType<ProgramText>().Single(), window.GetVisualDescendants().OfType<PathPlot>().Single());
             Report(size, "scrolling by a row", Each(user, _ => text.Offset += new Vector(0, text.RowHeight)));
             Report(size, "scrolling by a page", Each(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
             Report(size, "lighting the next block", Each(user, _ => text.Picture!.Move(1, isExtending: false)));
             Report(size, "panning all of the path", Each(user, i => path.Pan(new(Step(i), Step(i)))));
             path.Zoom(30, new(path.Bounds.Width / 2, path.Bounds.Height / 2));
             Report(size, "panning a thirtieth of the path", Each(user, i => path.Pan(new(Step(i), Step(i)))));
-            Report(size, "zooming the path", Each(user, i => path.Zoom(i % 100 < 50 ? 0.95 : 1 / 0.95, new(path.Bounds.Width / 2, path.Bounds.Height / 2))));
+            Report(
+                size,
+                "zooming the path",
+                Each(user, i => path.Zoom(i % 100 < 50 ? 0.95 : 1 / 0.95, new(path.Bounds.Width / 2, path.Bounds.Height / 2))));
 
-            var noise = Enumerable.Range(0, Points).Select(i => new Point2(i, Math.Sin(0.001 * i) + (0.3 * Math.Sin(1.0 * i * i)))).ToArray();
+            var noise = Enumerable.Range(0, Points)
+                .Select(i => new Point2(i, Math.Sin(0.001 * i) + (0.3 * Math.Sin(1.0 * i * i))))
+                .ToArray();
             var plot = new PointsPlot(noise);
             window.Content = plot;
             user.Settle();
@@ -94,7 +107,10 @@ internal static class StationFrames
         for (var i = 4; i < blocks - 2; i++)
         {
             var (pass, at) = (i / 1000, i % 1000);
-            text.WriteLine(string.Create(CultureInfo.InvariantCulture, $"N{i * 10L} G1 X{(pass % 2 == 0 ? at : 999 - at):0.000} Y{pass + (0.4 * Math.Sin(0.05 * at)):0.000} Z{-2 + Math.Sin(0.01 * pass):0.000}"));
+            text.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"N{i * 10L} G1 X{(pass % 2 == 0 ? at : 999 - at):0.000} Y{pass + (0.4 * Math.Sin(0.05 * at)):0.000} "
+                    + $"Z{-2 + Math.Sin(0.01 * pass):0.000}"));
         }
 
         text.WriteLine("M30\n%");
@@ -113,7 +129,11 @@ internal static class StationFrames
         await path.Painting;
         var painted = watch.Elapsed;
         user.Settle(1);
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {Shown(size)} | {which}opening: beside the screen {read.TotalMilliseconds:0}, until the text is seen {text.TotalMilliseconds:0}, until the path is seen {watch.Elapsed.TotalMilliseconds:0} | | | {Math.Max((text - read).TotalMilliseconds, (watch.Elapsed - painted).TotalMilliseconds):0.0} | |"));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"| {Shown(size)} | {which}opening: beside the screen {read.TotalMilliseconds:0}, until the text is seen "
+                + $"{text.TotalMilliseconds:0}, until the path is seen {watch.Elapsed.TotalMilliseconds:0} | | | "
+                + $"{Math.Max((text - read).TotalMilliseconds, (watch.Elapsed - painted).TotalMilliseconds):0.0} | |"));
     }
 
     private static double Step(int i) => i % 100 < 50 ? 9 : -9;
@@ -136,7 +156,9 @@ internal static class StationFrames
     }
 
     private static void Report(Size size, string what, double[] times) => Console.WriteLine(string.Create(
-        CultureInfo.InvariantCulture, $"| {Shown(size)} | {what} | {times[times.Length / 2]:0.0} | {times[times.Length * 99 / 100]:0.0} | {times[^1]:0.0} | {1000 / times.Average():0} |"));
+        CultureInfo.InvariantCulture,
+        $"| {Shown(size)} | {what} | {times[times.Length / 2]:0.0} | {times[times.Length * 99 / 100]:0.0} | {times[^1]:0.0} | "
+            + $"{1000 / times.Average():0} |"));
 
     private static string Shown(Size size) => string.Create(CultureInfo.InvariantCulture, $"{size.Width:0}x{size.Height:0}");
 }

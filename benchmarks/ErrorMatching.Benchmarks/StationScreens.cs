@@ -13,7 +13,8 @@ namespace ErrorMatching.Benchmarks;
 internal static class StationScreens
 {
     private const int Again = 5;
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30), Look = TimeSpan.FromMilliseconds(500), Pause = TimeSpan.FromMilliseconds(1);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30), Look = TimeSpan.FromMilliseconds(500),
+        Pause = TimeSpan.FromMilliseconds(1);
 
     /// <summary>Runs the figures.</summary>
     /// <param name="keys">The screens; none for all.</param>
@@ -28,7 +29,8 @@ internal static class StationScreens
             cell.DeliverSurface(1, 0);
             var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
             Console.WriteLine("How long a key has to wait at most while a screen is opened, in ms");
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| screen | first time | again, median of {Again} | longest of {Again} |"));
+            Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"| screen | first time | again, median of {Again} | longest of {Again} |"));
             Console.WriteLine("|---|---|---|---|");
             await session.RunAsync(() => MeasureAsync(cell, keys));
             return 0;
@@ -47,10 +49,14 @@ internal static class StationScreens
         var window = new MainWindow { DataContext = shell, Width = 1280, Height = 800 };
         window.Show();
         var user = new ScreenUser(window).Settle();
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| window with the login | {opening.Elapsed.TotalMilliseconds:0} | | |"));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"| window with the login | {opening.Elapsed.TotalMilliseconds:0} | | |"));
         try
         {
-            user.WaitFor(() => station.State.Status is not null && station.Store.Search(new()) is [{ State: CorrectionState.Proposed }, { State: CorrectionState.Proposed }], Patience);
+            user.WaitFor(
+                () => station.State.Status is not null
+                    && station.Store.Search(new()) is [{ State: CorrectionState.Proposed }, { State: CorrectionState.Proposed }],
+                Patience);
 
             // As the station does while a user signs in.
             using var end = new CancellationTokenSource();
@@ -60,7 +66,8 @@ internal static class StationScreens
             await rehearsal;
             await end.CancelAsync();
             var waited = await asking;
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| rehearsal of {rehearsing.Elapsed.TotalSeconds:0.0} s | {waited:0} | | |"));
+            Console.WriteLine(string.Create(
+                CultureInfo.InvariantCulture, $"| rehearsal of {rehearsing.Elapsed.TotalSeconds:0.0} s | {waited:0} | | |"));
             var login = (LoginViewModel)shell.Current!;
             (login.Name, login.Password) = (DemoCell.Setter, DemoCell.Password);
             login.SignIn.Execute(null);
@@ -78,7 +85,8 @@ internal static class StationScreens
                 }
 
                 var ordered = again.Order().ToArray();
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {screen.Key} | {first:0} | {ordered[ordered.Length / 2]:0} | {ordered[^1]:0} |"));
+                Console.WriteLine(string.Create(
+                    CultureInfo.InvariantCulture, $"| {screen.Key} | {first:0} | {ordered[ordered.Length / 2]:0} | {ordered[^1]:0} |"));
             }
         }
         finally
@@ -105,7 +113,8 @@ internal static class StationScreens
         while (!end.IsCancellationRequested)
         {
             var asked = Stopwatch.GetTimestamp();
-            await Dispatcher.UIThread.InvokeAsync(() => longest = Math.Max(longest, Stopwatch.GetElapsedTime(asked).TotalMilliseconds), DispatcherPriority.Input);
+            await Dispatcher.UIThread.InvokeAsync(
+                () => longest = Math.Max(longest, Stopwatch.GetElapsedTime(asked).TotalMilliseconds), DispatcherPriority.Input);
             await Task.Delay(Pause, CancellationToken.None);
         }
 

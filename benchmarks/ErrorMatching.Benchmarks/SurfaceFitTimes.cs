@@ -16,11 +16,13 @@ internal static class SurfaceFitTimes
     /// <param name="points">70 or 5000; null for both.</param>
     public static int Run(string? points)
     {
-        var console = Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        var console = Repository.PathTo(
+            "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {
-            Console.WriteLine("| points | shape | noise um | first call in a process ms | later calls ms | whole process `surface fit` ms |");
+            Console.WriteLine(
+                "| points | shape | noise um | first call in a process ms | later calls ms | whole process `surface fit` ms |");
             Console.WriteLine("|---|---|---|---|---|---|");
             foreach (var count in points is null ? new[] { 70, 5000 } : [int.Parse(points, CultureInfo.InvariantCulture)])
             {
@@ -62,7 +64,12 @@ internal static class SurfaceFitTimes
     {
         File.WriteAllText(file, Csv(FitShape.Grid(name, points, noise)));
         var runs = points > 1000 ? 1 : Runs;
-        var inside = Enumerable.Range(0, runs).Select(_ => Output(Environment.ProcessPath!, "fit-once", name, points.ToString(CultureInfo.InvariantCulture), noise.ToString(CultureInfo.InvariantCulture)))
+        var inside = Enumerable.Range(0, runs).Select(_ => Output(
+            Environment.ProcessPath!,
+            "fit-once",
+            name,
+            points.ToString(CultureInfo.InvariantCulture),
+            noise.ToString(CultureInfo.InvariantCulture)))
             .Select(line => line.Split(' ').Select(x => double.Parse(x, CultureInfo.InvariantCulture)).ToArray()).ToArray();
         var whole = Enumerable.Range(0, runs).Select(_ =>
         {
@@ -70,12 +77,16 @@ internal static class SurfaceFitTimes
             Output(console, "surface", "fit", file);
             return watch.Elapsed.TotalMilliseconds;
         });
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {points} | {name} | {noise} | {Median(inside.Select(t => t[0])):0} | {Median(inside.Select(t => t[1])):0} | {Median(whole):0} |"));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"| {points} | {name} | {noise} | {Median(inside.Select(t => t[0])):0} | {Median(inside.Select(t => t[1])):0} | "
+                + $"{Median(whole):0} |"));
     }
 
     private static string Output(string file, params string[] arguments)
     {
-        using var process = Process.Start(new ProcessStartInfo(file, arguments) { UseShellExecute = false, RedirectStandardOutput = true })!;
+        using var process = Process.Start(
+            new ProcessStartInfo(file, arguments) { UseShellExecute = false, RedirectStandardOutput = true })!;
         var output = process.StandardOutput.ReadToEnd();
         process.WaitForExit();
         return process.ExitCode == 0 ? output : throw new InvalidOperationException($"{file} ended with {process.ExitCode}.");

@@ -15,7 +15,9 @@ internal static class ToolPathBenchmark
     /// <summary>Runs the figures.</summary>
     public static int Run()
     {
-        Console.WriteLine("| path | passes | points | planned s | planned, cpu s | written, cpu s | points/s of a core, both | MB | memory while it is written, MB |");
+        Console.WriteLine(
+            "| path | passes | points | planned s | planned, cpu s | written, cpu s | points/s of a core, both | MB | memory while it is "
+                + "written, MB |");
         Console.WriteLine("|---|---|---|---|---|---|---|---|---|");
         Show("Surface three, 75 x 63 mm", 1, plans: Runs);
         Show("Surface three, 750 x 630 mm", 10, plans: 3);
@@ -63,7 +65,8 @@ internal static class ToolPathBenchmark
 
         Console.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"| {name} | {path!.Passes} | {path.Points} | {planned:0.000} | {planning:0.000} | {written:0.000} | {path.Points / (planning + written) / 1e6:0.00} million | {bytes / 1e6:0.0} | {memory / 1e6:0.00} |"));
+            $"| {name} | {path!.Passes} | {path.Points} | {planned:0.000} | {planning:0.000} | {written:0.000} | "
+                + $"{path.Points / (planning + written) / 1e6:0.00} million | {bytes / 1e6:0.0} | {memory / 1e6:0.00} |"));
     }
 
     private static FreeformJob Job() => FreeformJob.Parse(
@@ -87,8 +90,10 @@ internal static class ToolPathBenchmark
         return new("three", new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(2, [0, 1]), poles), SurfaceRegion.Whole, 1);
     }
 
-    private static double Height(double x, double y) => 24 + (0.004 * (((y - 31.5) * (y - 31.5) * ((2 * x / 75) - 1)) + ((x - 37.5) * (x - 37.5) * ((2 * y / 63) - 1))));
+    private static double Height(double x, double y) =>
+        24 + (0.004 * (((y - 31.5) * (y - 31.5) * ((2 * x / 75) - 1)) + ((x - 37.5) * (x - 37.5) * ((2 * y / 63) - 1))));
 
     // The pole of a quadratic Bezier polynomial from its values at 0, 1/2 and 1.
-    private static double Pole(int number, Func<int, double> value) => number == 1 ? (2 * value(1)) - ((value(0) + value(2)) / 2) : value(number);
+    private static double Pole(int number, Func<int, double> value) =>
+        number == 1 ? (2 * value(1)) - ((value(0) + value(2)) / 2) : value(number);
 }

@@ -13,7 +13,9 @@ internal static class WholeProcess
     /// <param name="executable">The console to time; null for the one from the build.</param>
     public static int Run(string? executable)
     {
-        var console = executable ?? Repository.PathTo("artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        var console = executable
+            ?? Repository.PathTo(
+                "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
         var sample = Repository.PathTo("samples", "complex-mating", "job.json");
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
@@ -22,12 +24,22 @@ internal static class WholeProcess
             Report("errormatch match complex-mating --out", console, ["match", sample, "--out", Path.Combine(folder, "out")]);
             foreach (var design in new[] { "surface-one", "surface-two", "surface-three" })
             {
-                Report($"errormatch surface compensate {design} --out", console, ["surface", "compensate", Repository.PathTo("samples", design, "job.json"), "--measured", Repository.PathTo("samples", design, "measured.csv"), "--out", Path.Combine(folder, design)]);
+                Report(
+                    $"errormatch surface compensate {design} --out",
+                    console,
+                    [
+                        "surface", "compensate", Repository.PathTo("samples", design, "job.json"), "--measured",
+                        Repository.PathTo("samples", design, "measured.csv"), "--out", Path.Combine(folder, design)]);
             }
 
             var program = Path.Combine(folder, "wave.nc");
             File.WriteAllBytes(program, ProgramBenchmarks.Wave(100_000));
-            Report("errormatch nc displace, 10,000 of 100,000 blocks", console, ["nc", "displace", program, "--blocks", "N450000..N549990", "--normal", "0.02", "--dialect", "fanuc", "--out", Path.Combine(folder, "moved.nc")]);
+            Report(
+                "errormatch nc displace, 10,000 of 100,000 blocks",
+                console,
+                [
+                    "nc", "displace", program, "--blocks", "N450000..N549990", "--normal", "0.02", "--dialect", "fanuc", "--out",
+                    Path.Combine(folder, "moved.nc")]);
             return 0;
         }
         finally
@@ -42,7 +54,13 @@ internal static class WholeProcess
         for (var i = 0; i < Runs; i++)
         {
             var watch = Stopwatch.StartNew();
-            using var process = Process.Start(new ProcessStartInfo(file, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
+            using var process = Process.Start(
+                new ProcessStartInfo(file, arguments)
+                {
+                    UseShellExecute = false,
+                    RedirectStandardOutput = true,
+                    RedirectStandardError = true
+                })!;
             process.StandardOutput.ReadToEnd();
             process.WaitForExit();
             times[i] = watch.Elapsed.TotalMilliseconds;
@@ -53,6 +71,7 @@ internal static class WholeProcess
         }
 
         Array.Sort(times);
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name}: median {times[Runs / 2]:0} ms, fastest {times[0]:0} ms of {Runs} runs"));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"{name}: median {times[Runs / 2]:0} ms, fastest {times[0]:0} ms of {Runs} runs"));
     }
 }

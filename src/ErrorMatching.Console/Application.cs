@@ -24,7 +24,14 @@ internal static class Application
             var parsed = CommandTree.Parse(args);
             if (parsed.Errors.Count == 0 && parsed.Action is not null)
             {
-                var exit = parsed.Invoke(new InvocationConfiguration { Output = terminal.Output, Error = terminal.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+                var exit = parsed.Invoke(
+                    new InvocationConfiguration
+                    {
+                        Output = terminal.Output,
+                        Error = terminal.Error,
+                        EnableDefaultExceptionHandler = false,
+                        ProcessTerminationTimeout = null
+                    });
                 terminal.Output.Flush();
                 return exit;
             }
@@ -45,7 +52,9 @@ internal static class Application
     {
         if (parsed.Errors.Count > 0)
         {
-            return new Failure(ExitCode.WrongInput, [.. parsed.Errors.Select(e => new ErrorItem("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
+            return new Failure(
+                ExitCode.WrongInput,
+                [.. parsed.Errors.Select(e => new ErrorItem("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
         }
 
         try
@@ -103,7 +112,8 @@ internal static class Application
 #pragma warning restore CA1031
     }
 
-    private static string OneLine(string message) => string.Join(' ', message.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries)).TrimEnd('.') + ".";
+    private static string OneLine(string message) =>
+        string.Join(' ', message.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries)).TrimEnd('.') + ".";
 
     private static string CommandLineOf(ParseResult parsed)
     {

@@ -20,10 +20,15 @@ using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
 // Neither writer is disposed of: the application flushes, and a second flush of a broken pipe would hide its exit code.
 var output = new StreamWriter(Console.OpenStandardOutput(), new UTF8Encoding(false)) { NewLine = "\n" };
 var error = new StreamWriter(Console.OpenStandardError(), new UTF8Encoding(false)) { NewLine = "\n", AutoFlush = true };
-var hasColor = Terminal.WantsColor(Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
-var secrets = new SecretInput(new Lazy<TextReader>(() => new StreamReader(Console.OpenStandardInput(), new UTF8Encoding(false))), Console.IsInputRedirected ? null : () => Console.ReadKey(intercept: true), error);
+var hasColor = Terminal.WantsColor(
+    Console.IsOutputRedirected, Environment.GetEnvironmentVariable("NO_COLOR"), Environment.GetEnvironmentVariable("TERM"));
+var secrets = new SecretInput(
+    new Lazy<TextReader>(() => new StreamReader(Console.OpenStandardInput(), new UTF8Encoding(false))),
+    Console.IsInputRedirected ? null : () => Console.ReadKey(intercept: true),
+    error);
 var watched = !Console.IsErrorRedirected && Environment.GetEnvironmentVariable("TERM") != "dumb";
-var exit = Application.Run(args, new Terminal(output, error, hasColor) { Secrets = secrets, Progress = watched ? error : null }, cancellation.Token);
+var exit = Application.Run(
+    args, new Terminal(output, error, hasColor) { Secrets = secrets, Progress = watched ? error : null }, cancellation.Token);
 ended.Set();
 return exit;
 

@@ -14,7 +14,8 @@ public static class CairoPlatform
     /// <summary>Windows without a screen; <see cref="ScreenUser"/> requests each frame.</summary>
     /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
     public static AppBuilder UseOffScreen(this AppBuilder builder) => builder.UseCairo()
-        .UseWindowingSubsystem(() => Windowing.Initialize(OffScreenClock.Current, () => new OffScreenWindow(), new MemoryClipboard()), "off-screen");
+        .UseWindowingSubsystem(
+            () => Windowing.Initialize(OffScreenClock.Current, () => new OffScreenWindow(), new MemoryClipboard()), "off-screen");
 
     /// <summary>Windows on the X server that <c>DISPLAY</c> names, with the same drawing.</summary>
     /// <param name="builder">The application.</param>
@@ -27,7 +28,8 @@ public static class CairoPlatform
         ArgumentOutOfRangeException.ThrowIfGreaterThan(scaling, 4);
         NativeLibraries.Demand(NativeLibraries.ForWindows);
         return builder.UseCairo()
-            .UseWindowingSubsystem(() => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
+            .UseWindowingSubsystem(
+                () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
     }
 
     private static AppBuilder UseCairo(this AppBuilder builder)
@@ -39,7 +41,8 @@ public static class CairoPlatform
             .UseStandardRuntimePlatformSubsystem()
             .With(new FontManagerOptions { DefaultFamilyName = FontFamily, FontFallbacks = fonts.HanFallbacks })
             .WithInterFont()
-            .UseTextShapingSubsystem(() => AvaloniaLocator.CurrentMutable.Bind<ITextShaperImpl>().ToConstant(new HarfBuzzShaper()), "HarfBuzz")
+            .UseTextShapingSubsystem(
+                () => AvaloniaLocator.CurrentMutable.Bind<ITextShaperImpl>().ToConstant(new HarfBuzzShaper()), "HarfBuzz")
             .UseRenderingSubsystem(
                 () => AvaloniaLocator.CurrentMutable
                     .Bind<IPlatformRenderInterface>().ToConstant(new CairoRenderInterface())

@@ -7,7 +7,8 @@ public static class NativeLibraries
 {
     private static readonly (string Library, string Package)[] Drawing =
     [
-        (LibCairo.Library, "libcairo2"), (HarfBuzz.Library, "libharfbuzz0b"), (FreeType.Library, "libfreetype6"), (FontConfig.Library, "libfontconfig1"),
+        (LibCairo.Library, "libcairo2"), (HarfBuzz.Library, "libharfbuzz0b"), (FreeType.Library, "libfreetype6"),
+        (FontConfig.Library, "libfontconfig1"),
     ];
 
     /// <summary>The libraries for drawing off screen.</summary>
@@ -26,11 +27,13 @@ public static class NativeLibraries
         if (Missing(libraries) is { Length: > 0 } missing)
         {
             throw new PlatformNotSupportedException(
-                $"The operator station draws with libraries of the system, and some are missing here. Install them: apt-get install {string.Join(" ", missing)} fonts-noto-cjk");
+                $"The operator station draws with libraries of the system, and some are missing here. Install them: apt-get install "
+                    + $"{string.Join(" ", missing)} fonts-noto-cjk");
         }
     }
 
-    private static string[] Missing(IReadOnlyList<(string Library, string Package)> libraries) => [.. libraries.Where(l => !IsThere(l.Library)).Select(l => l.Package)];
+    private static string[] Missing(IReadOnlyList<(string Library, string Package)> libraries) =>
+        [.. libraries.Where(l => !IsThere(l.Library)).Select(l => l.Package)];
 
     private static bool IsThere(string library)
     {

@@ -22,11 +22,20 @@ internal static class StationCommand
     public static RootCommand Make()
     {
         var config = new Argument<string?>("CONFIG") { Description = "The cell's configuration.", Arity = ArgumentArity.ZeroOrOne };
-        var demo = new Option<bool>("--demo") { Description = "A cell to play with: the samples in a folder of their own, with a gauge that delivers and a machine that cuts by themselves." };
+        var demo = new Option<bool>("--demo")
+        {
+            Description = "A cell to play with: the samples in a folder of their own, with a gauge that delivers and a machine that cuts "
+                + "by themselves."
+        };
         var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
         var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
-        var scale = new Option<int>("--scale") { Description = "Size of everything in percent, 100 to 200; on Windows the system's own setting counts.", HelpName = "PERCENT", DefaultValueFactory = _ => Least };
+        var scale = new Option<int>("--scale")
+        {
+            Description = "Size of everything in percent, 100 to 200; on Windows the system's own setting counts.",
+            HelpName = "PERCENT",
+            DefaultValueFactory = _ => Least
+        };
         scale.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<int>() is < Least or > Most)
@@ -38,7 +47,8 @@ internal static class StationCommand
         command.SetAction(result => Run(
             result.GetValue(config),
             result.GetValue(demo),
-            new StationLook(result.GetValue(chinese) ? Language.TraditionalChinese : Language.English, result.GetValue(dark), result.GetValue(full)),
+            new StationLook(
+                result.GetValue(chinese) ? Language.TraditionalChinese : Language.English, result.GetValue(dark), result.GetValue(full)),
             result.GetValue(scale) / 100.0));
         return command;
     }
@@ -60,7 +70,8 @@ internal static class StationCommand
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
             {
-                var builder = AppBuilder.Configure(() => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
+                var builder = AppBuilder.Configure(
+                    () => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
                 return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
             }
             finally
@@ -73,7 +84,8 @@ internal static class StationCommand
             Console.Error.WriteLine(e.Message);
             return WrongInput;
         }
-        catch (Exception e) when (e is PlatformNotSupportedException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (
+            e is PlatformNotSupportedException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
         {
             Console.Error.WriteLine(e.Message);
             return Outside;
@@ -94,12 +106,16 @@ internal static class StationCommand
     // A demonstration leaves nothing behind. A service without a home folder stores no preferences.
     private static PreferenceFiles? Preferences(CellSettings settings, bool isDemo)
     {
-        var folder = isDemo ? Path.GetDirectoryName(Path.GetFullPath(settings.File)) : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
+        var folder = isDemo
+            ? Path.GetDirectoryName(Path.GetFullPath(settings.File))
+            : Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.DoNotVerify);
         return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
     // For the log of the service manager: a user had to wait, and this is when.
-    private static void TellBusy(TimeSpan time) => Console.Error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
+    private static void TellBusy(TimeSpan time) => Console.Error.WriteLine(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
 
     // As if the window were closed: the session ends properly, and the demonstration deletes its folder.
     private static void Leave(PosixSignalContext signal)

@@ -11,5 +11,6 @@ internal static class WindowsPlatform
     /// <summary>System windows, with the system's scaling, clipboard and input methods.</summary>
     // Not inlined: elsewhere the called assembly is missing, and compiling this method would load it.
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static AppBuilder UseWindows(this AppBuilder builder) => builder.UsePlatformDetect().WithInterFont().With(new FontManagerOptions { DefaultFamilyName = "fonts:Inter#Inter" });
+    public static AppBuilder UseWindows(this AppBuilder builder) =>
+        builder.UsePlatformDetect().WithInterFont().With(new FontManagerOptions { DefaultFamilyName = "fonts:Inter#Inter" });
 }

@@ -40,7 +40,8 @@ public sealed partial class App : Application
             if (Busy is not null)
             {
                 // The time to create the window is expected and not reported.
-                window.Opened += (_, _) => _ = new ScreenWatch(SynchronizationContext.Current!, TimeProvider.System, Busy).RunAsync(end.Token).Watched();
+                window.Opened += (_, _) => _ = new ScreenWatch(
+                    SynchronizationContext.Current!, TimeProvider.System, Busy).RunAsync(end.Token).Watched();
             }
 
             window.Opened += (_, _) => _ = window.RehearseAsync(end.Token).Watched();

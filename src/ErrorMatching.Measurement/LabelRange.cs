@@ -59,7 +59,8 @@ public static class LabelRange
             : throw Bad(range, "a whole number at the end of both labels, such as 5..14");
     }
 
-    private static string Number(int number, int width) => number.ToString("D" + width.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+    private static string Number(int number, int width) =>
+        number.ToString("D" + width.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
     private static MeasurementException Bad(string range, string expected) =>
         new(MeasurementError.BadRange, $"the range {MeasurementException.Quote(range)}", expected);

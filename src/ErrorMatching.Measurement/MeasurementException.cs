@@ -15,7 +15,15 @@ public sealed class MeasurementException : Exception
     /// <param name="column">Cell of the line, from 1, as in a spreadsheet.</param>
     /// <param name="path">Path in the JSON description of a format, such as <c>$.columns.x</c>.</param>
     /// <param name="cause">The underlying error of the operating system or a parser.</param>
-    public MeasurementException(string code, string found, string expected, string? file = null, int? line = null, int? column = null, string? path = null, Exception? cause = null)
+    public MeasurementException(
+        string code,
+        string found,
+        string expected,
+        string? file = null,
+        int? line = null,
+        int? column = null,
+        string? path = null,
+        Exception? cause = null)
         : base(Compose(found, expected, file, line, column, path), cause)
     {
         (Code, Found, Expected) = (code, found, expected);

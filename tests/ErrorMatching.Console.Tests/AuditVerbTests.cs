@@ -10,15 +10,28 @@ public sealed class AuditVerbTests
     {
         using var cell = CellFolder.WithPeople();
         var document = Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config);
-        Assert.Equal((true, 4, true), (document.GetProperty("holds").GetBoolean(), document.GetProperty("entries").GetInt32(), document.GetProperty("isSealChecked").GetBoolean()));
-        Assert.Equal((0, $"4 entries, and all are as they were written.\nThe last one's hash is {document.Text("hash")}.\n", ""), Shell.Run("audit", "verify", cell.Config));
+        Assert.Equal(
+            (true, 4, true),
+            (
+                document.GetProperty("holds").GetBoolean(),
+                document.GetProperty("entries").GetInt32(),
+                document.GetProperty("isSealChecked").GetBoolean()));
+        Assert.Equal(
+            (0, $"4 entries, and all are as they were written.\nThe last one's hash is {document.Text("hash")}.\n", ""),
+            Shell.Run("audit", "verify", cell.Config));
     }
 
     [Theory]
     [InlineData("UPDATE audit SET who = 'eve' WHERE seq = 3", "audit-changed", 3)]
     [InlineData("DELETE FROM audit WHERE seq = 2", "audit-removed", 2)]
-    [InlineData("INSERT INTO audit SELECT 5, at, who, what, subject, basis, previous, hash, row_codes FROM audit WHERE seq = 4", "audit-inserted", 5)]
-    [InlineData("UPDATE audit SET seq = -2 WHERE seq = 2; UPDATE audit SET seq = 2 WHERE seq = 3; UPDATE audit SET seq = 3 WHERE seq = -2", "audit-reordered", 2)]
+    [InlineData(
+        "INSERT INTO audit SELECT 5, at, who, what, subject, basis, previous, hash, row_codes FROM audit WHERE seq = 4",
+        "audit-inserted",
+        5)]
+    [InlineData(
+        "UPDATE audit SET seq = -2 WHERE seq = 2; UPDATE audit SET seq = 2 WHERE seq = 3; UPDATE audit SET seq = 3 WHERE seq = -2",
+        "audit-reordered",
+        2)]
     [InlineData("UPDATE audit_head SET seal = NULL", "audit-unsealed", 4)]
     public void A_broken_trail_is_exit_2_and_names_the_first_entry(string tampering, string code, int entry)
     {
@@ -84,10 +97,16 @@ public sealed class AuditVerbTests
         }
 
         Assert.False(File.Exists(cell["keys/audit.seen"]));
-        Assert.True(Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "the disk was replaced").GetProperty("takenOver").GetBoolean());
+        Assert.True(
+            Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "the disk was replaced")
+                .GetProperty("takenOver")
+                .GetBoolean());
         Assert.Equal(5, Shell.Json(0, "errormatch/audit-verify/1", "audit", "verify", cell.Config).GetProperty("entries").GetInt32());
         Assert.Contains("\"trail-set-back\"", Shell.Run("audit", "export", cell.Config).Output, StringComparison.Ordinal);
-        Assert.False(Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "again").GetProperty("takenOver").GetBoolean());
+        Assert.False(
+            Shell.Json(0, "errormatch/audit-take-over/1", "audit", "take-over", cell.Config, "--reason", "again")
+                .GetProperty("takenOver")
+                .GetBoolean());
     }
 
     [Fact]
@@ -124,7 +143,9 @@ public sealed class AuditVerbTests
 
         var document = Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config, "--out", cell["audit.csv"]);
         Assert.Equal(csv, File.ReadAllText(cell["audit.csv"]));
-        Assert.Equal((cell["audit.csv"], 4, Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(cell["audit.csv"])))), (document.Text("file"), document.GetProperty("entries").GetInt32(), document.Text("sha256")));
+        Assert.Equal(
+            (cell["audit.csv"], 4, Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(cell["audit.csv"])))),
+            (document.Text("file"), document.GetProperty("entries").GetInt32(), document.Text("sha256")));
         Assert.Equal(csv, Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config).Text("csv"));
         Assert.Equal("output-is-input", Shell.Error(1, "audit", "export", cell.Config, "--out", cell.Config).Text("code"));
     }
@@ -141,8 +162,16 @@ public sealed class AuditVerbTests
         }
 
         var (text, json) = (new Written(), new Written());
-        Assert.Equal(0, Application.Run(["audit", "export", cell.Config], new(text, TextWriter.Null, HasColor: false), TestContext.Current.CancellationToken));
-        Assert.Equal(0, Application.Run(["audit", "export", cell.Config, "--json"], new(json, TextWriter.Null, HasColor: false), TestContext.Current.CancellationToken));
+        Assert.Equal(
+            0,
+            Application.Run(
+                ["audit", "export", cell.Config], new(text, TextWriter.Null, HasColor: false), TestContext.Current.CancellationToken));
+        Assert.Equal(
+            0,
+            Application.Run(
+                ["audit", "export", cell.Config, "--json"],
+                new(json, TextWriter.Null, HasColor: false),
+                TestContext.Current.CancellationToken));
         Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config, "--out", cell["audit.csv"]);
 
         var csv = File.ReadAllText(cell["audit.csv"]);
@@ -168,7 +197,8 @@ public sealed class AuditVerbTests
         var codes = Enum.GetValues<PeopleError>().Select(FailureOfCell.CodeOf)
             .Concat(Enum.GetValues<StoreError>().Select(FailureOfCell.CodeOf))
             .Concat(Enum.GetValues<AuditFaultKind>().Select(FailureOfCell.CodeOf));
-        Assert.All(codes.Concat(["no-password", "unknown-machine"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+        Assert.All(
+            codes.Concat(["no-password", "unknown-machine"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 
     private static void Execute(CellFolder cell, string sql)

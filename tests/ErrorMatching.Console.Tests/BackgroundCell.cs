@@ -7,13 +7,17 @@ internal sealed class BackgroundCell : IDisposable
     private readonly StringWriter _output = new() { NewLine = "\n" };
     private readonly Task<int> _run;
 
-    private BackgroundCell(string config) => _run = Task.Run(() => Application.Run(["cell", "run", config], new Terminal(_output, TextWriter.Null, HasColor: false), _stop.Token));
+    private BackgroundCell(string config) =>
+        _run = Task.Run(() => Application.Run(
+            ["cell", "run", config], new Terminal(_output, TextWriter.Null, HasColor: false), _stop.Token));
 
     /// <summary>Starts a cell and waits until it says that it runs.</summary>
     public static async Task<BackgroundCell> Start(string config)
     {
         var cell = new BackgroundCell(config);
-        await Until(() => cell._run.IsCompleted || Shell.Run("cell", "status", config, "--json").Output.Contains("\"running\": true", StringComparison.Ordinal));
+        await Until(
+            () => cell._run.IsCompleted
+                || Shell.Run("cell", "status", config, "--json").Output.Contains("\"running\": true", StringComparison.Ordinal));
         Assert.False(cell._run.IsCompleted, cell._output.ToString());
         return cell;
     }

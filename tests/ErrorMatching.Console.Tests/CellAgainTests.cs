@@ -18,7 +18,8 @@ public sealed class CellAgainTests
         }
 
         await File.WriteAllTextAsync(cell.Config, (await File.ReadAllTextAsync(cell.Config, TestContext.Current.CancellationToken)).Replace(
-            Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job/job.json", StringComparison.Ordinal), TestContext.Current.CancellationToken);
+            Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job/job.json", StringComparison.Ordinal),
+            TestContext.Current.CancellationToken);
         using var running = await BackgroundCell.Start(cell.Config);
         File.Copy(part, cell["written"]);
         File.Move(cell["written"], cell["incoming/S1.csv"]);
@@ -28,19 +29,38 @@ public sealed class CellAgainTests
         var refused = Again(cell);
         Assert.Equal((2, "job-unchanged"), (refused.Exit, refused.Document.GetProperty("errors")[0].GetProperty("code").GetString()));
 
-        await File.WriteAllTextAsync(theoretical, (await File.ReadAllTextAsync(theoretical, TestContext.Current.CancellationToken)).Replace("-31.950", "-31.951", StringComparison.Ordinal), TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(
+            theoretical,
+            (
+                await File.ReadAllTextAsync(theoretical, TestContext.Current.CancellationToken))
+                .Replace("-31.950", "-31.951", StringComparison.Ordinal),
+            TestContext.Current.CancellationToken);
         var (exit, given) = Again(cell);
-        Assert.Equal((0, 2L, 1L, "archived", "S1.csv"), (exit, given.GetProperty("id").GetInt64(), given.GetProperty("measuredAs").GetInt64(), given.Text("state"), given.Text("fileName")));
+        Assert.Equal(
+            (0, 2L, 1L, "archived", "S1.csv"),
+            (
+                exit,
+                given.GetProperty("id").GetInt64(),
+                given.GetProperty("measuredAs").GetInt64(),
+                given.Text("state"),
+                given.Text("fileName")));
         Assert.Equal("errormatch/cell-again/1", given.Text("schema"));
         await Until(cell, 2, "proposed");
         var old = Shell.Json(0, "errormatch/cell-correction/1", "cell", "show", cell.Config, "1");
-        Assert.Equal(("superseded", "computed-anew", JsonValueKind.Null), (old.Text("state"), old.Text("code"), old.GetProperty("measuredAs").ValueKind));
+        Assert.Equal(
+            ("superseded", "computed-anew", JsonValueKind.Null),
+            (old.Text("state"), old.Text("code"), old.GetProperty("measuredAs").ValueKind));
         Assert.Contains("correction 2", old.Text("reason"), StringComparison.Ordinal);
         Assert.Contains(("superseded", "Ben"), old.GetProperty("steps").EnumerateArray().Select(s => (s.Text("to"), s.Text("by"))));
         Assert.Equal("wrong-state", Again(cell).Document.GetProperty("errors")[0].GetProperty("code").GetString());
 
         // In words.
-        await File.WriteAllTextAsync(theoretical, (await File.ReadAllTextAsync(theoretical, TestContext.Current.CancellationToken)).Replace("-31.951", "-31.952", StringComparison.Ordinal), TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(
+            theoretical,
+            (
+                await File.ReadAllTextAsync(theoretical, TestContext.Current.CancellationToken))
+                .Replace("-31.951", "-31.952", StringComparison.Ordinal),
+            TestContext.Current.CancellationToken);
         Assert.Equal(
             (0, "Correction 3 (S1.csv) is computed in the place of correction 2, which is superseded, with the job as it is now.\n", ""),
             cell.Piped([CellFolder.Bens], "cell", "again", cell.Config, "2", "--user", "ben", "--reason", "nose radius"));
@@ -54,5 +74,7 @@ public sealed class CellAgainTests
     }
 
     private static Task Until(CellFolder cell, int id, string state) =>
-        BackgroundCell.Until(() => Shell.Run("cell", "show", cell.Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));
+        BackgroundCell.Until(
+            () => Shell.Run("cell", "show", cell.Config, $"{id}", "--json").Output.Contains(
+                $"\"state\": \"{state}\"", StringComparison.Ordinal));
 }

@@ -30,14 +30,19 @@ public sealed class CellCheckTests : IDisposable
     [Fact]
     public void A_wrong_configuration_is_exit_1_by_path_line_and_column()
     {
-        File.WriteAllText(_cell.Config, File.ReadAllText(_cell.Config).Replace("\"gauges\": [\"cmm\"]", "\"gauges\": [\"ccm\"]", StringComparison.Ordinal));
+        File.WriteAllText(
+            _cell.Config,
+            File.ReadAllText(_cell.Config).Replace("\"gauges\": [\"cmm\"]", "\"gauges\": [\"ccm\"]", StringComparison.Ordinal));
         var error = Shell.Error(1, "cell", "check", _cell.Config);
-        Assert.Equal(("unknown-gauge", _cell.Config, "$.jobs[0].gauges[0]", 5), (error.Text("code"), error.Text("file"), error.Text("path"), error.GetProperty("line").GetInt32()));
+        Assert.Equal(
+            ("unknown-gauge", _cell.Config, "$.jobs[0].gauges[0]", 5),
+            (error.Text("code"), error.Text("file"), error.Text("path"), error.GetProperty("line").GetInt32()));
         Assert.StartsWith($"{_cell.Config}:5:", Shell.Run("cell", "check", _cell.Config).Error, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void A_configuration_that_is_not_there_is_exit_1() => Assert.Equal("file-unreadable", Shell.Error(1, "cell", "check", _cell["none.json"]).Text("code"));
+    public void A_configuration_that_is_not_there_is_exit_1() =>
+        Assert.Equal("file-unreadable", Shell.Error(1, "cell", "check", _cell["none.json"]).Text("code"));
 
     [Fact]
     public void A_program_that_is_missing_is_exit_1()
@@ -45,7 +50,10 @@ public sealed class CellCheckTests : IDisposable
         var job = _cell["job.json"];
         File.WriteAllText(job, File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")));
         File.Copy(Repository.PathTo("samples", "complex-mating", "theoretical.csv"), _cell["theoretical.csv"]);
-        File.WriteAllText(_cell.Config, File.ReadAllText(_cell.Config).Replace(Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job.json", StringComparison.Ordinal));
+        File.WriteAllText(
+            _cell.Config,
+            File.ReadAllText(_cell.Config).Replace(
+                Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job.json", StringComparison.Ordinal));
         var document = Shell.Json(1, "errormatch/cell-check/1", "cell", "check", _cell.Config);
         Assert.Equal("file-unreadable", Assert.Single(document.GetProperty("errors").EnumerateArray()).Text("code"));
     }
@@ -76,7 +84,9 @@ public sealed class CellCheckTests : IDisposable
     {
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
         Assert.All(
-            ["secret-missing", "key-missing", Recognition.UnknownPiece, Recognition.AmbiguousPiece, Recognition.ContradictoryPiece, Recognition.UnusableJob, FileSource.TooLarge],
+            [
+                "secret-missing", "key-missing", Recognition.UnknownPiece, Recognition.AmbiguousPiece, Recognition.ContradictoryPiece,
+                Recognition.UnusableJob, FileSource.TooLarge],
             c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 }

@@ -54,7 +54,18 @@ public sealed class CellExampleTests : IDisposable
         }
 
         Example("cell restore");
-        foreach (var words in new[] { "cell check", "user list", "user disable", "user enable", "user role", "user password", "audit verify", "audit export", "audit take-over" })
+        foreach (var words in new[]
+        {
+            "cell check",
+            "user list",
+            "user disable",
+            "user enable",
+            "user role",
+            "user password",
+            "audit verify",
+            "audit export",
+            "audit take-over"
+        })
         {
             Example(words);
         }
@@ -72,19 +83,24 @@ public sealed class CellExampleTests : IDisposable
         }
 
         _ran.Add(words);
-        string[] args = [.. (changed?.Invoke(verb.Example) ?? verb.Example).Split(' ')[1..].Select(w => w.StartsWith("samples/", StringComparison.Ordinal) || w.StartsWith("out", StringComparison.Ordinal) ? Placed(w) : w)];
+        string[] args = [
+            .. (changed?.Invoke(verb.Example) ?? verb.Example).Split(' ')[1..].Select(
+                w => w.StartsWith("samples/", StringComparison.Ordinal) || w.StartsWith("out", StringComparison.Ordinal) ? Placed(w) : w)];
         using var passwords = new StringReader($"{Password}\n{Password}\n{Password}\n");
         var run = Shell.Run(new SecretInput(passwords, null, TextWriter.Null), verb is SigningVerb ? [.. args, "--password-stdin"] : args);
         Assert.True(run.Exit == 0, $"{verb.Example} ended with {run.Exit}: {run.Output}{run.Error}");
     }
 
     private static Dictionary<string, Verb> Verbs() =>
-        CommandTree.Build().Subcommands.SelectMany(g => g.Subcommands.OfType<CellVerb>().Select(v => (Words: $"{g.Name} {v.Name}", Verb: (Verb)v))).ToDictionary(v => v.Words, v => v.Verb);
+        CommandTree.Build().Subcommands
+            .SelectMany(g => g.Subcommands.OfType<CellVerb>().Select(v => (Words: $"{g.Name} {v.Name}", Verb: (Verb)v)))
+            .ToDictionary(v => v.Words, v => v.Verb);
 
     private void Drop(string name, string x)
     {
         Directory.CreateDirectory(Placed("out"));
-        File.WriteAllText(Placed("written"), File.ReadAllText(Placed("samples/complex-mating/part.csv")).Replace("-32.067", x, StringComparison.Ordinal));
+        File.WriteAllText(
+            Placed("written"), File.ReadAllText(Placed("samples/complex-mating/part.csv")).Replace("-32.067", x, StringComparison.Ordinal));
         File.Move(Placed("written"), Placed("samples/cell/incoming/" + name));
     }
 
@@ -94,7 +110,8 @@ public sealed class CellExampleTests : IDisposable
         File.WriteAllText(theoretical, File.ReadAllText(theoretical).Replace("-31.950", "-31.951", StringComparison.Ordinal));
     }
 
-    private Task Until(int id, string state) => BackgroundCell.Until(() => Shell.Run("cell", "show", Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));
+    private Task Until(int id, string state) => BackgroundCell.Until(
+        () => Shell.Run("cell", "show", Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));
 
     private string Placed(string path) => Path.Combine(_folder.Path, path);
 }

@@ -22,7 +22,10 @@ internal sealed class CellFolder : IDisposable
 
     public CellFolder()
     {
-        Config = _folder.File("cell.json", Configuration.Replace("JOB", Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), StringComparison.Ordinal));
+        Config = _folder.File(
+            "cell.json",
+            Configuration.Replace(
+                "JOB", Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), StringComparison.Ordinal));
         Directory.CreateDirectory(_folder["incoming"]);
         Directory.CreateDirectory(_folder["machine"]);
     }

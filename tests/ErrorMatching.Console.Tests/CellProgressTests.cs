@@ -38,7 +38,12 @@ public sealed partial class CellProgressTests : IDisposable
     [Fact]
     public void Nothing_is_said_where_nobody_sits()
     {
-        foreach (var args in new string[][] { ["cell", "backup", _cell.Config, _cell["copy.db"]], ["audit", "verify", _cell.Config], ["cell", "restore", _cell.Config, _cell["copy.db"]] })
+        foreach (var args in new string[][]
+        {
+            ["cell", "backup", _cell.Config, _cell["copy.db"]],
+            ["audit", "verify", _cell.Config],
+            ["cell", "restore", _cell.Config, _cell["copy.db"]]
+        })
         {
             var (exit, _, error) = Shell.Run(args);
             Assert.Equal((0, ""), (exit, error));
@@ -53,13 +58,17 @@ public sealed partial class CellProgressTests : IDisposable
         using var progress = new CancellingWriter(cancel);
         var terminal = new Terminal(output, TextWriter.Null, HasColor: false) { Progress = progress };
         Assert.Equal(130, Application.Run(["cell", "backup", _cell.Config, _cell["copy.db"]], terminal, cancel.Token));
-        Assert.DoesNotContain(Directory.EnumerateFiles(Path.GetDirectoryName(_cell.Config)!), f => Path.GetFileName(f).StartsWith("copy", StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            Directory.EnumerateFiles(Path.GetDirectoryName(_cell.Config)!),
+            f => Path.GetFileName(f).StartsWith("copy", StringComparison.Ordinal));
 
         Assert.Equal(0, Shell.Run("cell", "backup", _cell.Config, _cell["copy.db"]).Exit);
         using var again = new CancellationTokenSource();
         using var another = new CancellingWriter(again);
-        Assert.Equal(130, Application.Run(["cell", "restore", _cell.Config, _cell["copy.db"]], terminal with { Progress = another }, again.Token));
-        Assert.DoesNotContain(Directory.EnumerateFiles(Path.GetDirectoryName(_cell.Config)!), f => f.Contains("restore", StringComparison.Ordinal));
+        Assert.Equal(
+            130, Application.Run(["cell", "restore", _cell.Config, _cell["copy.db"]], terminal with { Progress = another }, again.Token));
+        Assert.DoesNotContain(
+            Directory.EnumerateFiles(Path.GetDirectoryName(_cell.Config)!), f => f.Contains("restore", StringComparison.Ordinal));
         Assert.Equal(0, Shell.Run("audit", "verify", _cell.Config).Exit);
     }
 
@@ -97,10 +106,14 @@ public sealed partial class CellProgressTests : IDisposable
         using var output = new StringWriter { NewLine = "\n" };
         using var error = new StringWriter { NewLine = "\n" };
         using var shown = new StringWriter { NewLine = "\n" };
-        var exit = Application.Run(args, new Terminal(output, error, HasColor: false) { Progress = shown }, TestContext.Current.CancellationToken);
+        var exit = Application.Run(
+            args, new Terminal(output, error, HasColor: false) { Progress = shown }, TestContext.Current.CancellationToken);
         Assert.Equal((0, ""), (exit, error.ToString()));
         var lines = shown.ToString().Split('\r', StringSplitOptions.RemoveEmptyEntries);
-        var percents = lines.Select(l => Percent().Match(l)).Where(m => m.Success && m.Groups["doing"].Value == doing).Select(m => int.Parse(m.Groups["percent"].Value, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+        var percents = lines.Select(l => Percent().Match(l))
+            .Where(m => m.Success && m.Groups["doing"].Value == doing)
+            .Select(m => int.Parse(m.Groups["percent"].Value, System.Globalization.CultureInfo.InvariantCulture))
+            .ToArray();
         Assert.True(percents.Length > 2, shown.ToString());
         Assert.Equal(percents.Order().Distinct(), percents);
         Assert.InRange(percents[^1], 50, 100);

@@ -8,14 +8,20 @@ public sealed class CellSecretTests
     public void An_administrator_sets_and_removes_the_password_of_a_machine()
     {
         using var cell = CellFolder.WithPeople();
-        var (exit, output, error, shown) = cell.Typed($"{CellFolder.Annas}\ns3cret\ns3cret\n", "cell", "secret", cell.Config, "vmc1", "--user", "anna");
+        var (exit, output, error, shown) = cell.Typed(
+            $"{CellFolder.Annas}\ns3cret\ns3cret\n", "cell", "secret", cell.Config, "vmc1", "--user", "anna");
         Assert.Equal((0, "The cell signs in to vmc1 with the new password from now on.\n", ""), (exit, output, error));
         Assert.Equal("Password of anna: \nPassword at vmc1: \nPassword at vmc1 again: \n", shown);
         Assert.Equal("s3cret", Kept());
         Assert.DoesNotContain("s3cret", Shell.Run("audit", "export", cell.Config).Output, StringComparison.Ordinal);
 
-        var removed = UserVerbTests.Document(0, "errormatch/cell-secret/1", cell.Piped([CellFolder.Annas], "cell", "secret", cell.Config, "vmc1", "--remove", "--user", "anna", "--json"));
-        Assert.Equal(("vmc1", false, true), (removed.Text("machine"), removed.GetProperty("isSet").GetBoolean(), removed.GetProperty("isChanged").GetBoolean()));
+        var removed = UserVerbTests.Document(
+            0,
+            "errormatch/cell-secret/1",
+            cell.Piped([CellFolder.Annas], "cell", "secret", cell.Config, "vmc1", "--remove", "--user", "anna", "--json"));
+        Assert.Equal(
+            ("vmc1", false, true),
+            (removed.Text("machine"), removed.GetProperty("isSet").GetBoolean(), removed.GetProperty("isChanged").GetBoolean()));
         Assert.Null(Kept());
 
         string? Kept()
@@ -30,8 +36,13 @@ public sealed class CellSecretTests
     public void Nobody_else_does()
     {
         using var cell = CellFolder.WithPeople();
-        Assert.Equal("not-allowed", UserVerbTests.Error(2, cell.Piped([CellFolder.Bens, "s3cret"], "cell", "secret", cell.Config, "vmc1", "--user", "Ben", "--json")));
-        Assert.Equal("bad-secret", UserVerbTests.Error(1, cell.Piped([CellFolder.Annas, ""], "cell", "secret", cell.Config, "vmc1", "--user", "anna", "--json")));
+        Assert.Equal(
+            "not-allowed",
+            UserVerbTests.Error(
+                2, cell.Piped([CellFolder.Bens, "s3cret"], "cell", "secret", cell.Config, "vmc1", "--user", "Ben", "--json")));
+        Assert.Equal(
+            "bad-secret",
+            UserVerbTests.Error(1, cell.Piped([CellFolder.Annas, ""], "cell", "secret", cell.Config, "vmc1", "--user", "anna", "--json")));
     }
 
     [Fact]

@@ -21,7 +21,12 @@ public sealed class CellStatusTests : IDisposable
     {
         using var life = Alive();
         var json = IsWell();
-        Assert.Equal((true, 17, 0), (json.GetProperty("running").GetBoolean(), json.GetProperty("processId").GetInt32(), json.GetProperty("problems").GetArrayLength()));
+        Assert.Equal(
+            (true, 17, 0),
+            (
+                json.GetProperty("running").GetBoolean(),
+                json.GetProperty("processId").GetInt32(),
+                json.GetProperty("problems").GetArrayLength()));
         Assert.Equal(Since, json.GetProperty("since").GetDateTimeOffset());
         Assert.Contains("Nothing to do.", Shell.Run("cell", "status", _cell.Config).Output, StringComparison.Ordinal);
     }
@@ -43,7 +48,8 @@ public sealed class CellStatusTests : IDisposable
         To(CorrectionState.Verified);
         using var life = Alive();
         Assert.Equal("verified", IsWell().GetProperty("slots")[0].GetProperty("held").Text("state"));
-        Assert.Contains($"errormatch cell release {_cell.Config} 1", Shell.Run("cell", "status", _cell.Config).Output, StringComparison.Ordinal);
+        Assert.Contains(
+            $"errormatch cell release {_cell.Config} 1", Shell.Run("cell", "status", _cell.Config).Output, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -53,8 +59,12 @@ public sealed class CellStatusTests : IDisposable
         To(CorrectionState.Approved, "S2.csv");
         using var life = Alive();
         var heldUp = Assert.Single(IsWell().GetProperty("slots")[0].GetProperty("heldUp").EnumerateArray());
-        Assert.Equal((2, 1), (heldUp.GetProperty("correction").GetInt32(), Assert.Single(heldUp.GetProperty("behind").EnumerateArray()).GetInt32()));
-        Assert.Contains("2 is approved and waits in line behind 1: decide about what stands before it first.", Shell.Run("cell", "status", _cell.Config).Output, StringComparison.Ordinal);
+        Assert.Equal(
+            (2, 1), (heldUp.GetProperty("correction").GetInt32(), Assert.Single(heldUp.GetProperty("behind").EnumerateArray()).GetInt32()));
+        Assert.Contains(
+            "2 is approved and waits in line behind 1: decide about what stands before it first.",
+            Shell.Run("cell", "status", _cell.Config).Output,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -62,7 +72,10 @@ public sealed class CellStatusTests : IDisposable
     {
         To(CorrectionState.Failed);
         using var life = Alive();
-        NeedsHelp("machine-login", "Correction 1 (S1.csv) failed: vmc1 refused the login.", "1: put right what it says, then errormatch cell approve");
+        NeedsHelp(
+            "machine-login",
+            "Correction 1 (S1.csv) failed: vmc1 refused the login.",
+            "1: put right what it says, then errormatch cell approve");
     }
 
     [Theory]
@@ -79,7 +92,8 @@ public sealed class CellStatusTests : IDisposable
     }
 
     [Fact]
-    public void Without_a_sign_of_life_it_needs_help() => NeedsHelp("cell-not-running", "The cell does not run.", $"Start the cell: errormatch cell run {_cell.Config}");
+    public void Without_a_sign_of_life_it_needs_help() =>
+        NeedsHelp("cell-not-running", "The cell does not run.", $"Start the cell: errormatch cell run {_cell.Config}");
 
     [Theory]
     [InlineData(-16)]
@@ -89,7 +103,8 @@ public sealed class CellStatusTests : IDisposable
     {
         var at = TimeProvider.System.GetUtcNow().AddSeconds(seconds);
         new Heartbeat(17, Since, at, []).Write(_settings.LogFolder);
-        NeedsHelp("cell-not-running", FormattableString.Invariant($"its last sign of life was at {at:yyyy-MM-dd HH:mm:ss}Z"), "Start the cell");
+        NeedsHelp(
+            "cell-not-running", FormattableString.Invariant($"its last sign of life was at {at:yyyy-MM-dd HH:mm:ss}Z"), "Start the cell");
     }
 
     [Fact]
@@ -116,11 +131,15 @@ public sealed class CellStatusTests : IDisposable
     public void All_troubles_are_said_at_once()
     {
         To(CorrectionState.Failed);
-        using var life = Alive(new CellTrouble("slot vmc1/A", "machine-away", "No answer.", Since), new CellTrouble("signs of life", "not-kept", "No room.", Since));
+        using var life = Alive(
+            new CellTrouble("slot vmc1/A", "machine-away", "No answer.", Since),
+            new CellTrouble("signs of life", "not-kept", "No room.", Since));
         var (exit, output, error) = Shell.Run("cell", "status", _cell.Config, "--json");
         using var document = JsonDocument.Parse(output);
         Assert.Equal((3, ""), (exit, error));
-        Assert.Equal(["machine-away", "not-kept", "machine-login"], document.RootElement.GetProperty("problems").EnumerateArray().Select(p => p.Text("code")));
+        Assert.Equal(
+            ["machine-away", "not-kept", "machine-login"],
+            document.RootElement.GetProperty("problems").EnumerateArray().Select(p => p.Text("code")));
         Assert.Equal(3, Shell.Run("cell", "status", _cell.Config).Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length);
     }
 

@@ -19,37 +19,54 @@ public sealed class CellVerbTests
         Drop(cell, "S1.csv", Part);
         await Until(cell, 1, "proposed");
         var status = Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config);
-        Assert.Equal((true, 1L), (status.GetProperty("healthy").GetBoolean(), status.GetProperty("proposed")[0].GetProperty("id").GetInt64()));
+        Assert.Equal(
+            (true, 1L), (status.GetProperty("healthy").GetBoolean(), status.GetProperty("proposed")[0].GetProperty("id").GetInt64()));
         Assert.Contains("read its report", Shell.Run("cell", "status", cell.Config).Output, StringComparison.Ordinal);
 
         Assert.Equal(2, cell.Piped([CellFolder.Bens], "cell", "approve", cell.Config, "1", "--user", "ben").Exit);
-        Assert.Equal(0, cell.Piped([CellFolder.Annas], "cell", "approve", cell.Config, "1", "--user", Anna, "--reason", "looks right").Exit);
+        Assert.Equal(
+            0, cell.Piped([CellFolder.Annas], "cell", "approve", cell.Config, "1", "--user", Anna, "--reason", "looks right").Exit);
         await Until(cell, 1, "verified");
         var sent = File.ReadAllBytes(cell["machine/O2001.NC"]);
         Assert.NotEqual(original, sent);
 
         var shown = Shell.Json(0, "errormatch/cell-correction/1", "cell", "show", cell.Config, "1", "--out", cell["out"]);
-        Assert.Contains(("approved", "Anna", "looks right"), shown.GetProperty("steps").EnumerateArray().Select(s => (s.Text("to"), s.Text("by"), s.Text("basis"))));
+        Assert.Contains(
+            ("approved", "Anna", "looks right"),
+            shown.GetProperty("steps").EnumerateArray().Select(s => (s.Text("to"), s.Text("by"), s.Text("basis"))));
         Assert.Equal(sent, File.ReadAllBytes(cell["out/1-O2001.NC"]));
         Assert.Equal(original, File.ReadAllBytes(cell["out/1-previous-O2001.NC"]));
         Assert.Equal(Part, File.ReadAllText(cell["out/1-measurement-S1.csv"]));
-        Assert.All(new[] { "1-report.html", "1-report.json", "1-job.json", "1-base-O2001.NC" }, f => Assert.True(new FileInfo(cell["out/" + f]).Length > 0));
+        Assert.All(
+            new[] { "1-report.html", "1-report.json", "1-job.json", "1-base-O2001.NC" },
+            f => Assert.True(new FileInfo(cell["out/" + f]).Length > 0));
 
         Assert.Equal(0, cell.Piped([CellFolder.Annas], "cell", "revert", cell.Config, "1", "--user", Anna, "--reason", "chatter").Exit);
         Assert.Equal(original, File.ReadAllBytes(cell["machine/O2001.NC"]));
-        Assert.Equal("reverted", Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("slots")[0].GetProperty("held").Text("state"));
+        Assert.Equal(
+            "reverted",
+            Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config)
+                .GetProperty("slots")[0]
+                .GetProperty("held")
+                .Text("state"));
         Assert.Equal(0, cell.Piped([CellFolder.Bens], "cell", "release", cell.Config, "1", "--user", "ben").Exit);
-        Assert.Equal(JsonValueKind.Null, Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("slots")[0].GetProperty("held").ValueKind);
+        Assert.Equal(
+            JsonValueKind.Null,
+            Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config).GetProperty("slots")[0].GetProperty("held").ValueKind);
 
         Drop(cell, "S2.csv", Part.Replace("-32.067", "-32.068", StringComparison.Ordinal));
         await Until(cell, 2, "proposed");
         Assert.Equal(0, cell.Piped([CellFolder.Bens], "cell", "reject", cell.Config, "2", "--user", "ben", "--reason", "dirty").Exit);
-        var found = Shell.Json(0, "errormatch/cell-history/1", "cell", "history", cell.Config, "--user", "Ben", "--serial", "S2").GetProperty("corrections");
-        Assert.Equal(("S2.csv", "rejected", "dirty"), Assert.Single(found.EnumerateArray()) is var c ? (c.Text("fileName"), c.Text("state"), c.Text("reason")) : default);
+        var found = Shell.Json(
+            0, "errormatch/cell-history/1", "cell", "history", cell.Config, "--user", "Ben", "--serial", "S2").GetProperty("corrections");
+        Assert.Equal(
+            ("S2.csv", "rejected", "dirty"),
+            Assert.Single(found.EnumerateArray()) is var c ? (c.Text("fileName"), c.Text("state"), c.Text("reason")) : default);
         Assert.Equal(0, Shell.Run("audit", "verify", cell.Config).Exit);
 
         var (exit, output) = await running.Stop();
-        Assert.Equal((0, "Cell 1 was told to stop, and stopped. Whatever it had begun is kept: the next run goes on with it.\n"), (exit, output));
+        Assert.Equal(
+            (0, "Cell 1 was told to stop, and stopped. Whatever it had begun is kept: the next run goes on with it.\n"), (exit, output));
     }
 
     [Fact]
@@ -58,8 +75,17 @@ public sealed class CellVerbTests
         using var cell = CellFolder.WithPeople();
         var (exit, output, error) = Shell.Run("cell", "status", cell.Config, "--json");
         using var document = JsonDocument.Parse(output);
-        Assert.Equal((3, "", false, "cell-not-running"), (exit, error, document.RootElement.GetProperty("healthy").GetBoolean(), document.RootElement.GetProperty("problems")[0].Text("code")));
-        Assert.Contains($"Start the cell: errormatch cell run {cell.Config}", Shell.Run("cell", "status", cell.Config).Output, StringComparison.Ordinal);
+        Assert.Equal(
+            (3, "", false, "cell-not-running"),
+            (
+                exit,
+                error,
+                document.RootElement.GetProperty("healthy").GetBoolean(),
+                document.RootElement.GetProperty("problems")[0].Text("code")));
+        Assert.Contains(
+            $"Start the cell: errormatch cell run {cell.Config}",
+            Shell.Run("cell", "status", cell.Config).Output,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -105,7 +131,12 @@ public sealed class CellVerbTests
         }
 
         Assert.Equal(0, Shell.Run("cell", "restore", cell.Config, cell["copy.db"]).Exit);
-        Assert.Equal([1L], Shell.Json(0, "errormatch/cell-history/1", "cell", "history", cell.Config).GetProperty("corrections").EnumerateArray().Select(c => c.GetProperty("id").GetInt64()));
+        Assert.Equal(
+            [1L],
+            Shell.Json(0, "errormatch/cell-history/1", "cell", "history", cell.Config)
+                .GetProperty("corrections")
+                .EnumerateArray()
+                .Select(c => c.GetProperty("id").GetInt64()));
     }
 
     [Theory]
@@ -123,8 +154,14 @@ public sealed class CellVerbTests
     public void Each_code_of_a_cell_is_in_the_reference()
     {
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
-        var codes = new[] { typeof(CellCodes), typeof(DecisionException) }.SelectMany(t => t.GetFields()).Where(f => f.IsLiteral).Select(f => (string)f.GetRawConstantValue()!)
-            .Concat(Enum.GetValues<TransportError>().Select(CellCodes.Of)).Concat(Enum.GetValues<StoreError>().Select(CellCodes.Of)).Concat(["cell-runs-already", "cell-not-running"]).ToArray();
+        var codes = new[]
+        {
+            typeof(CellCodes),
+            typeof(DecisionException)
+        }.SelectMany(t => t.GetFields()).Where(f => f.IsLiteral).Select(f => (string)f.GetRawConstantValue()!)
+            .Concat(Enum.GetValues<TransportError>().Select(CellCodes.Of)).Concat(Enum.GetValues<StoreError>().Select(CellCodes.Of))
+                .Concat(["cell-runs-already", "cell-not-running"])
+                .ToArray();
         Assert.True(codes.Length > 35);
         Assert.All(codes, c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
         Assert.All(Enum.GetValues<StoreError>(), e => Assert.Equal(CellCodes.Of(e), FailureOfCell.CodeOf(e)));
@@ -136,5 +173,7 @@ public sealed class CellVerbTests
         File.Move(cell["written"], cell["incoming/" + name]);
     }
 
-    private static Task Until(CellFolder cell, int id, string state) => BackgroundCell.Until(() => Shell.Run("cell", "show", cell.Config, $"{id}", "--json").Output.Contains($"\"state\": \"{state}\"", StringComparison.Ordinal));
+    private static Task Until(CellFolder cell, int id, string state) => BackgroundCell.Until(
+        () => Shell.Run("cell", "show", cell.Config, $"{id}", "--json").Output.Contains(
+            $"\"state\": \"{state}\"", StringComparison.Ordinal));
 }

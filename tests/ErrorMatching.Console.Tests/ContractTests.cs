@@ -14,7 +14,8 @@ public class ContractTests
     // Those of a cell need people, a process that runs it, or each other: CellExampleTests runs them.
     public static TheoryData<string> AloneVerbNames => [.. Verbs.Where(v => v is not CellVerb).Select(WordsOf)];
 
-    public static TheoryData<string> DemandingVerbNames => [.. Verbs.Where(v => v.Arguments.Any(a => a.Arity.MinimumNumberOfValues > 0)).Select(WordsOf)];
+    public static TheoryData<string> DemandingVerbNames =>
+        [.. Verbs.Where(v => v.Arguments.Any(a => a.Arity.MinimumNumberOfValues > 0)).Select(WordsOf)];
 
     [Fact]
     public void A_command_line_s_first_word_makes_the_command_of_that_name_and_no_other()
@@ -97,9 +98,14 @@ public class ContractTests
         using var folder = new TemporaryFolder();
         var file = folder.File("p.csv", "x,y\n1,2\n3,oops\n");
         var error = Shell.Error(1, "fit", "line", file);
-        Assert.Equal(("text-for-number", file, 3, 2), (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32(), error.GetProperty("column").GetInt32()));
-        Assert.Equal($"{file}, line 3, column 2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.", error.Text("message"));
-        Assert.Equal((1, "", $"{file}:3:2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.\n"), Shell.Run("fit", "line", file));
+        Assert.Equal(
+            ("text-for-number", file, 3, 2),
+            (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32(), error.GetProperty("column").GetInt32()));
+        Assert.Equal(
+            $"{file}, line 3, column 2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.", error.Text("message"));
+        Assert.Equal(
+            (1, "", $"{file}:3:2: found \"oops\" in column y; expected a number such as 12.345 or -5e-3.\n"),
+            Shell.Run("fit", "line", file));
     }
 
     [Fact]
@@ -111,7 +117,8 @@ public class ContractTests
     }
 
     [Fact]
-    public void A_file_named_like_a_response_file_is_a_file() => Assert.Equal("@none.csv", Shell.Error(1, "fit", "line", "@none.csv").Text("file"));
+    public void A_file_named_like_a_response_file_is_a_file() =>
+        Assert.Equal("@none.csv", Shell.Error(1, "fit", "line", "@none.csv").Text("file"));
 
     [Fact]
     public void Json_may_stand_anywhere() =>
@@ -122,7 +129,10 @@ public class ContractTests
     {
         using var output = new StringWriter();
         using var error = new StringWriter();
-        var exit = Application.Run(["fit", "line", Repository.PathTo("samples", "fits", "line.csv"), "--json"], new Terminal(output, error, false), new CancellationToken(canceled: true));
+        var exit = Application.Run(
+            ["fit", "line", Repository.PathTo("samples", "fits", "line.csv"), "--json"],
+            new Terminal(output, error, false),
+            new CancellationToken(canceled: true));
         Assert.Equal((130, ""), (exit, output.ToString()));
         Assert.Contains("Cancelled", error.ToString(), StringComparison.Ordinal);
     }
@@ -138,7 +148,9 @@ public class ContractTests
 
     [Fact]
     public void A_defect_is_exit_3_and_asks_for_a_report() =>
-        Assert.Equal((ExitCode.Outside, "internal-error"), FailureOf.Defect(new InvalidOperationException()) is var f ? (f.Exit, f.Errors[0].Code) : default);
+        Assert.Equal(
+            (ExitCode.Outside, "internal-error"),
+            FailureOf.Defect(new InvalidOperationException()) is var f ? (f.Exit, f.Errors[0].Code) : default);
 
     [Fact]
     public void Each_code_of_an_error_is_in_the_reference()
@@ -148,7 +160,9 @@ public class ContractTests
             .Concat(Enum.GetValues<Geometry.GeometryError>().Select(e => FailureOf.Geometry(new(e, ""), "").Errors[0].Code))
             .Concat(Enum.GetValues<Nc.NcErrorCode>().Select(e => FailureOf.Nc(new(e, "")).Errors[0].Code))
             .Concat(ConstantsOf(typeof(OutputException)));
-        Assert.All(codes.Concat(["command-line", "wrong-piece", "internal-error"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
+        Assert.All(
+            codes.Concat(["command-line", "wrong-piece", "internal-error"]),
+            c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 
     [Fact]
@@ -165,13 +179,16 @@ public class ContractTests
     }
 
     private static IEnumerable<string> ConstantsOf(Type type) =>
-        type.GetFields(BindingFlags.Public | BindingFlags.Static).Where(f => f.IsLiteral && f.FieldType == typeof(string)).Select(f => (string)f.GetRawConstantValue()!);
+        type.GetFields(BindingFlags.Public | BindingFlags.Static)
+            .Where(f => f.IsLiteral && f.FieldType == typeof(string))
+            .Select(f => (string)f.GetRawConstantValue()!);
 
     private static Verb Find(string words) => Verbs.Single(v => WordsOf(v) == words);
 
     private static IEnumerable<Command> Tree(Command command) => command.Subcommands.SelectMany(Tree).Prepend(command);
 
-    private static string WordsOf(Command command) => command.Parents.First() is Command parent and not RootCommand ? WordsOf(parent) + " " + command.Name : command.Name;
+    private static string WordsOf(Command command) =>
+        command.Parents.First() is Command parent and not RootCommand ? WordsOf(parent) + " " + command.Name : command.Name;
 
     private sealed class FullDisk : StringWriter
     {

@@ -9,7 +9,8 @@ namespace ErrorMatching.Console.Tests;
 /// <summary>What is installed with a cell, and the pages about it, say what this console understands.</summary>
 public sealed partial class DeployTests
 {
-    private static readonly string[] Pages = ["install-a-cell.md", "cell-at-night.md", "keep-the-store.md", "users-and-rights.md", "connect-a-machine.md", "configure-a-cell.md"];
+    private static readonly string[] Pages = [
+        "install-a-cell.md", "cell-at-night.md", "keep-the-store.md", "users-and-rights.md", "connect-a-machine.md", "configure-a-cell.md"];
     private static readonly string Unit = File.ReadAllText(Repository.PathTo("deploy", "errormatch-cell.service"));
     private static readonly string Script = File.ReadAllText(Repository.PathTo("deploy", "windows-task.ps1"));
     private static readonly string Installing = Page("install-a-cell.md");
@@ -26,9 +27,13 @@ public sealed partial class DeployTests
     [Fact]
     public void The_unit_and_the_page_about_it_name_the_same_places()
     {
-        Assert.Contains($"-o {Path.GetDirectoryName(Value("ExecStart").Split(' ')[0])!.Replace('\\', '/')}`", Installing, StringComparison.Ordinal);
+        Assert.Contains(
+            $"-o {Path.GetDirectoryName(Value("ExecStart").Split(' ')[0])!.Replace('\\', '/')}`", Installing, StringComparison.Ordinal);
         Assert.Contains($"cell.json {Value("ExecStart").Split(' ')[^1]}\n", Installing, StringComparison.Ordinal);
-        Assert.Contains($"useradd --system --home /var/lib/{Value("StateDirectory")} --shell /usr/sbin/nologin {Value("User")}\n", Installing, StringComparison.Ordinal);
+        Assert.Contains(
+            $"useradd --system --home /var/lib/{Value("StateDirectory")} --shell /usr/sbin/nologin {Value("User")}\n",
+            Installing,
+            StringComparison.Ordinal);
         Assert.Contains($"\"file\": \"/var/lib/{Value("StateDirectory")}/", Installing, StringComparison.Ordinal);
         Assert.Contains($"\"logs\": \"/var/log/{Value("LogsDirectory")}\"", Installing, StringComparison.Ordinal);
         Assert.Contains($"\"incoming\": \"{Value("ReadWritePaths").TrimStart('-')}/", Installing, StringComparison.Ordinal);
@@ -51,11 +56,13 @@ public sealed partial class DeployTests
     [Fact]
     public void Systemd_understands_the_unit_and_finds_it_hardened()
     {
-        Assert.SkipUnless(OperatingSystem.IsLinux() && File.Exists("/usr/bin/systemd-analyze"), "systemd-analyze is not installed (package systemd).");
+        Assert.SkipUnless(
+            OperatingSystem.IsLinux() && File.Exists("/usr/bin/systemd-analyze"), "systemd-analyze is not installed (package systemd).");
         using var folder = new TemporaryFolder();
 
         // verify looks whether the program is there.
-        var unit = folder.File("errormatch-cell.service", Unit.Replace("/opt/errormatch/errormatch ", "/bin/sh ", StringComparison.Ordinal));
+        var unit = folder.File(
+            "errormatch-cell.service", Unit.Replace("/opt/errormatch/errormatch ", "/bin/sh ", StringComparison.Ordinal));
         var (exit, said) = Run("systemd-analyze", "verify", "--man=no", unit);
         Assert.True(exit == 0 && !said.Contains("errormatch-cell.service", StringComparison.Ordinal), said);
 
@@ -68,7 +75,10 @@ public sealed partial class DeployTests
     [Fact]
     public void The_task_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
     {
-        var commands = Called().Matches(Script).Select(m => m.Groups["words"].Value).Append(Argument().Match(Script).Groups["words"].Value.Replace("`\"", "", StringComparison.Ordinal)).ToArray();
+        var commands = Called().Matches(Script)
+            .Select(m => m.Groups["words"].Value)
+            .Append(Argument().Match(Script).Groups["words"].Value.Replace("`\"", "", StringComparison.Ordinal))
+            .ToArray();
         Assert.Equal(["cell check $Config", "cell status $Config", "cell run $Config"], commands);
         Assert.All(commands, c => IsUnderstood(c.Replace("$Config", "cell.json", StringComparison.Ordinal).Split(' ')));
         var parameters = Parameter().Matches(Script).Select(m => m.Groups["name"].Value).ToArray();
@@ -79,7 +89,8 @@ public sealed partial class DeployTests
             Assert.Equal(["Program", "Config", "Account"], Given().Matches(call).Select(m => m.Groups["name"].Value));
         }
 
-        Assert.Contains($"Start-ScheduledTask '{TaskName().Match(Script).Groups["name"].Value}'", Page("cell-at-night.md"), StringComparison.Ordinal);
+        Assert.Contains(
+            $"Start-ScheduledTask '{TaskName().Match(Script).Groups["name"].Value}'", Page("cell-at-night.md"), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -110,17 +121,21 @@ public sealed partial class DeployTests
 
     private static string Page(string name) => File.ReadAllText(Repository.PathTo("docs", name));
 
-    private static string Value(string name) => Assert.Single(Unit.Split('\n'), l => l.StartsWith(name + "=", StringComparison.Ordinal))[(name.Length + 1)..].Trim();
+    private static string Value(string name) =>
+        Assert.Single(Unit.Split('\n'), l => l.StartsWith(name + "=", StringComparison.Ordinal))[(name.Length + 1)..].Trim();
 
     private static void IsUnderstood(string[] words, string where = "deploy")
     {
         var parsed = CommandTree.Parse(words);
-        Assert.True(parsed.Errors.Count == 0 && parsed.CommandResult.Command is Verb, $"{where}: {string.Join(' ', words)}: {string.Join(' ', parsed.Errors.Select(e => e.Message))}");
+        Assert.True(
+            parsed.Errors.Count == 0 && parsed.CommandResult.Command is Verb,
+            $"{where}: {string.Join(' ', words)}: {string.Join(' ', parsed.Errors.Select(e => e.Message))}");
     }
 
     private static (int Exit, string Said) Run(string program, params string[] words)
     {
-        using var process = Process.Start(new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
+        using var process = Process.Start(
+            new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
         var error = process.StandardError.ReadToEndAsync();
         var output = process.StandardOutput.ReadToEnd();
         process.WaitForExit();

@@ -18,7 +18,12 @@ public class DialectTests
         var (exit, page, error) = Shell.Run("nc", "dialects", "siemens-840d");
         Assert.Equal((0, ""), (exit, error));
         var lines = page.Split('\n');
-        Assert.Contains(lines, l => l.StartsWith("TRANS  ", StringComparison.Ordinal) && l.Contains("  frame-shift  ", StringComparison.Ordinal) && l.Contains("SINUMERIK", StringComparison.Ordinal) && l.EndsWith("  siemens-840d", StringComparison.Ordinal));
+        Assert.Contains(
+            lines,
+            l => l.StartsWith("TRANS  ", StringComparison.Ordinal)
+                && l.Contains("  frame-shift  ", StringComparison.Ordinal)
+                && l.Contains("SINUMERIK", StringComparison.Ordinal)
+                && l.EndsWith("  siemens-840d", StringComparison.Ordinal));
         Assert.Contains("Programs that are in the machine", lines);
         Assert.Single(Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects", "siemens-840d").GetProperty("dialects").EnumerateArray());
     }
@@ -41,8 +46,12 @@ public class DialectTests
     public void Each_verb_takes_a_file(string verb, params string[] more)
     {
         using var folder = new TemporaryFolder();
-        var (program, dialect) = (folder.File("p.nc", "G187 P1\nG90 G17 G40 G0 X0 Y0 Z0\nN10 G1 X10. F100\nN20 Y10.\nN30 X20.\n"), folder.File("ours.json", Own));
-        var document = Shell.Json(0, $"errormatch/nc-{verb}/1", ["nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", dialect]);
+        var (program, dialect) = (
+            folder.File("p.nc", "G187 P1\nG90 G17 G40 G0 X0 Y0 Z0\nN10 G1 X10. F100\nN20 Y10.\nN30 X20.\n"), folder.File("ours.json", Own));
+        var document = Shell.Json(
+            0,
+            $"errormatch/nc-{verb}/1",
+            ["nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", dialect]);
         Assert.Equal("ours", document.Text("dialect"));
     }
 
@@ -55,12 +64,16 @@ public class DialectTests
     {
         using var folder = new TemporaryFolder();
         var program = folder.File("p.nc", "G90 G17 G40 G0 X0 Y0 Z0\nN10 G1 X10 F100\nN20 Y10.\nN30 X20\n");
-        string[] arguments = ["nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", "fanuc"];
+        string[] arguments = [
+            "nc", verb, program, .. more.Select(m => m == "OUT" ? folder["o.nc"] : m == "PROGRAM" ? program : m), "--dialect", "fanuc"];
         var note = Shell.Json(0, $"errormatch/nc-{verb}/1", arguments).GetProperty("notes").EnumerateArray().First();
-        Assert.Equal(("number-without-point", 2, 2, "N10"), (note.Text("code"), note.GetProperty("count").GetInt32(), note.GetProperty("line").GetInt32(), note.Text("block")));
+        Assert.Equal(
+            ("number-without-point", 2, 2, "N10"),
+            (note.Text("code"), note.GetProperty("count").GetInt32(), note.GetProperty("line").GetInt32(), note.Text("block")));
         if (verb != "motion")
         {
-            Assert.Contains("2 coordinates are written without a point, the first in N10.", Shell.Run(arguments).Output, StringComparison.Ordinal);
+            Assert.Contains(
+                "2 coordinates are written without a point, the first in N10.", Shell.Run(arguments).Output, StringComparison.Ordinal);
         }
 
         arguments[^1] = "linuxcnc";
@@ -71,9 +84,16 @@ public class DialectTests
     public void A_mistake_in_a_file_is_named_by_its_place()
     {
         using var folder = new TemporaryFolder();
-        var (program, dialect) = (folder.File("p.nc", "G0 X0\n"), folder.File("ours.json", Own.Replace("\"codes\": [", "\n\"codes\": [", StringComparison.Ordinal).Replace("harmless", "harmles", StringComparison.Ordinal)));
+        var (program, dialect) = (
+            folder.File("p.nc", "G0 X0\n"),
+            folder.File(
+                "ours.json",
+                Own.Replace(
+                    "\"codes\": [", "\n\"codes\": [", StringComparison.Ordinal).Replace("harmless", "harmles", StringComparison.Ordinal)));
         var error = Shell.Error(1, "nc", "check", program, "--dialect", dialect);
-        Assert.Equal(("not-one-of", dialect, "$.codes[0].means", 2), (error.Text("code"), error.Text("file"), error.Text("path"), error.GetProperty("line").GetInt32()));
+        Assert.Equal(
+            ("not-one-of", dialect, "$.codes[0].means", 2),
+            (error.Text("code"), error.Text("file"), error.Text("path"), error.GetProperty("line").GetInt32()));
         Assert.StartsWith($"{dialect}:2:", Shell.Run("nc", "dialects", dialect).Error, StringComparison.Ordinal);
         Assert.Equal("file-unreadable", Shell.Error(1, "nc", "check", program, "--dialect", folder["none.json"]).Text("code"));
         Assert.Equal("unknown-dialect", Shell.Error(1, "nc", "check", program, "--dialect", "none").Text("code"));
@@ -88,14 +108,22 @@ public class DialectTests
             folder.File(file, File.ReadAllText(Repository.PathTo("samples", "complex-mating", file)));
         }
 
-        var job = folder.File("job.json", File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")).Replace("\"delta-nc300\"", "\"ours.json\"", StringComparison.Ordinal));
+        var job = folder.File(
+            "job.json",
+            File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")).Replace(
+                "\"delta-nc300\"", "\"ours.json\"", StringComparison.Ordinal));
         Assert.Equal("file-unreadable", Shell.Error(1, "job", "check", job).Text("code"));
         var dialect = folder.File("ours.json", Own.Replace("fanuc", "delta-nc300", StringComparison.Ordinal));
         Assert.Equal(0, Shell.Run("job", "check", job).Exit);
-        var inputs = Shell.Json(0, "errormatch/match/1", "match", job, "--out", folder["out"]).GetProperty("inputs").EnumerateArray().ToArray();
+        var inputs = Shell.Json(0, "errormatch/match/1", "match", job, "--out", folder["out"])
+            .GetProperty("inputs")
+            .EnumerateArray()
+            .ToArray();
         Assert.Equal(dialect, Assert.Single(inputs, i => i.Text("role") == "dialect").Text("file"));
         Assert.Equal(
-            Shell.Json(0, "errormatch/match/1", "match", Repository.PathTo("samples", "complex-mating", "job.json")).GetProperty("program").Text("sha256"),
+            Shell.Json(0, "errormatch/match/1", "match", Repository.PathTo("samples", "complex-mating", "job.json"))
+                .GetProperty("program")
+                .Text("sha256"),
             Shell.Json(0, "errormatch/match/1", "match", job).GetProperty("program").Text("sha256"));
     }
 

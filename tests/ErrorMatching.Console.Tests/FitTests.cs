@@ -15,7 +15,14 @@ public class FitTests
     {
         using var folder = new TemporaryFolder();
         var (csv, certified, errors) = Nist(name);
-        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", csv), "--degree", degree.ToString(CultureInfo.InvariantCulture));
+        var fit = Shell.Json(
+            0,
+            "errormatch/fit-polynomial/1",
+            "fit",
+            "polynomial",
+            folder.File("p.csv", csv),
+            "--degree",
+            degree.ToString(CultureInfo.InvariantCulture));
         Assert.Equal((degree, 0), (fit.GetProperty("degree").GetInt32(), fit.Number("ridge")));
         AssertDigits(certified, Numbers(fit, "coefficients"), digits);
         AssertDigits(errors, Numbers(fit, "standardErrors"), digits - 1);
@@ -27,7 +34,14 @@ public class FitTests
     {
         using var folder = new TemporaryFolder();
         // On a line as decimals; the nearest doubles of 0.1, 0.4, 0.7 and 1.0 miss it by up to 2e-17.
-        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", "x,y\n0.1,0.1\n0.2,0.4\n0.3,0.7\n0.4,1.0\n"), "--degree", "1");
+        var fit = Shell.Json(
+            0,
+            "errormatch/fit-polynomial/1",
+            "fit",
+            "polynomial",
+            folder.File("p.csv", "x,y\n0.1,0.1\n0.2,0.4\n0.3,0.7\n0.4,1.0\n"),
+            "--degree",
+            "1");
         Assert.All(Numbers(fit, "residuals"), r => Assert.True(Math.Abs(r) < 1e-29));
     }
 
@@ -63,8 +77,14 @@ public class FitTests
     {
         using var folder = new TemporaryFolder();
         // Four points of the circle about (3, -2) of radius 5 pushed out and in by turns by 0.1: symmetry keeps center and radius.
-        var fit = Shell.Json(0, "errormatch/fit-circle/1", "fit", "circle", folder.File("p.csv", "x_mm,y_mm\n8.1,-2\n3,2.9\n-2.1,-2\n3,-6.9\n"));
-        Assert.Equal((3, -2, 5), (Math.Round(fit.GetProperty("center").Number("x"), 10), Math.Round(fit.GetProperty("center").Number("y"), 10), Math.Round(fit.Number("radius"), 10)));
+        var fit = Shell.Json(
+            0, "errormatch/fit-circle/1", "fit", "circle", folder.File("p.csv", "x_mm,y_mm\n8.1,-2\n3,2.9\n-2.1,-2\n3,-6.9\n"));
+        Assert.Equal(
+            (3, -2, 5),
+            (
+                Math.Round(fit.GetProperty("center").Number("x"), 10),
+                Math.Round(fit.GetProperty("center").Number("y"), 10),
+                Math.Round(fit.Number("radius"), 10)));
         Assert.Equal([0.1, -0.1, 0.1, -0.1], Numbers(fit, "residuals").Select(r => Math.Round(r, 10)));
         // Four residuals of 0.1, one degree of freedom.
         Assert.Equal(0.2, fit.Number("residualStandardDeviation"), 1e-10);
@@ -74,8 +94,12 @@ public class FitTests
     public void Automatic_choices_are_reported()
     {
         using var folder = new TemporaryFolder();
-        var csv = "x,y\n" + string.Concat(Enumerable.Range(0, 12).Select(i => FormattableString.Invariant($"{i},{(2 * i * i) - i + (i % 2 == 0 ? 0.001 : -0.001)}\n")));
-        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", csv), "--degree", "auto", "--ridge", "auto");
+        var csv = "x,y\n"
+            + string.Concat(
+                Enumerable.Range(0, 12).Select(i => FormattableString.Invariant(
+                    $"{i},{(2 * i * i) - i + (i % 2 == 0 ? 0.001 : -0.001)}\n")));
+        var fit = Shell.Json(
+            0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", csv), "--degree", "auto", "--ridge", "auto");
         Assert.Equal(2, fit.GetProperty("degree").GetInt32());
         Assert.True(fit.Number("leaveOneOutRms") is > 0.001 and < 0.002);
     }
@@ -84,7 +108,8 @@ public class FitTests
     public void No_left_out_error_is_null()
     {
         using var folder = new TemporaryFolder();
-        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", "x,y\n0,1\n1,3\n"), "--degree", "1");
+        var fit = Shell.Json(
+            0, "errormatch/fit-polynomial/1", "fit", "polynomial", folder.File("p.csv", "x,y\n0,1\n1,3\n"), "--degree", "1");
         Assert.Equal(JsonValueKind.Null, fit.GetProperty("leaveOneOutRms").ValueKind);
         Assert.Equal([1, 2], Numbers(fit, "coefficients"));
     }
@@ -119,19 +144,30 @@ public class FitTests
         Assert.DoesNotContain('\r', output);
     }
 
-    private static double[] Numbers(JsonElement json, string name) => [.. json.GetProperty(name).EnumerateArray().Select(e => e.GetDouble())];
+    private static double[] Numbers(JsonElement json, string name) =>
+        [.. json.GetProperty(name).EnumerateArray().Select(e => e.GetDouble())];
 
     // As the log relative error of McCullough (1998): the number of certified digits that agree.
     private static void AssertDigits(double[] certified, double[] actual, int digits)
     {
         Assert.Equal(certified.Length, actual.Length);
-        Assert.All(certified.Zip(actual), p => Assert.True(Math.Abs(p.Second - p.First) <= Math.Pow(10, -digits) * Math.Max(Math.Abs(p.First), p.First == 0 ? 1 : 0), $"{p.First:R} certified, {p.Second:R} found"));
+        Assert.All(
+            certified.Zip(actual),
+            p => Assert.True(
+                Math.Abs(p.Second - p.First) <= Math.Pow(10, -digits) * Math.Max(Math.Abs(p.First), p.First == 0 ? 1 : 0),
+                $"{p.First:R} certified, {p.Second:R} found"));
     }
 
     // The certified files state "Bn  estimate  standard error" and, behind a line "Data: y x", the data.
     private static (string Csv, double[] Certified, double[] Errors) Nist(string name)
     {
-        string[][] lines = [.. File.ReadLines(Repository.PathTo("tests", "ErrorMatching.Geometry.Tests", "Data", "Nist", name + ".dat")).Select(l => l.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries))];
+        string[][] lines = [
+            .. File.ReadLines(Repository.PathTo(
+                "tests",
+                "ErrorMatching.Geometry.Tests",
+                "Data",
+                "Nist",
+                name + ".dat")).Select(l => l.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries))];
         var start = Array.FindIndex(lines, w => w is ["Data:", "y", "x"]);
         var certified = lines[..start].Where(w => w is [['B', >= '0' and <= '9', ..], _, _]).ToArray();
         var data = lines[(start + 1)..].Where(w => w.Length == 2).Select(w => $"{w[0]},{w[1]}\n");

@@ -19,15 +19,26 @@ public sealed partial class FreeformCodeTests
     [Fact]
     public void Each_code_of_the_free_form_library_is_in_a_test()
     {
-        var tests = string.Concat(new[] { "ErrorMatching.Freeform.Tests", "ErrorMatching.Console.Tests" }.SelectMany(p => Directory.GetFiles(Repository.PathTo("tests", p), "*.cs", SearchOption.AllDirectories)).Select(File.ReadAllText));
+        var tests = string.Concat(
+            new[]
+            {
+                "ErrorMatching.Freeform.Tests",
+                "ErrorMatching.Console.Tests"
+            }.SelectMany(p => Directory.GetFiles(
+                Repository.PathTo("tests", p), "*.cs", SearchOption.AllDirectories)).Select(File.ReadAllText));
         Assert.All(CodesOfTheLibrary(), c => Assert.Contains($"\"{c}\"", tests, StringComparison.Ordinal));
     }
 
-    private static string[] CodesOfTheLibrary() => [.. Directory.GetFiles(Repository.PathTo("src", "ErrorMatching.Freeform"), "*.cs", SearchOption.AllDirectories)
+    private static string[] CodesOfTheLibrary() =>
+        [.. Directory.GetFiles(Repository.PathTo("src", "ErrorMatching.Freeform"), "*.cs", SearchOption.AllDirectories)
         .SelectMany(f => Codes().Matches(File.ReadAllText(f)))
         .Select(m => m.Groups["code"].Value)
         .Distinct()];
 
-    [GeneratedRegex("((FreeformException|FreeformRefusal|Refused|Refuse|Broken|new)\\(\\s*\"(?<code>[a-z]+(-[a-z]+)+)\"|[Ff]ail\\(\"(?<code>[a-z]+(-[a-z]+)*)\")", RegexOptions.ExplicitCapture, 10_000)]
+    [GeneratedRegex(
+        "((FreeformException|FreeformRefusal|Refused|Refuse|Broken|new)\\(\\s*\"(?<code>[a-z]+(-[a-z]+)+)\"|"
+            + "[Ff]ail\\(\"(?<code>[a-z]+(-[a-z]+)*)\")",
+        RegexOptions.ExplicitCapture,
+        10_000)]
     private static partial Regex Codes();
 }

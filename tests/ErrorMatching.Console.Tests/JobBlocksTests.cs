@@ -10,7 +10,10 @@ public sealed class JobBlocksTests
     public void Blocks_are_printed_by_feature_with_their_lines_and_nothing_is_written()
     {
         using var folder = Shop();
-        var job = folder.File("job.json", Regex.Replace(File.ReadAllText(folder["job.json"]), "\"blocks\": \\[\"N120\"\\], ", "", RegexOptions.None, TimeSpan.FromSeconds(1)));
+        var job = folder.File(
+            "job.json",
+            Regex.Replace(
+                File.ReadAllText(folder["job.json"]), "\"blocks\": \\[\"N120\"\\], ", "", RegexOptions.None, TimeSpan.FromSeconds(1)));
         var before = State(folder);
         var (exit, output, error) = Shell.Run("job", "blocks", job);
         Assert.Equal((0, ""), (exit, error));
@@ -37,21 +40,38 @@ public sealed class JobBlocksTests
     public void The_document_has_blocks_lines_and_what_the_job_names_itself()
     {
         using var folder = Shop();
-        var job = folder.File("job.json", File.ReadAllText(folder["job.json"]).Replace("\"N130..N160\"", "\"N130\", \"N150\"", StringComparison.Ordinal));
+        var job = folder.File(
+            "job.json", File.ReadAllText(folder["job.json"]).Replace("\"N130..N160\"", "\"N130\", \"N150\"", StringComparison.Ordinal));
         var document = Shell.Json(0, "errormatch/job-blocks/1", "job", "blocks", job, "--out", folder["new.json"]);
-        Assert.Equal((job, folder["counterpart.nc"], "delta-nc300", folder["new.json"]), (document.Text("job"), document.Text("program"), document.Text("dialect"), document.Text("written")));
+        Assert.Equal(
+            (job, folder["counterpart.nc"], "delta-nc300", folder["new.json"]),
+            (document.Text("job"), document.Text("program"), document.Text("dialect"), document.Text("written")));
         var features = document.GetProperty("features").EnumerateArray().ToArray();
-        Assert.Equal(["L1|line|1,2|N120|N120|True", "L2L3|triangle|2a,3a,3b,4|N130..N160|N130,N150|False", "C1|curve|5,6,7,8,9,10,11,12,13,14|N170..N1190|N170..N1190|True"], features.Select(f =>
-            $"{f.Text("name")}|{f.Text("kind")}|{Texts(f, "points")}|{Texts(f, "blocks")}|{Texts(f, "inJob")}|{f.GetProperty("sameAsInJob").GetBoolean()}"));
+        Assert.Equal(
+            [
+                "L1|line|1,2|N120|N120|True",
+                "L2L3|triangle|2a,3a,3b,4|N130..N160|N130,N150|False",
+                "C1|curve|5,6,7,8,9,10,11,12,13,14|N170..N1190|N170..N1190|True"],
+            features.Select(f =>
+            $"{f.Text("name")}|{f.Text("kind")}|{Texts(f, "points")}|{Texts(f, "blocks")}|{Texts(f, "inJob")}|"
+                + $"{f.GetProperty("sameAsInJob").GetBoolean()}"));
         var pass = Assert.Single(features[1].GetProperty("passes").EnumerateArray());
-        Assert.Equal(("N130", 21.0, "N160", 24.0), (pass.GetProperty("first").Text("block"), pass.GetProperty("first").Number("line"), pass.GetProperty("last").Text("block"), pass.GetProperty("last").Number("line")));
+        Assert.Equal(
+            ("N130", 21.0, "N160", 24.0),
+            (
+                pass.GetProperty("first").Text("block"),
+                pass.GetProperty("first").Number("line"),
+                pass.GetProperty("last").Text("block"),
+                pass.GetProperty("last").Number("line")));
         Assert.All(features, f => Assert.Equal((null, null), (f.Text("code"), f.Text("reason"))));
 
         // The job as it was before it was spoiled.
         Assert.Equal(File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")), File.ReadAllText(folder["new.json"]));
-        Assert.StartsWith($"{folder["new.json"]} is a valid mating job", Shell.Run("job", "check", folder["new.json"]).Output, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{folder["new.json"]} is a valid mating job", Shell.Run("job", "check", folder["new.json"]).Output, StringComparison.Ordinal);
 
-        static string Texts(System.Text.Json.JsonElement json, string name) => string.Join(',', json.GetProperty(name).EnumerateArray().Select(t => t.GetString()));
+        static string Texts(System.Text.Json.JsonElement json, string name) =>
+            string.Join(',', json.GetProperty(name).EnumerateArray().Select(t => t.GetString()));
     }
 
     [Fact]
@@ -59,7 +79,8 @@ public sealed class JobBlocksTests
     {
         using var folder = Shop();
 
-        // The path leads from (-34.939, 80) to (-34.995, 59.757), at y = 63 through x = -34.986: 1.638 mm from point 2, where a tool of 6 mm leaves 3.
+        // The path leads from (-34.939, 80) to (-34.995, 59.757), at y = 63 through x = -34.986:
+        // 1.638 mm from point 2, where a tool of 6 mm leaves 3.
         var points = File.ReadAllText(folder["theoretical.csv"]);
         folder.File("theoretical.csv", points.Replace("2,-32.348,58.346", "2,-33.348,63.000", StringComparison.Ordinal));
         var before = State(folder);
@@ -69,7 +90,11 @@ public sealed class JobBlocksTests
         Assert.Contains("blocks of 2 of 3 features found", output, StringComparison.Ordinal);
         Assert.Contains("\nL1       line           2  not found             N120\n", output, StringComparison.Ordinal);
         Assert.EndsWith("\nNothing was written: a job needs blocks for each of its features.\n", output, StringComparison.Ordinal);
-        Assert.StartsWith($"{folder["counterpart.nc"]}:19: L1, N120: of all cuts this is the nearest, and the point 2 lies 1.638 mm from the path; expected 3 mm, one tool radius", error, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{folder["counterpart.nc"]}:19: L1, N120: of all cuts this is the nearest, and the point 2 lies 1.638 mm from the path; "
+                + $"expected 3 mm, one tool radius",
+            error,
+            StringComparison.Ordinal);
 
         var document = Shell.Json(2, "errormatch/job-blocks/1", arguments);
         Assert.Equal(2, document.GetProperty("exit").GetInt32());
@@ -101,14 +126,31 @@ public sealed class JobBlocksTests
         var text = File.ReadAllText(folder["job.json"]);
 
         // A free-form job has no blocks; a job that is wrong elsewhere is said to be; files that are not there are named.
-        Assert.Equal("$.kind", Shell.Json(1, "errormatch/error/1", "job", "blocks", Repository.PathTo("samples", "surface-one", "job.json")).GetProperty("errors").EnumerateArray().First(e => e.Text("path") == "$.kind").Text("path"));
-        var error = Shell.Error(1, "job", "blocks", folder.File("bad.json", text.Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": -6", StringComparison.Ordinal)));
+        Assert.Equal(
+            "$.kind",
+            Shell.Json(1, "errormatch/error/1", "job", "blocks", Repository.PathTo("samples", "surface-one", "job.json"))
+                .GetProperty("errors")
+                .EnumerateArray()
+                .First(e => e.Text("path") == "$.kind")
+                .Text("path"));
+        var error = Shell.Error(
+            1,
+            "job",
+            "blocks",
+            folder.File("bad.json", text.Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": -6", StringComparison.Ordinal)));
         Assert.Equal(("too-small", "$.counterpart.toolDiameterMm"), (error.Text("code"), error.Text("path")));
-        Assert.Equal("file-unreadable", Shell.Error(1, "job", "blocks", folder.File("bad.json", text.Replace("\"counterpart.nc\"", "\"nope.nc\"", StringComparison.Ordinal))).Text("code"));
+        Assert.Equal(
+            "file-unreadable",
+            Shell.Error(
+                1,
+                "job",
+                "blocks",
+                folder.File("bad.json", text.Replace("\"counterpart.nc\"", "\"nope.nc\"", StringComparison.Ordinal))).Text("code"));
         Assert.Equal("file-unreadable", Shell.Error(1, "job", "blocks", folder["none.json"]).Text("code"));
     }
 
-    private static IReadOnlyList<string> State(TemporaryFolder folder) => [.. Directory.EnumerateFiles(folder.Path).Order(StringComparer.Ordinal).Select(f => f + File.ReadAllText(f))];
+    private static IReadOnlyList<string> State(TemporaryFolder folder) =>
+        [.. Directory.EnumerateFiles(folder.Path).Order(StringComparer.Ordinal).Select(f => f + File.ReadAllText(f))];
 
     private static TemporaryFolder Shop()
     {

@@ -16,7 +16,8 @@ public sealed class NamedInJobTests
         using var folder = new TemporaryFolder();
         var job = Job(folder, text => With(text, section, "\"dialect\": \"siemens-840d\"", "\"dialect\": \"heidenhain\""));
         var error = Refused(folder, job, verb, "unknown-dialect", $"$.{section}.dialect", "\"heidenhain\"");
-        Assert.Contains("found the dialect \"heidenhain\"; expected one of generic, fanuc, ", error.Text("message"), StringComparison.Ordinal);
+        Assert.Contains(
+            "found the dialect \"heidenhain\"; expected one of generic, fanuc, ", error.Text("message"), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -72,14 +73,27 @@ public sealed class NamedInJobTests
         using var folder = new TemporaryFolder();
         File.Copy(Repository.PathTo("samples", "complex-mating", "counterpart.csv"), folder["counterpart.csv"]);
         var text = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json"));
-        var (there, gone) = (folder.File("there.json", text), folder.File("gone.json", text.Replace("\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal)));
+        var (there, gone) = (
+            folder.File("there.json", text),
+            folder.File(
+                "gone.json", text.Replace("\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal)));
         Assert.Empty(Shell.Json(0, "errormatch/job-check/1", "job", "check", there).GetProperty("warnings").EnumerateArray());
         Assert.DoesNotContain("Warning", Shell.Run("job", "check", there).Output, StringComparison.Ordinal);
 
         // The job can be used: exit 0. Its line 20 begins with four blanks and "measured": .
         var warning = Assert.Single(Shell.Json(0, "errormatch/job-check/1", "job", "check", gone).GetProperty("warnings").EnumerateArray());
-        Assert.Equal(("measured-not-there", gone, 20, 17, "$.counterpart.measured"), (warning.Text("code"), warning.Text("file"), warning.GetProperty("line").GetInt32(), warning.GetProperty("column").GetInt32(), warning.Text("path")));
-        Assert.StartsWith($"{gone}, line 20, column 17, $.counterpart.measured: The measured counterpart \"nope.csv\" is not there; expected the file", warning.Text("message"), StringComparison.Ordinal);
+        Assert.Equal(
+            ("measured-not-there", gone, 20, 17, "$.counterpart.measured"),
+            (
+                warning.Text("code"),
+                warning.Text("file"),
+                warning.GetProperty("line").GetInt32(),
+                warning.GetProperty("column").GetInt32(),
+                warning.Text("path")));
+        Assert.StartsWith(
+            $"{gone}, line 20, column 17, $.counterpart.measured: The measured counterpart \"nope.csv\" is not there; expected the file",
+            warning.Text("message"),
+            StringComparison.Ordinal);
         Assert.EndsWith($"\nWarning: {warning.Text("message")}\n", Shell.Run("job", "check", gone).Output, StringComparison.Ordinal);
     }
 
@@ -90,7 +104,10 @@ public sealed class NamedInJobTests
         Assert.Equal((code, job, path), (error.Text("code"), error.Text("file"), error.Text("path")));
         var line = File.ReadAllLines(job)[error.GetProperty("line").GetInt32() - 1];
         Assert.StartsWith(value, line[(error.GetProperty("column").GetInt32() - 1)..], StringComparison.Ordinal);
-        Assert.StartsWith($"{job}:{error.GetProperty("line").GetInt32()}:{error.GetProperty("column").GetInt32()}", Shell.Run(arguments).Error, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{job}:{error.GetProperty("line").GetInt32()}:{error.GetProperty("column").GetInt32()}",
+            Shell.Run(arguments).Error,
+            StringComparison.Ordinal);
         return error;
     }
 

@@ -25,6 +25,7 @@ public class PageTests
     [InlineData(false, "1", "xterm", false)]
     [InlineData(false, "0", "xterm", false)]
     [InlineData(false, null, "dumb", false)]
-    public void Color_needs_a_terminal_that_shows_it_and_nobody_against_it(bool isRedirected, string? noColor, string? terminal, bool color) =>
+    public void Color_needs_a_terminal_that_shows_it_and_nobody_against_it(
+        bool isRedirected, string? noColor, string? terminal, bool color) =>
         Assert.Equal(color, Terminal.WantsColor(isRedirected, noColor, terminal));
 }

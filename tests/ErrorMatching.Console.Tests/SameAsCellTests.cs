@@ -29,7 +29,16 @@ public sealed class SameAsCellTests
     public void A_finishing_program_is_that_of_the_cell()
     {
         using var folder = new TemporaryFolder();
-        Assert.Equal(0, Shell.Run("surface", "compensate", Job("surface-one"), "--measured", Repository.PathTo("samples", "surface-one", "measured.csv"), "--out", folder.Path).Exit);
+        Assert.Equal(
+            0,
+            Shell.Run(
+                "surface",
+                "compensate",
+                Job("surface-one"),
+                "--measured",
+                Repository.PathTo("samples", "surface-one", "measured.csv"),
+                "--out",
+                folder.Path).Exit);
         var computed = Compute("surface-one", "surface", "measured.csv");
         Assert.Equal(File.ReadAllBytes(folder["finishing.nc"]), computed.Program.ToArray());
         AssertSameReport(File.ReadAllBytes(folder["report.json"]), computed);
@@ -39,8 +48,10 @@ public sealed class SameAsCellTests
     public void A_displaced_program_is_that_of_the_cell()
     {
         using var folder = new TemporaryFolder();
-        var (measured, cam) = (Repository.PathTo("samples", "surface-one", "measured.csv"), Repository.PathTo("samples", "surface-one", "cam.nc"));
-        var (exit, json, _) = Shell.Run("surface", "displace", Job("surface-one"), "--measured", measured, "--program", cam, "--out", folder.Path, "--json");
+        var (measured, cam) = (
+            Repository.PathTo("samples", "surface-one", "measured.csv"), Repository.PathTo("samples", "surface-one", "cam.nc"));
+        var (exit, json, _) = Shell.Run(
+            "surface", "displace", Job("surface-one"), "--measured", measured, "--program", cam, "--out", folder.Path, "--json");
         Assert.Equal(0, exit);
         var computed = Compute("surface-one", "surface", "measured.csv", cam);
         Assert.Equal(File.ReadAllBytes(folder["cam.nc"]), computed.Program.ToArray());
@@ -51,11 +62,14 @@ public sealed class SameAsCellTests
     public void A_refusal_has_the_code_of_the_cell()
     {
         using var folder = new TemporaryFolder();
-        var (wrong, fewer) = (Repository.PathTo("samples", "complex-mating", "counterpart.nc"), folder.File("part.csv", "point,x_mm,y_mm\n1,2,3\n"));
+        var (wrong, fewer) = (
+            Repository.PathTo("samples", "complex-mating", "counterpart.nc"), folder.File("part.csv", "point,x_mm,y_mm\n1,2,3\n"));
         foreach (var file in new[] { wrong, fewer })
         {
             var error = Shell.Error(1, "match", Job("complex-mating"), "--part", file);
-            var refused = Assert.IsType<RefusedComputation>(new CorrectionComputer(NoLimits).Compute(Request("complex-mating", "part", new(file, File.ReadAllBytes(file))), TestContext.Current.CancellationToken));
+            var refused = Assert.IsType<RefusedComputation>(
+                new CorrectionComputer(NoLimits).Compute(
+                    Request("complex-mating", "part", new(file, File.ReadAllBytes(file))), TestContext.Current.CancellationToken));
             Assert.Equal((error.Text("code"), error.Text("message")), (refused.Code, refused.Reason));
         }
     }
@@ -65,7 +79,9 @@ public sealed class SameAsCellTests
     private static Computed Compute(string sample, string piece, string measurement, string? program = null)
     {
         var request = Request(sample, piece, new(measurement, File.ReadAllBytes(Repository.PathTo("samples", sample, measurement))));
-        return Assert.IsType<Computed>(new CorrectionComputer(NoLimits).Compute(request with { Job = request.Job with { Program = program } }, TestContext.Current.CancellationToken));
+        return Assert.IsType<Computed>(
+            new CorrectionComputer(NoLimits).Compute(
+                request with { Job = request.Job with { Program = program } }, TestContext.Current.CancellationToken));
     }
 
     private static CorrectionRequest Request(string sample, string piece, KeptFile measurement) => new()

@@ -15,7 +15,10 @@ public sealed class SecretInputTests
     public void A_new_one_is_typed_twice()
     {
         Assert.Equal("abc", Typing("abc\nabc\n").AskNew("new password", fromInput: false));
-        Assert.Contains("differ", Assert.Throws<SecretInputException>(() => Typing("abc\nabd\n").AskNew("new password", fromInput: false)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "differ",
+            Assert.Throws<SecretInputException>(() => Typing("abc\nabd\n").AskNew("new password", fromInput: false)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -27,7 +30,10 @@ public sealed class SecretInputTests
     {
         var input = new SecretInput(new StringReader(text), null, TextWriter.Null);
         Assert.Equal(("one", "two"), (input.Ask("password", fromInput: true), input.AskNew("new password", fromInput: true)));
-        Assert.Contains("new password", Assert.Throws<SecretInputException>(() => input.Ask("new password", fromInput: true)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "new password",
+            Assert.Throws<SecretInputException>(() => input.Ask("new password", fromInput: true)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -45,13 +51,17 @@ public sealed class SecretInputTests
             }),
             null,
             TextWriter.Null);
-        Assert.Contains("--password-stdin", Assert.Throws<SecretInputException>(() => input.Ask("password", fromInput: false)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "--password-stdin",
+            Assert.Throws<SecretInputException>(() => input.Ask("password", fromInput: false)).Message,
+            StringComparison.Ordinal);
         Assert.False(touched);
     }
 
     [Fact]
     public void A_line_without_end_is_refused() =>
-        Assert.Throws<SecretInputException>(() => new SecretInput(new StringReader(new string('a', 1 << 20)), null, TextWriter.Null).Ask("password", fromInput: true));
+        Assert.Throws<SecretInputException>(
+            () => new SecretInput(new StringReader(new string('a', 1 << 20)), null, TextWriter.Null).Ask("password", fromInput: true));
 
     private static SecretInput Typing(string keys) => new(TextReader.Null, CellFolder.Keyboard(keys), TextWriter.Null);
 }

@@ -13,7 +13,8 @@ internal static class Shell
         using var output = new StringWriter { NewLine = "\n" };
         using var error = new StringWriter { NewLine = "\n" };
         var terminal = new Terminal(output, error, HasColor: false);
-        var exit = Application.Run(args, secrets is null ? terminal : terminal with { Secrets = secrets }, TestContext.Current.CancellationToken);
+        var exit = Application.Run(
+            args, secrets is null ? terminal : terminal with { Secrets = secrets }, TestContext.Current.CancellationToken);
         return (exit, output.ToString(), error.ToString());
     }
 

@@ -21,7 +21,8 @@ public class SurfaceFitTests
     {
         var fit = Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", Points, "--method", method, "--check", Check);
         Assert.Equal((method, 70), (fit.Text("method"), fit.GetProperty("count").GetInt32()));
-        Assert.Equal((degreeU, degreeV, polesU, polesV), (Whole(fit, "degreeU"), Whole(fit, "degreeV"), Whole(fit, "polesU"), Whole(fit, "polesV")));
+        Assert.Equal(
+            (degreeU, degreeV, polesU, polesV), (Whole(fit, "degreeU"), Whole(fit, "degreeV"), Whole(fit, "polesU"), Whole(fit, "polesV")));
         Assert.Equal(0, fit.GetProperty("breaks").GetArrayLength());
         foreach (var name in new[] { "d1", "d2" })
         {
@@ -47,7 +48,8 @@ public class SurfaceFitTests
         {
             var file = Path.Combine(folder["nominal"], name);
             var surface = SurfaceReader.Read(File.ReadAllBytes(file), file, null, true).Spline;
-            Assert.All(Enumerable.Range(1, 74), x => Assert.Equal(Height(x), surface.ClosestPoint(new(x, 30, Height(x))).At.Position.Z, 0.0001));
+            Assert.All(
+                Enumerable.Range(1, 74), x => Assert.Equal(Height(x), surface.ClosestPoint(new(x, 30, Height(x))).At.Position.Z, 0.0001));
         }
 
         static double Height(double x) => 20 - (0.002 * (x - 40.3) * (x - 40.3) * (x < 40.3 ? 1 : 3));
@@ -72,7 +74,10 @@ public class SurfaceFitTests
             var over = Math.Max(0, x - 40);
             return string.Create(CultureInfo.InvariantCulture, $"{n.I},{n.J},{x:R},{y:R},{24 + (0.002 * over * over):R}\n");
         });
-        var place = Assert.Single(Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", folder.File("p.csv", "i,j,x,y,z\n" + string.Concat(rows))).GetProperty("breaks").EnumerateArray());
+        var place = Assert.Single(
+            Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", folder.File("p.csv", "i,j,x,y,z\n" + string.Concat(rows)))
+                .GetProperty("breaks")
+                .EnumerateArray());
         Assert.Equal("u", place.Text("direction"));
         Assert.Equal(40, place.Number("x"), 0.5);
     }
@@ -85,7 +90,14 @@ public class SurfaceFitTests
     public void Too_few_lines_to_leave_out_are_null()
     {
         using var folder = new TemporaryFolder();
-        var fit = Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", folder.File("p.csv", "i,j,x,y,z\n0,0,0,0,1\n1,0,5,0,2\n0,1,0,4,3\n1,1,5,4,4\n"), "--method", "tensor");
+        var fit = Shell.Json(
+            0,
+            "errormatch/surface-fit/1",
+            "surface",
+            "fit",
+            folder.File("p.csv", "i,j,x,y,z\n0,0,0,0,1\n1,0,5,0,2\n0,1,0,4,3\n1,1,5,4,4\n"),
+            "--method",
+            "tensor");
         Assert.Equal(JsonValueKind.Null, fit.GetProperty("leaveLineOutUm").ValueKind);
     }
 
@@ -106,7 +118,9 @@ public class SurfaceFitTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.File("p.csv", "i,j,x,y,z\n0,0,0,0,1\n1,0,5,0,2\n0,1,0,0,1\n1,1,5,0,2\n");
-        Assert.Equal(("coincident-points", file), Shell.Error(1, "surface", "fit", file, "--method", "tensor") is var e ? (e.Text("code"), e.Text("file")) : default);
+        Assert.Equal(
+            ("coincident-points", file),
+            Shell.Error(1, "surface", "fit", file, "--method", "tensor") is var e ? (e.Text("code"), e.Text("file")) : default);
     }
 
     [Fact]
@@ -114,7 +128,10 @@ public class SurfaceFitTests
     {
         var error = Shell.Error(1, "surface", "fit", Points, "--method", "spline");
         Assert.Equal("command-line", error.Text("code"));
-        Assert.Contains("--method is spline; expected best, through-curve-mesh, through-curves, fit-surface, studio-surface, tensor.", error.Text("message"), StringComparison.Ordinal);
+        Assert.Contains(
+            "--method is spline; expected best, through-curve-mesh, through-curves, fit-surface, studio-surface, tensor.",
+            error.Text("message"),
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -123,7 +140,9 @@ public class SurfaceFitTests
         using var folder = new TemporaryFolder();
         var lines = File.ReadAllLines(Points);
         var file = folder.File("p.csv", string.Concat(lines.Take(1).Concat(lines.Skip(1).Reverse()).Select(l => l + "\n")));
-        var (a, b) = (Shell.Run("surface", "fit", Points, "--json", "--method", "through-curve-mesh").Output, Shell.Run("surface", "fit", file, "--json", "--method", "through-curve-mesh").Output);
+        var (a, b) = (
+            Shell.Run("surface", "fit", Points, "--json", "--method", "through-curve-mesh").Output,
+            Shell.Run("surface", "fit", file, "--json", "--method", "through-curve-mesh").Output);
         Assert.Equal(a.Replace(Points, file, StringComparison.Ordinal), b);
     }
 
@@ -133,8 +152,11 @@ public class SurfaceFitTests
         var (exit, output, error) = Shell.Run("surface", "fit", Points, "--method", "through-curve-mesh", "--check", Check);
         Assert.Equal((0, ""), (exit, error));
         Assert.StartsWith($"Surface through-curve-mesh, 70 points of {Points}\n", output, StringComparison.Ordinal);
-        var d2 = Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", Points, "--method", "through-curve-mesh", "--check", Check).GetProperty("d2").Number("meanUm");
-        Assert.Contains("\nd2 of the true surface           " + d2.ToString("0.0000", CultureInfo.InvariantCulture), output, StringComparison.Ordinal);
+        var d2 = Shell.Json(0, "errormatch/surface-fit/1", "surface", "fit", Points, "--method", "through-curve-mesh", "--check", Check)
+            .GetProperty("d2")
+            .Number("meanUm");
+        Assert.Contains(
+            "\nd2 of the true surface           " + d2.ToString("0.0000", CultureInfo.InvariantCulture), output, StringComparison.Ordinal);
     }
 
     private static int Whole(JsonElement json, string name) => json.GetProperty(name).GetInt32();

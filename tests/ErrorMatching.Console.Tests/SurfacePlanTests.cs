@@ -37,7 +37,8 @@ public sealed class SurfacePlanTests
     public void The_probing_program_passes_the_check_of_its_dialect(string dialect)
     {
         using var folder = new TemporaryFolder();
-        var job = Changed(folder, "\"approachMm\": 2,\n    \"dialect\": \"siemens-840d\"", $"\"approachMm\": 2,\n    \"dialect\": \"{dialect}\"");
+        var job = Changed(
+            folder, "\"approachMm\": 2,\n    \"dialect\": \"siemens-840d\"", $"\"approachMm\": 2,\n    \"dialect\": \"{dialect}\"");
         var probe = Shell.Json(0, "errormatch/surface-probe/1", "surface", "probe", job, "--out", folder["out"]);
         Assert.Equal((dialect, dialect), (probe.Text("dialect"), probe.Text("template")));
         Assert.True(File.Exists(folder["out/plan.csv"]));
@@ -51,9 +52,11 @@ public sealed class SurfacePlanTests
     {
         using var folder = new TemporaryFolder();
         var semi = folder.File("semi.nc", "G54 G17 G90\nM3 S10000\nG0 X0 Y0 Z60\nG1 Z50 F1200\nX75\nG0 Z60\nM5\nM30\n");
-        var probe = Shell.Json(0, "errormatch/surface-probe/1", "surface", "probe", Job("surface-one"), "--after", semi, "--out", folder["out"]);
+        var probe = Shell.Json(
+            0, "errormatch/surface-probe/1", "surface", "probe", Job("surface-one"), "--after", semi, "--out", folder["out"]);
         Assert.Equal(semi, probe.Text("after"));
-        Assert.Equal(4 + 1 + (70 * 5), Shell.Run("nc", "motion", folder["out/probe.nc"], "--dialect", "siemens-840d").Output.Split('\n').Length - 2);
+        Assert.Equal(
+            4 + 1 + (70 * 5), Shell.Run("nc", "motion", folder["out/probe.nc"], "--dialect", "siemens-840d").Output.Split('\n').Length - 2);
     }
 
     [Fact]
@@ -63,7 +66,8 @@ public sealed class SurfacePlanTests
         folder.File("own.txt", "@body\n@each point\nG0 X{aproach.x}\n@next\n");
         var job = Changed(folder, "\"approachMm\": 2,", "\"approachMm\": 2, \"template\": \"own.txt\",");
         var error = Shell.Error(1, "surface", "probe", job, "--out", folder["out"]);
-        Assert.Equal(("bad-template", folder["own.txt"], 3), (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32()));
+        Assert.Equal(
+            ("bad-template", folder["own.txt"], 3), (error.Text("code"), error.Text("file"), error.GetProperty("line").GetInt32()));
         Assert.False(Directory.Exists(folder["out"]));
     }
 
@@ -94,13 +98,17 @@ public sealed class SurfacePlanTests
         Shell.Json(0, "errormatch/surface-plan/1", "surface", "plan", job, "--out", folder.Path);
 
         // 5 um of material over the stock of 0.2 mm, everywhere.
-        var measured = File.ReadAllLines(folder["plan.csv"]).Skip(1).Select(l => l.Split(',')).Select(r => string.Join(',', (string[])[r[0], Moved(r, 3), Moved(r, 4), Moved(r, 5)]));
+        var measured = File.ReadAllLines(folder["plan.csv"])
+            .Skip(1)
+            .Select(l => l.Split(','))
+            .Select(r => string.Join(',', (string[])[r[0], Moved(r, 3), Moved(r, 4), Moved(r, 5)]));
         var file = folder.File("measured.csv", "point,x,y,z\n" + string.Join('\n', measured) + "\n");
         var evaluated = Shell.Json(0, "errormatch/surface-evaluate/1", "surface", "evaluate", job, "--measured", file);
         Assert.Equal(5, evaluated.Number("meanUm"), 0.01);
         Assert.Equal(0, evaluated.Number("standardDeviationUm"), 0.01);
 
-        static string Moved(string[] row, int column) => (Read(row[column]) + (0.205 * Read(row[column + 3]))).ToString("R", CultureInfo.InvariantCulture);
+        static string Moved(string[] row, int column) =>
+            (Read(row[column]) + (0.205 * Read(row[column + 3]))).ToString("R", CultureInfo.InvariantCulture);
         static double Read(string text) => double.Parse(text, CultureInfo.InvariantCulture);
     }
 
@@ -128,16 +136,22 @@ public sealed class SurfacePlanTests
         // The valley of Surface two has a radius of 125 mm: a ball of 300 mm does not touch its ground.
         using var folder = new TemporaryFolder();
         File.Copy(Repository.PathTo("samples", "surface-two", "surface.stp"), folder["surface.stp"]);
-        var job = folder.File("job.json", File.ReadAllText(Job("surface-two")).Replace("\"stylusDiameterMm\": 6", "\"stylusDiameterMm\": 300", StringComparison.Ordinal));
+        var job = folder.File(
+            "job.json",
+            File.ReadAllText(Job("surface-two")).Replace("\"stylusDiameterMm\": 6", "\"stylusDiameterMm\": 300", StringComparison.Ordinal));
 
         // By i and j, since another stylus is led in another order.
         Assert.Equal(0, Shell.Run("surface", "plan", Job("surface-two"), "--out", folder.Path).Exit);
         var plan = File.ReadAllLines(folder["plan.csv"]).Skip(1).Select(l => l.Split(',')).ToDictionary(r => r[0], r => $"{r[1]},{r[2]}");
-        var rows = File.ReadAllLines(Repository.PathTo("samples", "surface-two", "measured.csv")).Skip(1).Select(l => l.Split(',', 2)).Select(r => $"{plan[r[0]]},{r[1]}");
+        var rows = File.ReadAllLines(Repository.PathTo("samples", "surface-two", "measured.csv"))
+            .Skip(1)
+            .Select(l => l.Split(',', 2))
+            .Select(r => $"{plan[r[0]]},{r[1]}");
         var measured = folder.File("measured.csv", "i,j,x,y,z\n" + string.Join('\n', rows) + "\n");
 
         Assert.Equal(2, Shell.Run("surface", "plan", job).Exit);
-        Assert.Equal(49, Shell.Json(0, "errormatch/surface-evaluate/1", "surface", "evaluate", job, "--measured", measured).Number("count"));
+        Assert.Equal(
+            49, Shell.Json(0, "errormatch/surface-evaluate/1", "surface", "evaluate", job, "--measured", measured).Number("count"));
         Assert.Equal(0, Shell.Run("surface", "compensate", job, "--measured", measured).Exit);
     }
 

@@ -16,7 +16,8 @@ public sealed class SurfaceToolTests
         {
             var (exit, output, _) = Shell.Run(["surface", .. verb, "--out", folder["out"]]);
             Assert.Equal(0, exit);
-            Assert.StartsWith($"Surface one: {folder["out/finishing.nc"]} has no tool call and stops with an alarm\n", output, StringComparison.Ordinal);
+            Assert.StartsWith(
+                $"Surface one: {folder["out/finishing.nc"]} has no tool call and stops with an alarm\n", output, StringComparison.Ordinal);
             Assert.DoesNotContain("cut with", output, StringComparison.Ordinal);
             Assert.Contains("toolpath.tool", output, StringComparison.Ordinal);
             Assert.Contains("\nM0\nSETAL(65000,", File.ReadAllText(folder["out/finishing.nc"]), StringComparison.Ordinal);
@@ -25,9 +26,14 @@ public sealed class SurfaceToolTests
         // Nothing in the report looks like a program to cut with.
         var report = File.ReadAllText(folder["out/report.html"]);
         Assert.DoesNotContain("class=\"verdict holds\"", report, StringComparison.Ordinal);
-        Assert.InRange(report.IndexOf("has no tool call", StringComparison.Ordinal), 0, report.IndexOf("moved by at most", StringComparison.Ordinal));
+        Assert.InRange(
+            report.IndexOf("has no tool call", StringComparison.Ordinal), 0, report.IndexOf("moved by at most", StringComparison.Ordinal));
 
-        Assert.Equal(0, Shell.Json(0, "errormatch/nc-check/1", "nc", "check", folder["out/finishing.nc"], "--dialect", "siemens-840d").GetProperty("problems").GetArrayLength());
+        Assert.Equal(
+            0,
+            Shell.Json(0, "errormatch/nc-check/1", "nc", "check", folder["out/finishing.nc"], "--dialect", "siemens-840d")
+                .GetProperty("problems")
+                .GetArrayLength());
         Assert.False(Shell.Json(0, "errormatch/surface-toolpath/1", "surface", "toolpath", job).GetProperty("toolCall").GetBoolean());
     }
 
@@ -36,7 +42,10 @@ public sealed class SurfaceToolTests
     {
         using var folder = new TemporaryFolder();
         var called = Job(folder, Tool);
-        Assert.True(Shell.Json(0, "errormatch/surface-toolpath/1", "surface", "toolpath", called, "--out", folder["out"]).GetProperty("toolCall").GetBoolean());
+        Assert.True(
+            Shell.Json(0, "errormatch/surface-toolpath/1", "surface", "toolpath", called, "--out", folder["out"])
+                .GetProperty("toolCall")
+                .GetBoolean());
         Assert.Contains("\nT3\nM6\nD1\n", File.ReadAllText(folder["out/finishing.nc"]), StringComparison.Ordinal);
         var named = Job(folder, ", \"tool\": { \"name\": \"BALL6\", \"lengthOffset\": 1 } }", "fanuc");
         var error = Shell.Error(1, "surface", "toolpath", named);
@@ -55,7 +64,8 @@ public sealed class SurfaceToolTests
         var job = Job(folder, Tool);
         Assert.Equal(0, Shell.Run(["surface", "compensate", job, "--measured", Sample("measured.csv"), "--out", folder["out"]]).Exit);
         var bytes = File.ReadAllBytes(folder["out/finishing.nc"]);
-        var finished = folder.File("finished.json", File.ReadAllText(job).Replace("\"semi-finishing\"", "\"finishing\"", StringComparison.Ordinal));
+        var finished = folder.File(
+            "finished.json", File.ReadAllText(job).Replace("\"semi-finishing\"", "\"finishing\"", StringComparison.Ordinal));
         foreach (var more in (string[][])[["--out", folder["out"]], ["--cut-by", folder["out/finishing.nc"], "--out", folder["other"]]])
         {
             var error = Shell.Error(2, ["surface", "compensate", finished, "--measured", Sample("after.csv"), .. more]);
@@ -77,7 +87,10 @@ public sealed class SurfaceToolTests
         }
 
         return folder.File("job.json", text
-            .Replace("\"scallopMm\": 0.001, \"chordMm\": 0.001, \"dialect\": \"siemens-840d\"" + Tool, $"\"scallopMm\": 0.05, \"chordMm\": 0.01, \"dialect\": \"{dialect}\"{tool}", StringComparison.Ordinal));
+            .Replace(
+                "\"scallopMm\": 0.001, \"chordMm\": 0.001, \"dialect\": \"siemens-840d\"" + Tool,
+                $"\"scallopMm\": 0.05, \"chordMm\": 0.01, \"dialect\": \"{dialect}\"{tool}",
+                StringComparison.Ordinal));
     }
 
     private static string Sample(string file) => Repository.PathTo("samples", "surface-one", file);

@@ -6,14 +6,18 @@ namespace ErrorMatching.Console.Tests;
 public sealed class UserVerbTests
 {
     [Fact]
-    public void The_words_for_roles_are_those_of_the_cell() => Assert.Equal(Enum.GetNames<Role>().Select(n => n.ToLowerInvariant()), RoleOption.Words);
+    public void The_words_for_roles_are_those_of_the_cell() =>
+        Assert.Equal(Enum.GetNames<Role>().Select(n => n.ToLowerInvariant()), RoleOption.Words);
 
     [Fact]
     public void The_first_user_is_an_administrator_by_a_password_that_is_not_shown()
     {
         using var cell = new CellFolder();
-        var (exit, output, error, shown) = cell.Typed($"{CellFolder.Annas}\n{CellFolder.Annas}\n", "user", "add", cell.Config, "Anna", "--role", "administrator");
-        Assert.Equal((0, "Anna is the first administrator. Add a second one soon: a lost password is set by another administrator.\n", ""), (exit, output, error));
+        var (exit, output, error, shown) = cell.Typed(
+            $"{CellFolder.Annas}\n{CellFolder.Annas}\n", "user", "add", cell.Config, "Anna", "--role", "administrator");
+        Assert.Equal(
+            (0, "Anna is the first administrator. Add a second one soon: a lost password is set by another administrator.\n", ""),
+            (exit, output, error));
         Assert.Equal("New password of Anna: \nNew password of Anna again: \n", shown);
     }
 
@@ -47,9 +51,15 @@ public sealed class UserVerbTests
     public void A_password_is_set_with_the_old_one()
     {
         using var cell = CellFolder.WithPeople();
-        Assert.Equal((0, "Ben has a new password.\n", ""), cell.Piped([CellFolder.Bens, "a third one for Ben"], "user", "password", cell.Config, "Ben", "--user", "Ben"));
-        Assert.Equal("sign-in-refused", Error(1, cell.Piped([CellFolder.Bens, CellFolder.Bens], "user", "password", cell.Config, "Ben", "--user", "Ben", "--json")));
-        Assert.Equal("weak-password", Error(1, cell.Piped(["a third one for Ben", "short"], "user", "password", cell.Config, "Ben", "--user", "Ben", "--json")));
+        Assert.Equal(
+            (0, "Ben has a new password.\n", ""),
+            cell.Piped([CellFolder.Bens, "a third one for Ben"], "user", "password", cell.Config, "Ben", "--user", "Ben"));
+        Assert.Equal(
+            "sign-in-refused",
+            Error(1, cell.Piped([CellFolder.Bens, CellFolder.Bens], "user", "password", cell.Config, "Ben", "--user", "Ben", "--json")));
+        Assert.Equal(
+            "weak-password",
+            Error(1, cell.Piped(["a third one for Ben", "short"], "user", "password", cell.Config, "Ben", "--user", "Ben", "--json")));
     }
 
     [Fact]
@@ -70,7 +80,8 @@ public sealed class UserVerbTests
         Assert.Equal("locked-out", Refused(2, [CellFolder.Bens], "disable", "Anna", "--user", "Ben"));
         Assert.Contains("locked until", Shell.Run("user", "list", cell.Config).Output, StringComparison.Ordinal);
 
-        string? Refused(int exit, string[] lines, string verb, params string[] more) => Error(exit, cell.Piped(lines, ["user", verb, cell.Config, .. more, "--json"]));
+        string? Refused(int exit, string[] lines, string verb, params string[] more) =>
+            Error(exit, cell.Piped(lines, ["user", verb, cell.Config, .. more, "--json"]));
     }
 
     [Fact]
@@ -93,8 +104,13 @@ public sealed class UserVerbTests
 
     [Fact]
     public void No_argument_takes_a_password() => Assert.All(
-        Verbs(CommandTree.Build()).OfType<SigningVerb>().SelectMany(v => v.Options.Select(o => o.Name).Concat(v.Arguments.Select(a => a.Name))),
-        name => Assert.True(name == "--password-stdin" || !name.Contains("pass", StringComparison.OrdinalIgnoreCase) && !name.Contains("secret", StringComparison.OrdinalIgnoreCase), name));
+        Verbs(CommandTree.Build()).OfType<SigningVerb>().SelectMany(
+            v => v.Options.Select(o => o.Name).Concat(v.Arguments.Select(a => a.Name))),
+        name => Assert.True(
+            name == "--password-stdin"
+                || !name.Contains("pass", StringComparison.OrdinalIgnoreCase)
+                    && !name.Contains("secret", StringComparison.OrdinalIgnoreCase),
+            name));
 
     [Fact]
     public void Users_are_listed()
@@ -102,7 +118,11 @@ public sealed class UserVerbTests
         using var cell = CellFolder.WithPeople();
         var users = Shell.Json(0, "errormatch/user-list/1", "user", "list", cell.Config).GetProperty("users").EnumerateArray().ToArray();
         Assert.Equal([("Anna", "administrator"), ("Ben", "operator")], users.Select(u => (u.Text("name"), u.Text("role"))));
-        Assert.All(users, u => Assert.Equal((JsonValueKind.Null, 0, false), (u.GetProperty("lockedUntil").ValueKind, u.GetProperty("failures").GetInt32(), u.GetProperty("isDisabled").GetBoolean())));
+        Assert.All(
+            users,
+            u => Assert.Equal(
+                (JsonValueKind.Null, 0, false),
+                (u.GetProperty("lockedUntil").ValueKind, u.GetProperty("failures").GetInt32(), u.GetProperty("isDisabled").GetBoolean())));
         var (exit, output, error) = Shell.Run("user", "list", cell.Config);
         Assert.Equal((0, ""), (exit, error));
         Assert.StartsWith("name  role ", output, StringComparison.Ordinal);
@@ -114,7 +134,8 @@ public sealed class UserVerbTests
     {
         using var cell = new CellFolder();
         Assert.Equal("store-missing", Shell.Error(1, "user", "list", cell.Config).Text("code"));
-        Assert.Equal("store-missing", Error(1, cell.Piped([CellFolder.Annas], "user", "disable", cell.Config, "Ben", "--user", "anna", "--json")));
+        Assert.Equal(
+            "store-missing", Error(1, cell.Piped([CellFolder.Annas], "user", "disable", cell.Config, "Ben", "--user", "anna", "--json")));
         Assert.False(File.Exists(cell["cell.db"]));
         Assert.False(Directory.Exists(cell["keys"]));
     }
@@ -127,7 +148,8 @@ public sealed class UserVerbTests
     }
 
     [Theory]
-    [InlineData("add", "Dan"), InlineData("role", "Ben"), InlineData("add", "Dan", "--role", "boss"), InlineData("role", "Ben", "--role", "Administrator"), InlineData("add", "Dan", "--role", "setter", "--password", "x")]
+    [InlineData("add", "Dan"), InlineData("role", "Ben"), InlineData("add", "Dan", "--role", "boss"),
+        InlineData("role", "Ben", "--role", "Administrator"), InlineData("add", "Dan", "--role", "setter", "--password", "x")]
     public void A_wrong_command_line_is_one(string verb, params string[] more)
     {
         using var cell = new CellFolder();
@@ -135,7 +157,8 @@ public sealed class UserVerbTests
         Assert.All(errors, e => Assert.Equal("command-line", e.Text("code")));
     }
 
-    internal static string? Error(int exit, (int Exit, string Output, string Error) run) => Assert.Single(Document(exit, "errormatch/error/1", run).GetProperty("errors").EnumerateArray()).Text("code");
+    internal static string? Error(int exit, (int Exit, string Output, string Error) run) =>
+        Assert.Single(Document(exit, "errormatch/error/1", run).GetProperty("errors").EnumerateArray()).Text("code");
 
     internal static JsonElement Document(int exit, string schema, (int Exit, string Output, string Error) run)
     {
@@ -145,5 +168,6 @@ public sealed class UserVerbTests
         return document.RootElement.Clone();
     }
 
-    private static IEnumerable<System.CommandLine.Command> Verbs(System.CommandLine.Command command) => command.Subcommands.SelectMany(Verbs).Prepend(command);
+    private static IEnumerable<System.CommandLine.Command> Verbs(System.CommandLine.Command command) =>
+        command.Subcommands.SelectMany(Verbs).Prepend(command);
 }

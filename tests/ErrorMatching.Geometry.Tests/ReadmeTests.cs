@@ -30,7 +30,8 @@ public class ReadmeTests
 
         Assert.True(apex.DistanceTo(new(0, 0)) < 1e-12);
         Assert.Equal(112.62, opening, 2);
-        // By hand: a flank is known at the apex to 0.002 sqrt(208 + 1300) / 21.63, slides the apex by that times 0.5547 / 0.9231 in y, and there are two of them.
+        // By hand: a flank is known at the apex to 0.002 sqrt(208 + 1300) / 21.63, slides the apex by that times 0.5547 / 0.9231 in y,
+        // and there are two of them.
         Assert.Equal(0.00305, apexKnownTo, 5);
         Assert.True(tangent);
         Assert.Equal(0, degree);
@@ -39,7 +40,8 @@ public class ReadmeTests
 
     [Fact]
     public void Readme_shows_the_example_that_is_tested() =>
-        Assert.Contains(Example(), File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Geometry", "README.md")), StringComparison.Ordinal);
+        Assert.Contains(
+            Example(), File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Geometry", "README.md")), StringComparison.Ordinal);
 
     private static string Example([CallerFilePath] string path = "")
     {

@@ -3,10 +3,12 @@ using System.Runtime.Intrinsics;
 
 namespace ErrorMatching.Geometry.Tests;
 
-/// <summary>Every public struct is a value: two that were made alike are equal in every way that .NET asks, two that were not are not, and each can be printed.</summary>
+/// <summary>Every public struct is a value: two that were made alike are equal in every way that .NET asks, two that were not are not,
+/// and each can be printed.</summary>
 public class ValueTypeTests
 {
-    public static TheoryData<Type> Structs => [.. typeof(Point2).Assembly.GetExportedTypes().Where(t => t is { IsValueType: true, IsEnum: false })];
+    public static TheoryData<Type> Structs =>
+        [.. typeof(Point2).Assembly.GetExportedTypes().Where(t => t is { IsValueType: true, IsEnum: false })];
 
     [Fact]
     public void All_value_types_are_found() => Assert.True(Structs.Count >= 12);
@@ -36,10 +38,13 @@ public class ValueTypeTests
     public void Struct_is_immutable(Type type)
     {
         Assert.All(type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic), f => Assert.True(f.IsInitOnly));
-        Assert.All(type.GetProperties(), p => Assert.True(p.SetMethod is null || p.SetMethod.ReturnParameter.GetRequiredCustomModifiers().Length > 0));
+        Assert.All(
+            type.GetProperties(),
+            p => Assert.True(p.SetMethod is null || p.SetMethod.ReturnParameter.GetRequiredCustomModifiers().Length > 0));
     }
 
-    private static bool Operator(Type type, string name, object a, object b) => (bool)type.GetMethod(name, [type, type])!.Invoke(null, [a, b])!;
+    private static bool Operator(Type type, string name, object a, object b) =>
+        (bool)type.GetMethod(name, [type, type])!.Invoke(null, [a, b])!;
 
     /// <summary>A value made from its widest constructor, public or not, each argument depending on the seed and its place.</summary>
     private static object Make(Type type, int seed)
@@ -64,7 +69,8 @@ public class ValueTypeTests
             return Enum.GetValues(type).GetValue(seed % Enum.GetValues(type).Length)!;
         }
 
-        var constructor = type.GetConstructors(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).MaxBy(c => c.GetParameters().Length)!;
+        var constructor = type.GetConstructors(
+            BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).MaxBy(c => c.GetParameters().Length)!;
         return constructor.Invoke([.. constructor.GetParameters().Select((p, i) => Make(p.ParameterType, seed + i))]);
     }
 }

@@ -5,7 +5,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Rows leave lists by themselves: a finger that was on its way to one of them does not act upon the one that took its place.</summary>
+/// <summary>Rows leave lists by themselves: a finger that was on its way to one of them does not act upon the one that took its
+/// place.</summary>
 public sealed class AimTests
 {
     [Theory]
@@ -45,7 +46,12 @@ public sealed class AimTests
     {
         // What stands where one that waited stood is none of its list.
         seat.User.Settle();
-        var waiting = new[] { "waiting-1", "waiting-2", "waiting-3" }.Select(id => new Rect(seat.See(id).Bounds.Size).TransformToAABB(seat.See(id).TransformToVisual(seat.Window)!.Value)).ToArray();
+        var waiting = new[]
+        {
+            "waiting-1",
+            "waiting-2",
+            "waiting-3"
+        }.Select(id => new Rect(seat.See(id).Bounds.Size).TransformToAABB(seat.See(id).TransformToVisual(seat.Window)!.Value)).ToArray();
         Leave(seat, 1, "waiting-1");
         Leave(seat, 2, "waiting-2");
         Leave(seat, 3, "waiting-3");
@@ -122,7 +128,9 @@ public sealed class AimTests
     }
 
     private static bool Covers(Seat seat, string id, Point place) =>
-        seat.Find(id) is Control control && seat.Window.TranslatePoint(place, control) is { } within && new Rect(control.Bounds.Size).Contains(within);
+        seat.Find(id) is Control control
+            && seat.Window.TranslatePoint(place, control) is { } within
+            && new Rect(control.Bounds.Size).Contains(within);
 
     private static void Tap(Seat seat, Point place, bool isFinger)
     {

@@ -16,7 +16,8 @@ public sealed class AutomationIdTests
         {
             var english = Ids(seat);
             problems.AddRange(english.Where(c => c.Id.Length == 0).Select(c => $"{name}: a {c.Type} without an id"));
-            problems.AddRange(english.GroupBy(c => c.Id).Where(g => g.Count() > 1).Select(g => $"{name}: {g.Key} stands for {g.Count()} things"));
+            problems.AddRange(
+                english.GroupBy(c => c.Id).Where(g => g.Count() > 1).Select(g => $"{name}: {g.Key} stands for {g.Count()} things"));
             seen.UnionWith(english.Select(c => c.Id));
             Texts.Current.Language = Language.TraditionalChinese;
             seat.User.Settle();
@@ -30,7 +31,13 @@ public sealed class AutomationIdTests
 
     private static (string Type, string Id)[] Ids(Seat seat) =>
     [
-        .. seat.Window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (Layout.IsTouched(c) || c is PlotArea or ProgramText) && !Layout.IsPart(c) && !seat.Window.Stage.IsVisualAncestorOf(c))
+        .. seat.Window.GetVisualDescendants()
+            .OfType<Control>()
+            .Where(
+                c => c.IsEffectivelyVisible
+                    && (Layout.IsTouched(c) || c is PlotArea or ProgramText)
+                    && !Layout.IsPart(c)
+                    && !seat.Window.Stage.IsVisualAncestorOf(c))
             .Select(c => (c.GetType().Name, AutomationProperties.GetAutomationId(c) ?? "")),
     ];
 }

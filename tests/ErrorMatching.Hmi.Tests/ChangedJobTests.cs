@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A job is set up while corrections wait that were made with it as it was: nobody takes one of those for one of the job as it is.</summary>
+/// <summary>A job is set up while corrections wait that were made with it as it was:
+/// nobody takes one of those for one of the job as it is.</summary>
 [Trait("Length", "Long")]
 public sealed class ChangedJobTests
 {
@@ -25,11 +26,14 @@ public sealed class ChangedJobTests
         Assert.Contains("made before the job was changed", Words(seat));
         seat.WaitFor(() => seat.Find("approve") is { IsEffectivelyEnabled: true }, "It cannot be approved any more.");
         seat.Tap("approve").See("signing-subject");
-        Assert.Contains(seat.See("signing-subject").FindAncestorOfType<Border>()!.GetVisualDescendants().OfType<TextBlock>(), t => t.Text?.Contains("Made before the job was changed.", StringComparison.Ordinal) == true);
+        Assert.Contains(
+            seat.See("signing-subject").FindAncestorOfType<Border>()!.GetVisualDescendants().OfType<TextBlock>(),
+            t => t.Text?.Contains("Made before the job was changed.", StringComparison.Ordinal) == true);
         seat.Tap("signing-leave");
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "compensation-changed-job-en.png"));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("detail-changed-job")!.StartsWith("此補償以變更前的作業計算。", StringComparison.Ordinal), "It is said in English only.");
+        seat.WaitFor(
+            () => seat.TextOf("detail-changed-job")!.StartsWith("此補償以變更前的作業計算。", StringComparison.Ordinal), "It is said in English only.");
         seat.User.Settle();
         Assert.Empty(Layout.Problems(seat.Window));
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "compensation-changed-job-zh.png"));
@@ -117,9 +121,11 @@ public sealed class ChangedJobTests
         File.WriteAllText(file, changed);
     }
 
-    private static IEnumerable<string?> Words(Seat seat, string id = "correction-1") => seat.See(id).GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text);
+    private static IEnumerable<string?> Words(Seat seat, string id = "correction-1") =>
+        seat.See(id).GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).Select(t => t.Text);
 
-    /// <summary>Stands still but for the steps it is given, so that nothing hangs on how busy the machine is; who waits by it waits a twentieth of the time.</summary>
+    /// <summary>Stands still but for the steps it is given, so that nothing hangs on how busy the machine is;
+    /// who waits by it waits a twentieth of the time.</summary>
     private sealed class SteppedClock : TimeProvider
     {
         private const int Times = 20;
@@ -137,7 +143,8 @@ public sealed class ChangedJobTests
         public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
         {
             Interlocked.Increment(ref _waits);
-            return System.CreateTimer(callback, state, dueTime > TimeSpan.Zero ? dueTime / Times : dueTime, period > TimeSpan.Zero ? period / Times : period);
+            return System.CreateTimer(
+                callback, state, dueTime > TimeSpan.Zero ? dueTime / Times : dueTime, period > TimeSpan.Zero ? period / Times : period);
         }
     }
 }

@@ -5,7 +5,8 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What is copied in a spreadsheet is pasted in the station, and the other way round: the clipboard of X11, with another connection as the other program.</summary>
+/// <summary>What is copied in a spreadsheet is pasted in the station, and the other way round: the clipboard of X11, with another
+/// connection as the other program.</summary>
 public sealed class ClipboardTests
 {
     private const string Cells = "A1\t12.5000\t−0.0312\r\nB1\t7.2500\t測試 😀\r\n";
@@ -63,5 +64,6 @@ public sealed class ClipboardTests
         return clipboard.SetDataAsync(transfer);
     }
 
-    private static async Task<string?> PasteAsync(X11Clipboard clipboard) => await clipboard.TryGetDataAsync() is { } data ? await data.TryGetTextAsync() : null;
+    private static async Task<string?> PasteAsync(X11Clipboard clipboard) =>
+        await clipboard.TryGetDataAsync() is { } data ? await data.TryGetTextAsync() : null;
 }

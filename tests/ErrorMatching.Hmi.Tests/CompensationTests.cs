@@ -33,7 +33,10 @@ public sealed class CompensationTests
             Assert.Equal(Shown.SignedMm(-json.GetProperty("decidedMm").GetDouble()), row.Without);
         }
 
-        var quantities = report.RootElement.GetProperty("features").EnumerateArray().SelectMany(f => f.GetProperty("theoretical").EnumerateObject().Select(q => (Feature: f, q.Name))).ToArray();
+        var quantities = report.RootElement.GetProperty("features")
+            .EnumerateArray()
+            .SelectMany(f => f.GetProperty("theoretical").EnumerateObject().Select(q => (Feature: f, q.Name)))
+            .ToArray();
         Assert.Equal(quantities.Length, detail.Quantities.Count);
         foreach (var ((feature, name), row) in quantities.Zip(detail.Quantities))
         {
@@ -52,7 +55,9 @@ public sealed class CompensationTests
     {
         // Table 5 of Wang, Tu and Gunawan (2021): point 1 is designed at (-31.950, 76.008) and measured at (-32.067, 76.005).
         var first = Arrive(seat, DemoCell.Operator).Points[0];
-        Assert.Equal(("1", "−31.9500", "76.0080", "−32.0670", "76.0050"), (first.Point, first.TheoreticalX, first.TheoreticalY, first.ActualX, first.ActualY));
+        Assert.Equal(
+            ("1", "−31.9500", "76.0080", "−32.0670", "76.0050"),
+            (first.Point, first.TheoreticalX, first.TheoreticalY, first.ActualX, first.ActualY));
     });
 
     [Theory]
@@ -73,7 +78,8 @@ public sealed class CompensationTests
             Assert.Equal(x[group].Right, Assert.Single(All(names[group])).Center.X, width / 20);
         }
 
-        Rect[] All(string key) => [.. texts.Where(t => t.Text == Texts.Current[key]).Select(t => Layout.In(t, seat.Window)).OrderBy(r => r.X)];
+        Rect[] All(string key) =>
+            [.. texts.Where(t => t.Text == Texts.Current[key]).Select(t => Layout.In(t, seat.Window)).OrderBy(r => r.X)];
     });
 
     [Fact]
@@ -81,7 +87,9 @@ public sealed class CompensationTests
     {
         var detail = Arrive(seat, DemoCell.Setter);
         var correction = seat.Station.Store.Find(1)!;
-        Assert.Equal(Lines(correction.BaseSha256!), detail.Lines!.Where(l => l.Original.Length > 0 || l.ModifiedSpans.Count == 0).Select(l => l.Original));
+        Assert.Equal(
+            Lines(correction.BaseSha256!),
+            detail.Lines!.Where(l => l.Original.Length > 0 || l.ModifiedSpans.Count == 0).Select(l => l.Original));
         Assert.Equal(Lines(correction.ProgramSha256!), detail.Lines!.Select(l => l.Modified));
         Assert.Equal(detail.Kept.Report!.ChangedBlocks, detail.Lines!.Count(l => l.IsChanged && l.Original.Length > 0));
         Assert.All(detail.Lines!.Where(l => !l.IsChanged), l => Assert.Equal(l.Original, l.Modified));
@@ -89,7 +97,11 @@ public sealed class CompensationTests
         var list = (ListBox)seat.See("program");
         Assert.True(((ProgramLine)list.SelectedItem!).IsChanged);
 
-        string[] Lines(string sha) => System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sha)).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
+        string[] Lines(string sha) => System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sha))
+            .TrimEnd('\n')
+            .Split('\n')
+            .Select(l => l.TrimEnd('\r'))
+            .ToArray();
     });
 
     [Theory]
@@ -119,7 +131,10 @@ public sealed class CompensationTests
         bool IsSeen(int line)
         {
             var list = (ListBox)seat.See("program");
-            return list.ContainerFromIndex(line) is { IsEffectivelyVisible: true } row && row.TranslatePoint(default, list) is { } at && at.Y >= 0 && at.Y + row.Bounds.Height <= list.Bounds.Height;
+            return list.ContainerFromIndex(line) is { IsEffectivelyVisible: true } row
+                && row.TranslatePoint(default, list) is { } at
+                && at.Y >= 0
+                && at.Y + row.Bounds.Height <= list.Bounds.Height;
         }
     });
 
@@ -136,7 +151,8 @@ public sealed class CompensationTests
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);
-        Assert.Equal(seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        Assert.Equal(
+            seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
         Assert.Contains(seat.Station.Store.StepsOf(1), s => s is { To: CorrectionState.Approved, By: DemoCell.Setter });
         seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine", "The screen does not follow.");
         Assert.NotNull(seat.Find("release"));
@@ -161,7 +177,9 @@ public sealed class CompensationTests
         seat.Type("signing-reason", "chip under the probe").Tap("signing-confirm");
         var rejected = seat.WaitFor(1, CorrectionState.Rejected);
         Assert.Equal("chip under the probe", rejected.Reason);
-        Assert.Contains(seat.Station.Store.StepsOf(1), s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis: "chip under the probe" });
+        Assert.Contains(
+            seat.Station.Store.StepsOf(1),
+            s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis: "chip under the probe" });
     });
 
     [Fact]
@@ -187,7 +205,13 @@ public sealed class CompensationTests
         seat.Tap("revert").Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(1, CorrectionState.Reverted);
         Assert.Equal(before, File.ReadAllBytes(machine));
-        seat.WaitFor(() => seat.Find("signing-confirm") is null && seat.TextOf("detail-state") is "Reverted" && seat.See("release").IsEffectivelyEnabled, "It is not seen to be reverted.").Tap("release").Tap("signing-confirm");
+        seat.WaitFor(
+            () => seat.Find("signing-confirm") is null
+                && seat.TextOf("detail-state") is "Reverted"
+                && seat.See("release").IsEffectivelyEnabled,
+            "It is not seen to be reverted.")
+            .Tap("release")
+            .Tap("signing-confirm");
         seat.WaitFor(() => seat.Station.Store.Slot("vmc1", "A").Correction is null, "The slot stays taken.");
     });
 
@@ -213,6 +237,7 @@ public sealed class CompensationTests
         }
 
         var decimals = shown.Length - shown.IndexOf('.', StringComparison.Ordinal) - 1;
-        Assert.Equal(json.GetDouble(), double.Parse(shown.Replace('−', '-'), CultureInfo.InvariantCulture), 0.5000001 * Math.Pow(10, -decimals));
+        Assert.Equal(
+            json.GetDouble(), double.Parse(shown.Replace('−', '-'), CultureInfo.InvariantCulture), 0.5000001 * Math.Pow(10, -decimals));
     }
 }

@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What was made before its job was changed is computed anew from the station: one by one, and all together where the job is saved.</summary>
+/// <summary>What was made before its job was changed is computed anew from the station:
+/// one by one, and all together where the job is saved.</summary>
 [Trait("Length", "Long")]
 public sealed class ComputeAnewTests
 {
@@ -17,7 +18,9 @@ public sealed class ComputeAnewTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.Cell.Deliver(2, 0.001);
         seat.WaitFor(2, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Operator).Tap("nav-compensation").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
+        seat.SignIn(DemoCell.Operator)
+            .Tap("nav-compensation")
+            .WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
         Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
 
         Change(seat, "-31.95", "-31.951");
@@ -26,15 +29,22 @@ public sealed class ComputeAnewTests
         Assert.DoesNotContain("accent", seat.See("approve").Classes);
         Assert.Equal("Made before the job was changed. To use the current job, recalculate this.", seat.TextOf("detail-changed-job"));
         BeClean(seat, "compensation-compute-anew");
-        seat.Tap("compute-anew").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed), "What came of it is not shown.");
+        seat.Tap("compute-anew").WaitFor(
+            () => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed),
+            "What came of it is not shown.");
         Assert.Null(seat.Find("signing-subject"));
         Assert.Null(seat.Find("compensation-undone"));
-        Assert.Equal((CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
-        Assert.Equal("Its job was changed after it was made: correction 3 recalculates the measurement with the current job.", CodeText.Of(old!.Code!, old.Reason));
+        Assert.Equal(
+            (CorrectionState.Superseded, "computed-anew"), seat.Station.Store.Find(1) is var old ? (old!.State, old.Code) : default);
+        Assert.Equal(
+            "Its job was changed after it was made: correction 3 recalculates the measurement with the current job.",
+            CodeText.Of(old!.Code!, old.Reason));
         Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
 
         // In the place of the one before, chosen, and made with the job as it is.
-        seat.WaitFor(() => Rows(seat).Select(r => (r.Id, r.IsOfChangedJob)).SequenceEqual([(3L, false), (2L, true)]), "It does not stand in its place.");
+        seat.WaitFor(
+            () => Rows(seat).Select(r => (r.Id, r.IsOfChangedJob)).SequenceEqual([(3L, false), (2L, true)]),
+            "It does not stand in its place.");
         Assert.Equal(3, ((CompensationViewModel)seat.Shell.Current!).Chosen?.Id);
         Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
         Assert.Null(seat.Find("detail-changed-job"));
@@ -48,8 +58,12 @@ public sealed class ComputeAnewTests
         seat.WaitFor(4, CorrectionState.Proposed);
 
         // Everywhere in the order in which the pieces were measured.
-        seat.WaitFor(() => seat.Station.State.Status!.Proposed.Select(c => c.Id).SequenceEqual([4L, 2L]), "It stands behind what was measured after it.");
-        seat.Tap("nav-verification").WaitFor(() => ((VerificationViewModel)seat.Shell.Current!).Rows.Select(r => r.Id).SequenceEqual([2L, 4L]), "It stands as the last piece.");
+        seat.WaitFor(
+            () => seat.Station.State.Status!.Proposed.Select(c => c.Id).SequenceEqual([4L, 2L]),
+            "It stands behind what was measured after it.");
+        seat.Tap("nav-verification").WaitFor(
+            () => ((VerificationViewModel)seat.Shell.Current!).Rows.Select(r => r.Id).SequenceEqual([2L, 4L]),
+            "It stands as the last piece.");
     });
 
     [Fact]
@@ -68,7 +82,10 @@ public sealed class ComputeAnewTests
             }
         }
 
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").Tap("correction-3").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");
+        seat.SignIn(DemoCell.Setter)
+            .Tap("nav-compensation")
+            .Tap("correction-3")
+            .WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");
         var (anew, waits) = (seat.See("compute-anew").Bounds, seat.See("compensation-waits").Bounds);
         Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
 
@@ -131,7 +148,9 @@ public sealed class ComputeAnewTests
         Assert.Contains("Waiting, calculated with the old job: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Recalculate these: 3", here.Shell.Editing.ComputeAnewText);
         seat.See("setup-compute-anew");
-        seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "The notice does not lead to the first that waits.");
+        seat.Tap("setup-look").WaitFor(
+            () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002",
+            "The notice does not lead to the first that waits.");
 
         double Top() => Math.Round(seat.See("side-machine").TranslatePoint(default, seat.Window)!.Value.Y);
         seat.Tap("nav-system");
@@ -152,7 +171,8 @@ public sealed class ComputeAnewTests
 
         // Somebody else decides about one of them meanwhile.
         decisions.Reject(3, DemoCell.Operator, "dirty");
-        seat.Tap("setup-compute-anew").WaitFor(() => seat.TextOf("setup-notice")!.StartsWith("Recalculated", StringComparison.Ordinal), "Nothing is said of it.");
+        seat.Tap("setup-compute-anew").WaitFor(
+            () => seat.TextOf("setup-notice")!.StartsWith("Recalculated", StringComparison.Ordinal), "Nothing is said of it.");
         Assert.Equal(
             "Recalculated: 2. #3 · 0003 was not recalculated: This cannot be done in its current state. Look at it again.",
             seat.TextOf("setup-notice"));
@@ -164,7 +184,9 @@ public sealed class ComputeAnewTests
         Texts.Current.Language = Language.English;
 
         // The notice leads there.
-        seat.Tap("setup-look").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#5 · 0002", "The notice does not lead to the first of them.");
+        seat.Tap("setup-look").WaitFor(
+            () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#5 · 0002",
+            "The notice does not lead to the first of them.");
         Assert.Equal(Screens.Compensation, seat.Shell.Chosen!.Screen.Key);
 
         // With half the gain the programs are displaced half as far, in the order in which they stood.
@@ -201,7 +223,8 @@ public sealed class ComputeAnewTests
             Assert.Empty(Layout.Problems(seat.Window));
             if (picture is not null)
             {
-                seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", $"{picture}-{(language == Language.English ? "en" : "zh")}.png"));
+                seat.User.Screenshot(Repository.PathTo(
+                    "artifacts", "screenshots", $"{picture}-{(language == Language.English ? "en" : "zh")}.png"));
             }
         }
     }

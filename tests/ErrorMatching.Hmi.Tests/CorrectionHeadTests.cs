@@ -9,7 +9,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What a person reads before approving: one convention for errors, what will be left over, where the program goes, and what to look at first.</summary>
+/// <summary>What a person reads before approving: one convention for errors, what will be left over, where the program goes,
+/// and what to look at first.</summary>
 public sealed class CorrectionHeadTests
 {
     [Fact]
@@ -17,16 +18,23 @@ public sealed class CorrectionHeadTests
     {
         var detail = Arrive(seat);
 
-        // Table 5 of Wang, Tu and Gunawan (2021): the part lies 0.117 mm further out at point 1, so a counterpart as designed leaves a gap there.
+        // Table 5 of Wang, Tu and Gunawan (2021): the part lies 0.117 mm further out at point 1,
+        // so a counterpart as designed leaves a gap there.
         Assert.Equal("−0.1170", detail.Points[0].Without);
         Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
-        Assert.Contains("above zero the pieces overlap, below zero there is a gap", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
-        var marked = seat.See("points").GetVisualDescendants().OfType<ListBoxItem>().Where(i => i.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible));
+        Assert.Contains(
+            "above zero the pieces overlap, below zero there is a gap", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
+        var marked = seat.See("points")
+            .GetVisualDescendants()
+            .OfType<ListBoxItem>()
+            .Where(i => i.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible));
         Assert.Equal(["2", "4"], marked.Select(i => ((PointRow)i.Content!).Point));
 
         seat.Tap("nav-verification").See("piece-title");
         var verified = ((VerificationViewModel)seat.Shell.Current!).Detail!;
-        Assert.Equal(verified.Points.Select(p => (p.Point, p.Before, p.After, p.IsOutside)), detail.Points.Select(p => (p.Point, p.Without, p.LeftOver, p.IsOutside)));
+        Assert.Equal(
+            verified.Points.Select(p => (p.Point, p.Before, p.After, p.IsOutside)),
+            detail.Points.Select(p => (p.Point, p.Without, p.LeftOver, p.IsOutside)));
     });
 
     [Fact]
@@ -34,25 +42,42 @@ public sealed class CorrectionHeadTests
     {
         Arrive(seat);
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
-        var (proof, points) = (report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
+        var (proof, points) = (
+            report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
         Assert.Equal(
-            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())}\u00a0mm: {proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as intended, the rest unchanged.", seat.TextOf("detail-proof"));
+            $"Proved to {Shown.Mm(proof.GetProperty("maxDeviationFromWantedMm").GetDouble())}\u00a0mm: "
+                + $"{proof.GetProperty("movedMotions")} of {proof.GetProperty("motions")} motions displaced as intended, the rest "
+                + $"unchanged.",
+            seat.TextOf("detail-proof"));
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
-            $"Remaining, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point {worst.GetProperty("point").GetString()}; driven out of limits: 2, 4", seat.TextOf("detail-left-over"));
+            $"Remaining, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point "
+                + $"{worst.GetProperty("point").GetString()}; driven out of limits: 2, 4",
+            seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
-        Assert.Equal($"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at N150", seat.TextOf("detail-largest"));
+        Assert.Equal(
+            $"Largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at N150", seat.TextOf("detail-largest"));
         Assert.Equal(("Complex mating", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("detail-job"), seat.TextOf("detail-target")));
         seat.Tap("approve");
-        Assert.Equal(("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"), (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));
+        Assert.Equal(
+            ("Complex mating · #1 · 0001", "Goes to vmc1/A as counterpart.nc"),
+            (seat.TextOf("signing-subject"), seat.TextOf("signing-target")));
 
         // Who signs sees what for, although the dialog hides the head.
-        (string?, Severity)[] known = [(seat.TextOf("detail-largest"), Severity.Quiet), (seat.TextOf("detail-left-over"), Severity.Attention), ("Warnings: 2", Severity.Attention)];
+        (string?, Severity)[] known = [
+            (seat.TextOf("detail-largest"), Severity.Quiet),
+            (seat.TextOf("detail-left-over"), Severity.Attention),
+            ("Warnings: 2", Severity.Attention)];
         Assert.Equal(known, seat.Shell.Signing!.Facts.Select(f => ((string?)f.Text, f.Severity)));
-        Assert.All(known, k => Assert.Contains(seat.See("signing-facts").GetVisualDescendants().OfType<TextBlock>(), t => t.Text == k.Item1 && t.IsEffectivelyVisible));
+        Assert.All(
+            known,
+            k => Assert.Contains(
+                seat.See("signing-facts").GetVisualDescendants().OfType<TextBlock>(), t => t.Text == k.Item1 && t.IsEffectivelyVisible));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.Shell.Signing.Facts[0].Text.StartsWith("最大位移", StringComparison.Ordinal), "What is signed stays in the language before.");
+        seat.WaitFor(
+            () => seat.Shell.Signing.Facts[0].Text.StartsWith("最大位移", StringComparison.Ordinal),
+            "What is signed stays in the language before.");
         Texts.Current.Language = Language.English;
         seat.Tap("signing-leave");
 
@@ -69,13 +94,23 @@ public sealed class CorrectionHeadTests
         var texts = seat.See("warnings").GetVisualDescendants().OfType<TextBlock>().ToArray();
         var window = seat.See("warnings").FindAncestorOfType<ScrollViewer>()!;
         Assert.Equal(2, texts.Length);
-        Assert.All(texts, t => Assert.True(new Rect(window.Bounds.Size).Contains(new Rect(t.Bounds.Size).TransformToAABB(t.TransformToVisual(window)!.Value)), $"{t.Text} is not to be seen."));
+        Assert.All(
+            texts,
+            t => Assert.True(
+                new Rect(window.Bounds.Size).Contains(new Rect(t.Bounds.Size).TransformToAABB(t.TransformToVisual(window)!.Value)),
+                $"{t.Text} is not to be seen."));
     });
 
     [Fact]
     public void Where_every_point_comes_within_its_limits_the_head_is_quiet()
     {
-        var detail = new CorrectionDetail(new(new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1), [], Report("[-0.1, 0.1]"), null), TimeProvider.System);
+        var detail = new CorrectionDetail(
+            new(
+                new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1),
+                [],
+                Report("[-0.1, 0.1]"),
+                null),
+            TimeProvider.System);
         Assert.True(detail.IsWithin);
         Assert.Equal(Severity.Quiet, detail.LeftOverSeverity);
         Assert.EndsWith("; every point is within its limits", detail.LeftOver, StringComparison.Ordinal);

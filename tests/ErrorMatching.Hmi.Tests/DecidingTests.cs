@@ -4,7 +4,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Nothing is decided by a finger that was on its way when something changed, and what a person chose is there when they come back.</summary>
+/// <summary>Nothing is decided by a finger that was on its way when something changed,
+/// and what a person chose is there when they come back.</summary>
 public sealed class DecidingTests
 {
     [Fact]
@@ -14,29 +15,39 @@ public sealed class DecidingTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
         var screen = (CompensationViewModel)seat.Shell.Current!;
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
-        Assert.Equal([(1L, "Complex mating", "0.2979 mm"), (2L, "Complex mating", Shown.Mm(seat.Station.Store.Find(2)!.LargestMm) + " mm")], screen.Rows.Select(r => (r.Id, r.Job, r.Largest)));
+        Assert.Equal(
+            [(1L, "Complex mating", "0.2979 mm"), (2L, "Complex mating", Shown.Mm(seat.Station.Store.Find(2)!.LargestMm) + " mm")],
+            screen.Rows.Select(r => (r.Id, r.Job, r.Largest)));
         var approve = Place(seat, "approve");
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
-        seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine" && screen.Rows.First(r => r.Id == 1).State == "At the machine", "The screen does not follow.");
+        seat.WaitFor(
+            () => seat.TextOf("detail-state") == "At the machine" && screen.Rows.First(r => r.Id == 1).State == "At the machine",
+            "The screen does not follow.");
         Assert.Equal("Is at vmc1/A as counterpart.nc", seat.TextOf("detail-target"));
         Assert.Equal([1L, 2L], screen.Rows.Select(r => r.Id));
 
         // What releases stands elsewhere and looks otherwise.
         Assert.False(approve.Intersects(Place(seat, "release")) || approve.Intersects(Place(seat, "revert")));
         Assert.DoesNotContain("accent", seat.See("release").Classes);
-        seat.WaitFor(() => seat.Find("forbidden") is not null && seat.TextOf("forbidden") == "The slot had no program before, so there is none to restore.", "It is not said why nothing is restored.");
+        seat.WaitFor(
+            () => seat.Find("forbidden") is not null
+                && seat.TextOf("forbidden") == "The slot had no program before, so there is none to restore.",
+            "It is not said why nothing is restored.");
 
         // Cut and released, it stays to be seen, with nothing left to tap.
         seat.Cell.FinishPiece();
         seat.WaitFor(() => seat.TextOf("detail-state") == "Cut and released", "The screen does not follow the release.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.All(new[] { "approve", "reject", "release", "revert" }, id => Assert.Null(seat.Find(id)));
-        seat.WaitFor(() => seat.TextOf("forbidden") == "Nothing is left to decide for this piece. Choose another one on the left.", "It is not said that nothing is left.");
+        seat.WaitFor(
+            () => seat.TextOf("forbidden") == "Nothing is left to decide for this piece. Choose another one on the left.",
+            "It is not said that nothing is left.");
 
         // It is gone from the list, so whoever comes back begins at what waits.
         seat.Tap("nav-overview").See("waiting-2");
         Assert.Equal("Complex mating", ((OverviewViewModel)seat.Shell.Current!).Waiting.Single().Job);
-        seat.Tap("nav-compensation").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "What waits is not shown.");
+        seat.Tap("nav-compensation").WaitFor(
+            () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002", "What waits is not shown.");
     });
 
     [Fact]
@@ -92,10 +103,15 @@ public sealed class DecidingTests
         seat.Tap("nav-system").See("side-gauge");
         Assert.True(((TabItem)seat.See("side-gauge")).IsSelected);
 
-        seat.Tap("sign-out").WaitFor(() => seat.Shell.IsLocked, "The station does not lock.").SignIn(DemoCell.Operator).Tap("nav-compensation").See("points");
+        seat.Tap("sign-out")
+            .WaitFor(() => seat.Shell.IsLocked, "The station does not lock.")
+            .SignIn(DemoCell.Operator)
+            .Tap("nav-compensation")
+            .See("points");
         seat.WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "Somebody else finds the choice of who sat there before.");
 
-        void Choose(string row, string title, string label) => seat.Tap(row).WaitFor(() => seat.TextOf(title) == label, $"{row} is not shown.");
+        void Choose(string row, string title, string label) =>
+            seat.Tap(row).WaitFor(() => seat.TextOf(title) == label, $"{row} is not shown.");
     });
 
     [Fact]
@@ -118,7 +134,9 @@ public sealed class DecidingTests
         Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
         File.WriteAllText(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"), "somebody's\n");
         seat.WaitFor(1, CorrectionState.Failed);
-        seat.WaitFor(() => seat.Station.State.Status?.Failed.Count == 1 && seat.Shell.Banner is null, "The failure is not seen, or the machine is still said to be away.");
+        seat.WaitFor(
+            () => seat.Station.State.Status?.Failed.Count == 1 && seat.Shell.Banner is null,
+            "The failure is not seen, or the machine is still said to be away.");
         seat.Tap("nav-compensation").See("points");
         Assert.Equal(["#1 · 0001", "#2 · 0002"], ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Title));
         seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "What was looked at is forgotten.");
@@ -136,5 +154,6 @@ public sealed class DecidingTests
         seat.WaitFor(() => seat.Station.State.Status?.Proposed.Count == serials.Length, "What waits is not seen.");
     }
 
-    private static Rect Place(Seat seat, string id) => new Rect(seat.See(id).Bounds.Size).TransformToAABB(seat.See(id).TransformToVisual(seat.Window)!.Value);
+    private static Rect Place(Seat seat, string id) =>
+        new Rect(seat.See(id).Bounds.Size).TransformToAABB(seat.See(id).TransformToVisual(seat.Window)!.Value);
 }

@@ -10,13 +10,17 @@ public sealed class DemonstrationTests
     [Fact]
     public void Each_of_its_first_hundred_parts_leads_to_a_proved_program()
     {
-        var (job, part) = (Repository.PathTo("samples", "complex-mating", "job.json"), File.ReadAllText(Repository.PathTo("samples", "complex-mating", "part.csv")));
+        var (job, part) = (
+            Repository.PathTo("samples", "complex-mating", "job.json"),
+            File.ReadAllText(Repository.PathTo("samples", "complex-mating", "part.csv")));
         Assert.DoesNotContain(Enumerable.Range(1, 100), serial => !Leads(serial));
 
         bool Leads(int serial)
         {
             var measured = Encoding.UTF8.GetBytes(DemoPart.Near(part, serial, DemoDay.SpreadMm));
-            return MatingRun.Of(new(job), new() { Part = new("part.csv", measured) }, TestContext.Current.CancellationToken).Result?.Report.Proof.Holds ?? false;
+            return MatingRun.Of(
+                new(job), new() { Part = new("part.csv", measured) }, TestContext.Current.CancellationToken).Result?.Report.Proof.Holds
+                ?? false;
         }
     }
 
@@ -31,7 +35,12 @@ public sealed class DemonstrationTests
         seat.WaitFor(1, CorrectionState.Verified);
         seat.Cell.FinishPiece();
         KeptPiece? piece = null;
-        seat.WaitFor(() => (piece = new KeptPieces().Read(seat.Station.Store, [.. seat.Station.Settings.Jobs.Select(j => j.Name)], 100).FirstOrDefault(p => p.IsMeasured)) is not null, "The counterpart is not measured.");
+        seat.WaitFor(
+            () => (
+                piece = new KeptPieces().Read(
+                    seat.Station.Store, [.. seat.Station.Settings.Jobs.Select(j => j.Name)], 100).FirstOrDefault(p => p.IsMeasured))
+                is not null,
+            "The counterpart is not measured.");
         end.Cancel();
         Assert.True(day.Wait(Seat.Patience, TestContext.Current.CancellationToken));
 

@@ -16,7 +16,8 @@ public sealed class EdgeShadeTests
     [InlineData(9, 0, false, true)]
     [InlineData(9, 70, true, true)]
     [InlineData(9, 1000, true, false)]
-    public Task An_edge_is_shaded_where_there_is_more_beyond_it(int rows, double scrolled, bool isAbove, bool isBelow) => Drawing.Needed().RunAsync(() =>
+    public Task An_edge_is_shaded_where_there_is_more_beyond_it(int rows, double scrolled, bool isAbove, bool isBelow) =>
+        Drawing.Needed().RunAsync(() =>
     {
         var rowsInAll = new StackPanel { Spacing = 0 };
         rowsInAll.Children.AddRange(Enumerable.Range(0, rows).Select(_ => new Border { Height = Row }));
@@ -57,7 +58,14 @@ public sealed class EdgeShadeTests
         // Columns stand under their heads.
         Grid HeadCells() => (Grid)head.Child!;
         Grid RowCells() => list.GetVisualDescendants().OfType<ListBoxItem>().First().GetVisualDescendants().OfType<Grid>().First();
-        double[] Widths() => [.. new[] { HeadCells(), RowCells() }.SelectMany(g => g.Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X))];
-        Assert.Equal(HeadCells().Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X), RowCells().Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X));
+        double[] Widths() => [
+            .. new[]
+            {
+                HeadCells(),
+                RowCells()
+            }.SelectMany(g => g.Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X))];
+        Assert.Equal(
+            HeadCells().Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X),
+            RowCells().Children.Skip(1).Select(c => c.TranslatePoint(default, seat.Window)!.Value.X));
     });
 }

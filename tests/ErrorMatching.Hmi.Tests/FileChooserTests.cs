@@ -13,7 +13,10 @@ public sealed class FileChooserTests
     [Fact]
     public void Of_what_is_mounted_disks_and_sticks_are_offered_and_nothing_of_the_system_s_own() => Assert.Equal(
         ["/", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", Mount + "/share"],
-        Places.DisksAmong(["/", "/proc", "/dev/shm", "/boot/efi", "/home", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK", "/run/user/1000/doc", Mount + "/share", Mount + "/tools/v1/python", "/media/anna/STICK/inside/image", Mount + "ing/x"]));
+        Places.DisksAmong(
+            [
+                "/", "/proc", "/dev/shm", "/boot/efi", "/home", "/media/anna/STICK", "/media/cdrom", "/run/media/anna/STICK",
+                "/run/user/1000/doc", Mount + "/share", Mount + "/tools/v1/python", "/media/anna/STICK/inside/image", Mount + "ing/x"]));
 
     [Fact]
     public Task A_file_is_chosen_by_tapping_into_folders() => At(async (seat, folder) =>
@@ -22,7 +25,8 @@ public sealed class FileChooserTests
         seat.See("entry-empty");
         Assert.NotNull(seat.Find("entry-programs"));
         Assert.Null(seat.Find("entry-notes.txt"));
-        Assert.Equal("Folders: 2, files: 0. Other file types, not shown: 1. Hidden: 1. To open one, type its path.", seat.TextOf("chooser-summary"));
+        Assert.Equal(
+            "Folders: 2, files: 0. Other file types, not shown: 1. Hidden: 1. To open one, type its path.", seat.TextOf("chooser-summary"));
         seat.Tap("entry-programs").See("entry-b.NC");
         seat.Tap("entry-a.nc");
         Assert.Equal(Path.Combine(folder, "programs", "a.nc"), ((TextBox)seat.See("chooser-path")).Text);
@@ -65,7 +69,9 @@ public sealed class FileChooserTests
 
         // What is chosen stays so where more is shown, and the folder that is shown instead holds nothing chosen.
         seat.Tap("chooser-filter").See("entry-c.txt");
-        Assert.Equal((file, "b.NC", true), (seat.Shell.Choosing!.Typed, (rows.SelectedItem as FolderEntry)?.Name, seat.See("chooser-confirm").IsEffectivelyEnabled));
+        Assert.Equal(
+            (file, "b.NC", true),
+            (seat.Shell.Choosing!.Typed, (rows.SelectedItem as FolderEntry)?.Name, seat.See("chooser-confirm").IsEffectivelyEnabled));
         seat.Tap("chooser-up").See("entry-empty");
         Assert.Equal((null, false), (rows.SelectedItem, seat.See("chooser-confirm").IsEffectivelyEnabled));
         return Task.CompletedTask;
@@ -164,8 +170,16 @@ public sealed class FileChooserTests
 
     [Fact]
     public void What_keeps_a_folder_from_being_shown_is_said() => Assert.Equal(
-        ["You have no permission to open /x. Ask the administrator of this computer, or choose another folder.", "/x does not exist.", "/x cannot be read: loop"],
-        new Exception[] { new UnauthorizedAccessException(), new DirectoryNotFoundException(), new IOException("loop") }.Select(e => FileChooserViewModel.Why(e, "/x")));
+        [
+            "You have no permission to open /x. Ask the administrator of this computer, or choose another folder.",
+            "/x does not exist.",
+            "/x cannot be read: loop"],
+        new Exception[]
+        {
+            new UnauthorizedAccessException(),
+            new DirectoryNotFoundException(),
+            new IOException("loop")
+        }.Select(e => FileChooserViewModel.Why(e, "/x")));
 
     [Fact]
     public Task A_folder_that_leads_to_itself_is_told() => At((seat, folder) =>
@@ -249,7 +263,9 @@ public sealed class FileChooserTests
         seat.Type("chooser-path", Path.Combine(folder, "empty")).Tap("chooser-confirm").Tap("history-export").See("history-exported");
         await ((HistoryViewModel)seat.Shell.Current!).Export.Running;
         var correction = seat.Station.Store.Find(1)!;
-        Assert.Equal(seat.Station.Store.Content(correction.ReportSha256!), await File.ReadAllBytesAsync(Path.Combine(folder, "empty", "1-report.json"), CancellationToken.None));
+        Assert.Equal(
+            seat.Station.Store.Content(correction.ReportSha256!),
+            await File.ReadAllBytesAsync(Path.Combine(folder, "empty", "1-report.json"), CancellationToken.None));
     });
 
     [Fact]

@@ -21,10 +21,16 @@ public sealed class FreeformTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("plan");
         Assert.NotNull(seat.Find("freeform-empty"));
-        Assert.Equal($"{plan.Points.Count} points on {plan.Curves} curves; the stylus travels {Shown.Count((long)Math.Round(plan.TravelMm))}\u00a0mm.", seat.TextOf("plan-caption"));
+        Assert.Equal(
+            $"{plan.Points.Count} points on {plan.Curves} curves; the stylus travels "
+                + $"{Shown.Count((long)Math.Round(plan.TravelMm))}\u00a0mm.",
+            seat.TextOf("plan-caption"));
         var drawing = ((SurfacePlot)seat.See("plan")).Drawing!;
         Assert.Equal(plan.Points.Select(p => (p.Position.X, p.Position.Y)), drawing.Points.Select(p => (p.At.X, p.At.Y)));
-        Assert.Equal($"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)}\u00a0mm\ny {Shown.Mm(plan.Points[2].Position.Y)}\u00a0mm\nz {Shown.Mm(plan.Points[2].Position.Z)}\u00a0mm", drawing.Points[2].Values);
+        Assert.Equal(
+            $"Point 3\nx {Shown.Mm(plan.Points[2].Position.X)}\u00a0mm\ny {Shown.Mm(plan.Points[2].Position.Y)}\u00a0mm\nz "
+                + $"{Shown.Mm(plan.Points[2].Position.Z)}\u00a0mm",
+            drawing.Points[2].Values);
         var plot = (SurfacePlot)seat.See("plan");
         var third = plot.View.ToScreen(drawing.Points[2].At);
         seat.User.Click(plot, new(third.X + 3, third.Y - 2));
@@ -35,9 +41,13 @@ public sealed class FreeformTests
         var english = screen.Plan;
         Texts.Current.Language = Language.TraditionalChinese;
         Assert.Same(english, screen.Plan);
-        seat.WaitFor(() => seat.TextOf("plan-caption")!.Contains($"共 {plan.Points.Count} 點", StringComparison.Ordinal), $"It says {seat.TextOf("plan-caption")}.");
+        seat.WaitFor(
+            () => seat.TextOf("plan-caption")!.Contains($"共 {plan.Points.Count} 點", StringComparison.Ordinal),
+            $"It says {seat.TextOf("plan-caption")}.");
         Texts.Current.Language = Language.English;
-        seat.WaitFor(() => screen.Plan is not null && seat.TextOf("plan-caption")!.Contains("points on", StringComparison.Ordinal), "The plan stays in Chinese.");
+        seat.WaitFor(
+            () => screen.Plan is not null && seat.TextOf("plan-caption")!.Contains("points on", StringComparison.Ordinal),
+            "The plan stays in Chinese.");
 
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(() => seat.Find("surface-title") is not null, "The measured surface does not appear by itself.");
@@ -59,15 +69,36 @@ public sealed class FreeformTests
         var figures = ((FreeformViewModel)seat.Shell.Current!).Detail!.Figures;
 
         // What the verb surface compensate of the console calls.
-        var console = SurfaceRun.Compensate(new(Job), new() { Measured = [new(Path.Combine(Path.GetDirectoryName(Job)!, "measured.csv"))] }, CancellationToken.None).Result!;
+        var console = SurfaceRun.Compensate(
+            new(Job),
+            new() { Measured = [new(Path.Combine(Path.GetDirectoryName(Job)!, "measured.csv"))] },
+            CancellationToken.None).Result!;
         var result = console.Report.Result;
         Assert.Equal(seat.Station.Store.Content(correction.ProgramSha256!), console.Program.ToArray());
         Assert.Equal(
-            new[] { result.Before, result.Mirror.Statistics, result.ToolRadius.Statistics }.Select(s => (Shown.SignedMicrometers(s.MeanMm), Shown.Micrometers(s.StandardDeviationMm), Shown.Micrometers(s.ProfileIsoMm), Shown.Micrometers(s.ProfileRangeMm))),
+            new[]
+            {
+                result.Before,
+                result.Mirror.Statistics,
+                result.ToolRadius.Statistics
+            }.Select(
+                s => (
+                    Shown.SignedMicrometers(s.MeanMm),
+                    Shown.Micrometers(s.StandardDeviationMm),
+                    Shown.Micrometers(s.ProfileIsoMm),
+                    Shown.Micrometers(s.ProfileRangeMm))),
             figures.Statistics.Select(s => (s.Mean, s.Deviation, s.Profile, s.Range)));
         Assert.Equal(["As measured", "Expected, mirrored – chosen", "Expected, tool radius"], figures.Statistics.Select(s => s.Name));
-        Assert.Equal(result.Samples.Select(s => $"Point {s.Point}\nmeasured {Shown.SignedMicrometers(s.ErrorMm)}\u00a0µm"), figures.Measured.Points.Select(p => p.Values));
-        Assert.Equal(result.ToolRadius.Errors.Select(e => Math.Round(e, 9)), figures.ToolRadius.Points.Zip(result.ToolRadius.Errors, (p, e) => p.Values.EndsWith($" {Shown.SignedMicrometers(e)}\u00a0µm", StringComparison.Ordinal) ? Math.Round(e, 9) : double.NaN));
+        Assert.Equal(
+            result.Samples.Select(s => $"Point {s.Point}\nmeasured {Shown.SignedMicrometers(s.ErrorMm)}\u00a0µm"),
+            figures.Measured.Points.Select(p => p.Values));
+        Assert.Equal(
+            result.ToolRadius.Errors.Select(e => Math.Round(e, 9)),
+            figures.ToolRadius.Points.Zip(
+                result.ToolRadius.Errors,
+                (p, e) => p.Values.EndsWith($" {Shown.SignedMicrometers(e)}\u00a0µm", StringComparison.Ordinal)
+                    ? Math.Round(e, 9)
+                    : double.NaN));
         var map = ErrorMap.Of(result);
         Assert.All(map.BeforeMm.Zip(figures.Measured.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
         Assert.All(map.ToolRadiusMm.Zip(figures.ToolRadius.ValuesMm!), v => Assert.Equal(v.First, v.Second, 1e-11));
@@ -75,8 +106,13 @@ public sealed class FreeformTests
 
         var path = console.Report.ToolPath;
         seat.Tap("tab-finishing").See("finishing-program");
-        Assert.StartsWith($"{Shown.Count(path.Passes)} passes of {Shown.Count(path.Points)} points, ", seat.TextOf("surface-proof"), StringComparison.Ordinal);
-        Assert.Equal($"FINISH.MPF: {Shown.Count(Nc.NcProgram.Read(console.Program).BlockCount)} blocks, {Shown.Count(console.Program.Length)} bytes", seat.TextOf("program-size"));
+        Assert.StartsWith(
+            $"{Shown.Count(path.Passes)} passes of {Shown.Count(path.Points)} points, ",
+            seat.TextOf("surface-proof"),
+            StringComparison.Ordinal);
+        Assert.Equal(
+            $"FINISH.MPF: {Shown.Count(Nc.NcProgram.Read(console.Program).BlockCount)} blocks, {Shown.Count(console.Program.Length)} bytes",
+            seat.TextOf("program-size"));
     });
 
     [Fact]
@@ -88,18 +124,24 @@ public sealed class FreeformTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("detail-surface-summary");
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var before = report.RootElement.GetProperty("before");
-        Assert.StartsWith($"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)}\u00a0µm, expected ", seat.TextOf("detail-surface-summary"), StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)}\u00a0µm, expected ",
+            seat.TextOf("detail-surface-summary"),
+            StringComparison.Ordinal);
         Assert.NotNull(seat.Find("detail-map"));
 
         // The colors are told together with the maps, without scrolling.
         var (legend, scroll) = (seat.See("detail-legend"), seat.See("surface-scroll"));
-        Assert.True(new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)), "The legend is below the edge.");
+        Assert.True(
+            new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)),
+            "The legend is below the edge.");
         Assert.Null(seat.Find("tab-points"));
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // One unit for one quantity: what the program is displaced by is said in mm wherever it stands.
         var largest = Shown.Mm(seat.Station.Store.Find(1)!.LargestMm);
-        Assert.Contains($"by at most {largest}\u00a0mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
+        Assert.Contains(
+            $"by at most {largest}\u00a0mm", ((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.How, StringComparison.Ordinal);
         Assert.StartsWith($"Largest displacement {largest}\u00a0mm at ", seat.TextOf("detail-largest"), StringComparison.Ordinal);
         Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
         Texts.Current.Language = Language.TraditionalChinese;
@@ -114,7 +156,8 @@ public sealed class FreeformTests
         Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
     });
 
-    // The job of this cell names no tool: its program stops with an alarm, and wherever it is looked at that is said first, in both languages.
+    // The job of this cell names no tool: its program stops with an alarm, and wherever it is looked at that is said first,
+    // in both languages.
     [Fact]
     public Task A_program_without_a_tool_call_is_said_to_stop_before_anything_else() => Seat.AtAsync(seat =>
     {
@@ -133,7 +176,9 @@ public sealed class FreeformTests
         Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("detail-missing"), StringComparison.Ordinal);
         Assert.True(Top("detail-missing") < Top("detail-proof"));
         Texts.Current.Language = Language.TraditionalChinese;
-        seat.WaitFor(() => seat.TextOf("detail-missing")!.StartsWith("程式沒有換刀指令，會以警報停止", StringComparison.Ordinal), $"It says {seat.TextOf("detail-missing")}.");
+        seat.WaitFor(
+            () => seat.TextOf("detail-missing")!.StartsWith("程式沒有換刀指令，會以警報停止", StringComparison.Ordinal),
+            $"It says {seat.TextOf("detail-missing")}.");
         Texts.Current.Language = Language.English;
 
         double Top(string id) => seat.See(id).TransformToVisual(seat.Window)!.Value.Transform(default).Y;
@@ -150,7 +195,8 @@ public sealed class FreeformTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
         seat.Tap("tab-gap").Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0001", "The surface is not shown.");
         var map = (SurfacePlot)seat.See("detail-map");
-        seat.WaitFor(() => map.Drawing is not null && !string.IsNullOrEmpty(seat.TextOf("detail-surface-summary")), "The surface stays empty.");
+        seat.WaitFor(
+            () => map.Drawing is not null && !string.IsNullOrEmpty(seat.TextOf("detail-surface-summary")), "The surface stays empty.");
         Assert.Equal(((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.Measured, map.Drawing);
     });
 
@@ -169,7 +215,11 @@ public sealed class FreeformTests
         seat.Cell.Run();
         seat.SignIn(DemoCell.Setter).WaitFor(() => seat.Shell.Banner is null, "The cell is not seen to run.");
         seat.Tap("nav-freeform").See("plan");
-        pictures.Take("freeform-empty", isPictured: false, settled: () => seat.TextOf("plan-caption")!.Contains(Texts.Current.Language == Language.English ? "stylus" : "測", StringComparison.Ordinal));
+        pictures.Take(
+            "freeform-empty",
+            isPictured: false,
+            settled: () => seat.TextOf("plan-caption")!.Contains(
+                Texts.Current.Language == Language.English ? "stylus" : "測", StringComparison.Ordinal));
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.See("surface-title");

@@ -27,8 +27,12 @@ public sealed class HistoryTests
         seat.Type("history-folder", folder).Tap("history-export").See("history-exported");
         await ((HistoryViewModel)seat.Shell.Current!).Export.Running;
         var correction = seat.Station.Store.Find(2)!;
-        Assert.Equal(seat.Station.Store.Content(correction.ReportSha256!), await File.ReadAllBytesAsync(Path.Combine(folder, "2-report.json"), CancellationToken.None));
-        Assert.Equal(seat.Station.Store.Content(correction.ProgramSha256!), await File.ReadAllBytesAsync(Path.Combine(folder, "2-counterpart.nc"), CancellationToken.None));
+        Assert.Equal(
+            seat.Station.Store.Content(correction.ReportSha256!),
+            await File.ReadAllBytesAsync(Path.Combine(folder, "2-report.json"), CancellationToken.None));
+        Assert.Equal(
+            seat.Station.Store.Content(correction.ProgramSha256!),
+            await File.ReadAllBytesAsync(Path.Combine(folder, "2-counterpart.nc"), CancellationToken.None));
         seat.Tap("history-back");
         Assert.NotNull(seat.Find("found-2"));
     });
@@ -52,10 +56,13 @@ public sealed class HistoryTests
         Assert.False(seat.Find("history-revert") is { IsEffectivelyVisible: true });
         seat.Tap("history-back").Tap("found-2").See("history-revert");
         seat.Tap("history-revert");
-        Assert.Contains("The previous program is that of #1 · 0001", ((SigningViewModel)seat.Shell.Signing!).Consequence, StringComparison.Ordinal);
+        Assert.Contains(
+            "The previous program is that of #1 · 0001", ((SigningViewModel)seat.Shell.Signing!).Consequence, StringComparison.Ordinal);
         seat.Type("signing-reason", "chatter").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(2, CorrectionState.Reverted);
-        Assert.Equal(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        Assert.Equal(
+            seat.Station.Store.Content(seat.Station.Store.Find(1)!.ProgramSha256!),
+            File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
         seat.WaitFor(() => seat.Find("history-revert") is not { IsEffectivelyVisible: true }, "It is offered again.");
     });
 
@@ -98,7 +105,10 @@ public sealed class HistoryTests
 
             // The other fields come when they are asked for, and go again.
             Assert.Null(seat.Find("history-state"));
-            seat.Tap("history-more").Type("history-user", "nobody").Tap("history-search").WaitFor(() => seat.Find("found-1") is null, "The field does not count.");
+            seat.Tap("history-more")
+                .Type("history-user", "nobody")
+                .Tap("history-search")
+                .WaitFor(() => seat.Find("found-1") is null, "The field does not count.");
             Assert.NotNull(seat.Find("history-state"));
             seat.Tap("history-fewer").See("history-more");
             Assert.Contains("accent", seat.See("history-more").Classes);
@@ -117,12 +127,15 @@ public sealed class HistoryTests
     [Theory]
     [InlineData(Language.English, "2026-11-22", "Write a day as year-month-day, such as 2026-11-22 or")]
     [InlineData(Language.TraditionalChinese, "2026/11/22", "日期請寫成 年/月/日，例如 2026/11/22；")]
-    public Task A_day_is_shown_by_the_custom_of_the_language_and_taken_in_either(Language language, string example, string rule) => Seat.AtAsync(seat =>
+    public Task A_day_is_shown_by_the_custom_of_the_language_and_taken_in_either(Language language, string example, string rule) =>
+        Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Operator).Tap("nav-history");
         Texts.Current.Language = language;
         seat.User.Settle();
-        Assert.Equal([example, example], new[] { "history-from", "history-to" }.Select(f => ((Avalonia.Controls.TextBox)seat.See(f)).PlaceholderText));
+        Assert.Equal(
+            [example, example],
+            new[] { "history-from", "history-to" }.Select(f => ((Avalonia.Controls.TextBox)seat.See(f)).PlaceholderText));
         seat.Type("history-from", "22.11.2026").Tap("history-search");
         Assert.StartsWith(rule, seat.TextOf("history-message"), StringComparison.Ordinal);
         foreach (var day in new[] { "2026-11-22", "2026/11/22" })
@@ -161,8 +174,11 @@ public sealed class HistoryTests
             seat.Shell.Editing.Change("", d => d with { Compensation = d.Compensation with { Gain = "0.5" } });
             new SetupSeat(seat).Settle();
             seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
-            var (outside, incoming) = (Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "WO-4711_0002.csv"), seat.Cell.Settings.Gauges[0].Incoming!);
-            File.WriteAllText(outside, DemoPart.Near(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "part.csv")), 2, 0.02));
+            var (outside, incoming) = (
+                Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "WO-4711_0002.csv"), seat.Cell.Settings.Gauges[0].Incoming!);
+            File.WriteAllText(
+                outside,
+                DemoPart.Near(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "part.csv")), 2, 0.02));
             File.Move(outside, Path.Combine(incoming, Path.GetFileName(outside)));
             seat.WaitFor(2, CorrectionState.Proposed);
             seat.Tap("nav-history").See("found-2");
@@ -178,24 +194,37 @@ public sealed class HistoryTests
             Finds("history-to", today.AddDays(-2).ToString("yyyy-MM-dd", System.Globalization.CultureInfo.InvariantCulture));
 
             // Reopened as it was: figures and program of then, though the job is another one now.
-            seat.Type("history-serial", "0001").Tap("history-search").WaitFor(() => seat.Find("found-2") is null && seat.Find("found-1") is not null, "It is not found.");
+            seat.Type("history-serial", "0001")
+                .Tap("history-search")
+                .WaitFor(() => seat.Find("found-2") is null && seat.Find("found-1") is not null, "It is not found.");
             seat.Tap("found-1").See("detail-title");
             var (history, kept) = ((HistoryViewModel)seat.Shell.Current!, KeptReport.Read(seat.Station.Store.Content(sent.ReportSha256!))!);
             Assert.Equal(kept.Points.Select(p => p.Correction), history.Detail!.Kept.Report!.Points.Select(p => p.Correction));
             Assert.Contains(history.Detail.Kept.Report.Points, p => p.Correction.Length > 0.1);
-            Assert.Equal(System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sent.ProgramSha256!)).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')), history.Detail.Lines!.Select(l => l.Modified));
+            Assert.Equal(
+                System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sent.ProgramSha256!))
+                    .TrimEnd('\n')
+                    .Split('\n')
+                    .Select(l => l.TrimEnd('\r')),
+                history.Detail.Lines!.Select(l => l.Modified));
             Assert.Null(seat.Find("approve"));
 
             void Finds(string field, string text, params int[] found)
             {
                 seat.Type(field, text).Tap("history-search");
-                seat.WaitFor(() => !((HistoryViewModel)seat.Shell.Current!).Search.IsRunning && new[] { 1, 2 }.All(i => seat.Find("found-" + Shown.Id(i)) is not null == found.Contains(i)), $"{field} {text} does not find {string.Join(", ", found)}.");
+                seat.WaitFor(
+                    () => !((HistoryViewModel)seat.Shell.Current!).Search.IsRunning
+                        && new[] { 1, 2 }.All(i => seat.Find("found-" + Shown.Id(i)) is not null == found.Contains(i)),
+                    $"{field} {text} does not find {string.Join(", ", found)}.");
                 seat.Type(field, "");
             }
         },
         prepare: folder =>
         {
             var file = Path.Combine(folder, "cell", "cell.json");
-            File.WriteAllText(file, File.ReadAllText(file).Replace("^part-(?<serial>", "^(part-|(?<workOrder>WO-[0-9]+)_)(?<serial>", StringComparison.Ordinal));
+            File.WriteAllText(
+                file,
+                File.ReadAllText(file).Replace(
+                    "^part-(?<serial>", "^(part-|(?<workOrder>WO-[0-9]+)_)(?<serial>", StringComparison.Ordinal));
         });
 }

@@ -22,7 +22,9 @@ public sealed class KeptWarningTests
 
     [Fact]
     public void Reports_from_before_warnings_had_codes_are_read() =>
-        Assert.Equal(["As it was said."], KeptWarning.Read(JsonDocument.Parse("""{ "warnings": ["As it was said."] }""").RootElement).Select(w => w.Text));
+        Assert.Equal(
+            ["As it was said."],
+            KeptWarning.Read(JsonDocument.Parse("""{ "warnings": ["As it was said."] }""").RootElement).Select(w => w.Text));
 
     [Fact]
     public void Every_problem_of_a_program_has_its_words()

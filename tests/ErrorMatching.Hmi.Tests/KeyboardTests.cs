@@ -4,7 +4,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Everything goes by the keyboard: whatever a finger can do is reached by Tab, in the order in which it is read, and seen to have the focus.</summary>
+/// <summary>Everything goes by the keyboard: whatever a finger can do is reached by Tab, in the order in which it is read,
+/// and seen to have the focus.</summary>
 [Trait("Length", "Long")]
 public sealed class KeyboardTests
 {
@@ -168,7 +169,8 @@ public sealed class KeyboardTests
         TabTo(seat, "approve").Press(Key.Space);
         seat.See("signing-confirm");
         seat.User.Press(Key.Escape);
-        seat.WaitFor(() => seat.Shell.Signing is null && seat.See("approve").IsFocused, "Escape does not lead back to where the focus was.");
+        seat.WaitFor(
+            () => seat.Shell.Signing is null && seat.See("approve").IsFocused, "Escape does not lead back to where the focus was.");
         seat.User.Press(Key.Enter);
         seat.See("signing-password");
         seat.User.Type(DemoCell.Password).Press(Key.Enter);

@@ -11,7 +11,8 @@ public sealed class LaterTests
     [InlineData(false, false)]
     [InlineData(true, false)]
     [InlineData(false, true)]
-    public Task Rows_of_a_list_box_come_a_few_at_a_time_until_all_that_are_seen_are_there(bool isHiddenFirst, bool areReadFirst) => Drawing.Needed().RunAsync(() =>
+    public Task Rows_of_a_list_box_come_a_few_at_a_time_until_all_that_are_seen_are_there(bool isHiddenFirst, bool areReadFirst) =>
+        Drawing.Needed().RunAsync(() =>
     {
         var list = new ListBox();
         var cover = new Panel { Children = { list }, IsVisible = !isHiddenFirst };

@@ -13,7 +13,10 @@ public sealed class LayoutTests
 {
     [Fact]
     public Task A_character_that_no_font_has_is_noticed() => Within(
-        () => [new TextBlock { Text = "1 µm → 誤" }, new TextBlock { Text = "lost: \u0378" }, new TextBox { Text = "typed: \u0378", MinWidth = 300 }],
+        () => [
+            new TextBlock { Text = "1 µm → 誤" },
+            new TextBlock { Text = "lost: \u0378" },
+            new TextBox { Text = "typed: \u0378", MinWidth = 300 }],
         "\"lost: \u0378\" has a character without a glyph",
         "TextPresenter  has a character without a glyph");
 
@@ -29,8 +32,24 @@ public sealed class LayoutTests
                 Drawn("place", new SeriesPlot { Drawing = new(["\u0378"], ["1"], [new(SeriesKind.Before, "name", [1])], [], []) }),
                 Drawn("name", new SeriesPlot { Drawing = new(["1"], ["1"], [new(SeriesKind.Before, "\u0378", [1])], [], []) }),
                 Drawn("values", new SeriesPlot { Drawing = new(["1"], ["1\n\u0378"], [new(SeriesKind.Before, "name", [1])], [], []) }),
-                Drawn("number", new SurfacePlot { Drawing = new(new(2, 2, [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(1, 1, 0)], []), null, 1, [("\u0378", new(0, 0), "1")], ShowsWay: false) }),
-                Drawn("feature", new PartPlot { Drawing = new([new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))], [new(0, 0), new(1, 1)])], IsSchematic: false, 2, 2) }),
+                Drawn(
+                    "number",
+                    new SurfacePlot
+                    {
+                        Drawing = new(
+                            new(2, 2, [new(0, 0, 0), new(0, 1, 0), new(1, 0, 0), new(1, 1, 0)], []),
+                            null,
+                            1,
+                            [("\u0378", new(0, 0), "1")],
+                            ShowsWay: false)
+                    }),
+                Drawn(
+                    "feature",
+                    new PartPlot
+                    {
+                        Drawing = new(
+                            [new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))], [new(0, 0), new(1, 1)])], IsSchematic: false, 2, 2)
+                    }),
                 Drawn("limit", new ColorLegend { LimitMm = 1 }),
                 new MarkedText { Line = "N10 \u0378", Spans = [(4, 1)] },
                 Drawn("marked", new ProgramText { Picture = marked }),
@@ -50,8 +69,18 @@ public sealed class LayoutTests
         [
             new Border { ClipToBounds = true, Width = 100, HorizontalAlignment = HorizontalAlignment.Left, Child = Wide("whole", 100) },
             new Border { ClipToBounds = true, Width = 60, HorizontalAlignment = HorizontalAlignment.Left, Child = Wide("clipped", 100) },
-            new ScrollViewer { Height = 100, Content = new StackPanel { Children = { Wide("scrolled to", 100), Wide("scrolled to", 100) } } },
-            new ScrollViewer { Width = 60, HorizontalAlignment = HorizontalAlignment.Left, HorizontalScrollBarVisibility = ScrollBarVisibility.Disabled, Content = Wide("aside", 100) },
+            new ScrollViewer
+            {
+                Height = 100,
+                Content = new StackPanel { Children = { Wide("scrolled to", 100), Wide("scrolled to", 100) } }
+            },
+            new ScrollViewer
+            {
+                Width = 60,
+                HorizontalAlignment = HorizontalAlignment.Left,
+                HorizontalScrollBarVisibility = ScrollBarVisibility.Disabled,
+                Content = Wide("aside", 100)
+            },
             new Border { ClipToBounds = true, Height = 50, Child = new ScrollViewer { Height = 80, Content = Wide("below", 100) } },
             new ScrollViewer { Height = 40, Content = Wide("slit", 100) },
         ],
@@ -70,8 +99,22 @@ public sealed class LayoutTests
     public Task A_line_of_a_program_that_ends_where_nobody_sees_it_is_noticed() => Within(
         () =>
         [
-            new Border { ClipToBounds = true, Width = 300, Height = 80, HorizontalAlignment = HorizontalAlignment.Left, Child = new ProgramText { Picture = Lines(), Width = 300 } },
-            new Border { ClipToBounds = true, Width = 150, Height = 80, HorizontalAlignment = HorizontalAlignment.Left, Child = new ProgramText { Picture = Lines(), Width = 300, HorizontalAlignment = HorizontalAlignment.Left } },
+            new Border
+            {
+                ClipToBounds = true,
+                Width = 300,
+                Height = 80,
+                HorizontalAlignment = HorizontalAlignment.Left,
+                Child = new ProgramText { Picture = Lines(), Width = 300 }
+            },
+            new Border
+            {
+                ClipToBounds = true,
+                Width = 150,
+                Height = 80,
+                HorizontalAlignment = HorizontalAlignment.Left,
+                Child = new ProgramText { Picture = Lines(), Width = 300, HorizontalAlignment = HorizontalAlignment.Left }
+            },
         ],
         "line 2 of ProgramText  ends at");
 
@@ -99,7 +142,8 @@ public sealed class LayoutTests
         return control;
     }
 
-    private static ProgramPicture Lines() => new(OpenedProgram.Read(Encoding.ASCII.GetBytes("N10 G1\nN20 G1 X11.111 Y11\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken));
+    private static ProgramPicture Lines() => new(OpenedProgram.Read(
+        Encoding.ASCII.GetBytes("N10 G1\nN20 G1 X11.111 Y11\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken));
 
     // Each complaint is found, and nothing else.
     private static Task Within(Func<Control[]> content, params string[] complaints) => Drawing.Needed().RunAsync(() =>

@@ -75,7 +75,9 @@ public sealed class LockTests
     });
 
     // What people did: the cell itself goes on and writes down what it does.
-    private static int Entries(Seat seat) => seat.Station.Store.AuditEntries(0, 1000).Count(e => e.Who != "cell" && e.What is not ("signed-out" or "sign-in-refused"));
+    private static int Entries(Seat seat) =>
+        seat.Station.Store.AuditEntries(0, 1000).Count(e => e.Who != "cell" && e.What is not ("signed-out" or "sign-in-refused"));
 
-    private static Point Middle(Seat seat, string id) => seat.See(id) is var control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, seat.Window)!.Value : default;
+    private static Point Middle(Seat seat, string id) =>
+        seat.See(id) is var control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, seat.Window)!.Value : default;
 }

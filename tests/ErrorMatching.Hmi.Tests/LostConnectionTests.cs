@@ -3,7 +3,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A store or a machine that goes away is a banner and a message with what still works; when it is back, the banner goes and everything works again.</summary>
+/// <summary>A store or a machine that goes away is a banner and a message with what still works;
+/// when it is back, the banner goes and everything works again.</summary>
 [Trait("Length", "Long")]
 public sealed class LostConnectionTests
 {
@@ -14,7 +15,10 @@ public sealed class LostConnectionTests
     {
         Prepare(seat);
         Move(seat, "", ".away");
-        seat.WaitFor(() => seat.Find("banner") is TextBlock { Text: { } text } && text.StartsWith("The store cannot be read: It does not answer.", StringComparison.Ordinal), "There is no banner.");
+        seat.WaitFor(
+            () => seat.Find("banner") is TextBlock { Text: { } text }
+                && text.StartsWith("The store cannot be read: It does not answer.", StringComparison.Ordinal),
+            "There is no banner.");
 
         // What was seen last stays, and every screen can be gone to.
         Assert.NotNull(seat.Find("waiting-1"));
@@ -69,7 +73,8 @@ public sealed class LostConnectionTests
         Assert.Equal("slot vmc1/A: The machine does not answer.", seat.TextOf("banner"));
         Directory.Move(seat.Cell.MachineFolder + "-away", seat.Cell.MachineFolder);
         var sent = seat.WaitFor(1, CorrectionState.Verified);
-        Assert.Equal(seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        Assert.Equal(
+            seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
         seat.WaitFor(() => seat.Shell.Banner is null, "The banner stays.");
     });
 

@@ -4,7 +4,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, each of them; and the history tells it for good.</summary>
+/// <summary>A counterpart that was measured outside of its limits is told until somebody has looked at it, each of them;
+/// and the history tells it for good.</summary>
 [Trait("Length", "Long")]
 public sealed class MeasuredOutsideTests
 {
@@ -18,12 +19,17 @@ public sealed class MeasuredOutsideTests
         var verdict = PieceDetail.VerdictOf(seat.Station.Outside.Single());
         Assert.Matches("^[0-9]+ points outside their limits: .*4.*\\.$", verdict);
         Assert.Equal(("Counterparts measured outside their limits: 1", Severity.Attention), (overview.Summary, overview.Severity));
-        Assert.Equal(("Complex mating · #2 · 0001", "Measured: " + verdict, Severity.Attention), overview.Waiting.Select(t => (t.Name, t.State, t.Severity)).Single());
+        Assert.Equal(
+            ("Complex mating · #2 · 0001", "Measured: " + verdict, Severity.Attention),
+            overview.Waiting.Select(t => (t.Name, t.State, t.Severity)).Single());
         BothLanguages.Take(seat, "overview-measured-outside");
         seat.Tap("nav-messages").See("message-2");
-        Assert.Contains("#2 · 0001 was measured: " + verdict, seat.See("message-2").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
+        Assert.Contains(
+            "#2 · 0001 was measured: " + verdict, seat.See("message-2").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
         seat.Tap("message-2").See("piece-title");
-        Assert.Equal((Screens.Verification, "#1 · 0001", verdict), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-title"), seat.TextOf("piece-verdict")));
+        Assert.Equal(
+            (Screens.Verification, "#1 · 0001", verdict),
+            (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-title"), seat.TextOf("piece-verdict")));
         BothLanguages.Take(seat, "verification-measured-outside");
         seat.Tap("nav-overview").See("overview-summary");
         Assert.Equal("All is well", seat.TextOf("overview-summary"));
@@ -31,7 +37,8 @@ public sealed class MeasuredOutsideTests
     });
 
     [Fact]
-    public Task Of_several_the_newest_is_told_with_how_many_more_until_each_was_looked_at_and_the_history_tells_of_all() => Seat.AtAsync(seat =>
+    public Task Of_several_the_newest_is_told_with_how_many_more_until_each_was_looked_at_and_the_history_tells_of_all() =>
+        Seat.AtAsync(seat =>
     {
         seat.RunCell();
         CutAndMeasure(seat, 1);
@@ -42,27 +49,38 @@ public sealed class MeasuredOutsideTests
         Assert.Null(seat.Find("measured-2"));
         var overview = (OverviewViewModel)seat.Shell.Current!;
         Assert.Equal(("Counterparts measured outside their limits: 2", ""), (overview.Summary, overview.Counts));
-        Assert.EndsWith("\n1 more is outside its limits: it is marked in the list under Verification.", overview.Waiting.Single().State, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "\n1 more is outside its limits: it is marked in the list under Verification.",
+            overview.Waiting.Single().State,
+            StringComparison.Ordinal);
 
         // A station that is started now tells of the last one alone: it is not begun with old ones.
         var later = new MeasuredOutside(seat.Cell.Settings);
         Assert.Equal([4L], later.Now(seat.Station.Store).Select(p => p.LastId));
         Assert.Equal([4L], later.Now(seat.Station.Store).Select(p => p.LastId));
         seat.Cell.Deliver(3, 0.003);
-        seat.WaitFor(() => seat.TextOf("overview-counts") == "1 approval · 2 measured counterparts outside their limits", "It is not said how many wait.");
+        seat.WaitFor(
+            () => seat.TextOf("overview-counts") == "1 approval · 2 measured counterparts outside their limits",
+            "It is not said how many wait.");
         BothLanguages.Take(seat, "overview-measured-outside-several");
         seat.Tap("nav-messages").See("message-4");
         Assert.Null(seat.Find("message-2"));
-        Assert.Contains("\n1 more is outside", ((MessagesViewModel)seat.Shell.Current!).Messages.Single(m => m.IsMeasured).What, StringComparison.Ordinal);
+        Assert.Contains(
+            "\n1 more is outside",
+            ((MessagesViewModel)seat.Shell.Current!).Messages.Single(m => m.IsMeasured).What,
+            StringComparison.Ordinal);
 
         // What was cut says how it was measured, and so does the measurement itself.
         seat.Tap("nav-history").Tap("found-1").See("history-measured");
         var history = (HistoryViewModel)seat.Shell.Current!;
         Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);
-        var outside = history.Measured!["The counterpart was measured as #2 · 0001. ".Length..history.Measured!.IndexOf(" points", StringComparison.Ordinal)];
+        var outside = history.Measured![
+            "The counterpart was measured as #2 · 0001. ".Length..history.Measured!.IndexOf(" points", StringComparison.Ordinal)];
         Assert.Equal((Severity.Attention, $"Measured: {outside} outside"), (history.MeasuredSeverity, history.MeasuredInShort));
         BothLanguages.Take(seat, "history-measured");
-        seat.Tap("history-back").Tap("found-2").WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0001", "It is not opened.");
+        seat.Tap("history-back")
+            .Tap("found-2")
+            .WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0001", "It is not opened.");
         Assert.StartsWith("The counterpart was measured as #2 · 0001. ", history.Measured, StringComparison.Ordinal);
         seat.Tap("history-measured").See("piece-title");
         Assert.Equal("#1 · 0001", seat.TextOf("piece-title"));
@@ -72,8 +90,12 @@ public sealed class MeasuredOutsideTests
         Assert.Equal("1 approval · 1 measured counterpart outside its limits", seat.TextOf("overview-counts"));
         seat.Tap("measured-4").See("piece-title");
         Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
-        Assert.Equal([("#3 · 0002", Severity.Attention), ("#1 · 0001", Severity.Attention)], ((VerificationViewModel)seat.Shell.Current!).Rows.Where(r => r.Kind == "Measured").Select(r => (r.Title, r.Severity)));
-        seat.Tap("nav-overview").WaitFor(() => (OverviewViewModel)seat.Shell.Current! is { Counts: "", Summary: "Waiting for approval: 1" }, "What was looked at is still counted.");
+        Assert.Equal(
+            [("#3 · 0002", Severity.Attention), ("#1 · 0001", Severity.Attention)],
+            ((VerificationViewModel)seat.Shell.Current!).Rows.Where(r => r.Kind == "Measured").Select(r => (r.Title, r.Severity)));
+        seat.Tap("nav-overview").WaitFor(
+            () => (OverviewViewModel)seat.Shell.Current! is { Counts: "", Summary: "Waiting for approval: 1" },
+            "What was looked at is still counted.");
     });
 
     [Fact]

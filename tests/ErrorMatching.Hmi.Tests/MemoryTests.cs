@@ -57,6 +57,11 @@ public sealed class MemoryTests
     {
         seat.Shell.Chosen = item;
         Dispatcher.UIThread.RunJobs(null);
-        return [.. seat.Window.GetVisualDescendants().OfType<UserControl>().Cast<object>().Append(seat.Shell.Current!).Select(o => (o.GetType().Name, new WeakReference(o)))];
+        return [
+            .. seat.Window.GetVisualDescendants()
+                .OfType<UserControl>()
+                .Cast<object>()
+                .Append(seat.Shell.Current!)
+                .Select(o => (o.GetType().Name, new WeakReference(o)))];
     }
 }

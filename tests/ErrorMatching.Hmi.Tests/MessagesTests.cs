@@ -14,7 +14,11 @@ public sealed class MessagesTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("message-1");
-        Assert.Equal(("#1 · 0001 needs approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."), ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention).Select(m => (m.What, m.Next)).Single());
+        Assert.Equal(
+            ("#1 · 0001 needs approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."),
+            ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention)
+                .Select(m => (m.What, m.Next))
+                .Single());
         seat.Tap("message-1");
         seat.WaitFor(() => seat.Find("detail-title") is not null, "The tap does not lead there.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
@@ -46,7 +50,8 @@ public sealed class MessagesTests
         Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. …", entry.Short);
         Assert.All(screen.Entries.Where(e => e.What != "calculated"), e => Assert.Equal(e.Basis, e.Short));
 
-        ListBoxItem Row() => ((ListBox)seat.See("audit")).GetVisualDescendants().OfType<ListBoxItem>().Single(i => Equals(i.DataContext, entry));
+        ListBoxItem Row() =>
+            ((ListBox)seat.See("audit")).GetVisualDescendants().OfType<ListBoxItem>().Single(i => Equals(i.DataContext, entry));
         string? Said() => Row().GetVisualDescendants().OfType<TextBlock>().Last().Text;
         seat.WaitFor(() => Said() == entry.Short, "The row is as long as ever.");
         seat.User.Click(Row());
@@ -76,7 +81,9 @@ public sealed class MessagesTests
         seat.WaitFor(() => seat.Find("messages-quiet") is null, "Nothing is said.");
         Assert.Equal((room, verify), (now.Bounds.Height, Layout.In(seat.See("audit-verify"), seat.Window)));
         (seat.Window.Width, seat.Window.Height) = (960, 540);
-        seat.WaitFor(() => seat.Find("messages-quiet") is null && now.Bounds.Height > 0 && trail.Bounds.Height > now.Bounds.Height / 2, "The trail has no room.");
+        seat.WaitFor(
+            () => seat.Find("messages-quiet") is null && now.Bounds.Height > 0 && trail.Bounds.Height > now.Bounds.Height / 2,
+            "The trail has no room.");
     });
 
     [Fact]

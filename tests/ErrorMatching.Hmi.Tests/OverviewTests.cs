@@ -54,7 +54,9 @@ public sealed class OverviewTests
         seat.WaitFor(() => ((OverviewViewModel)seat.Shell.Current!).Waiting is [{ Severity: Severity.Alarm }], "It is no alarm.");
         Assert.Equal("Failed, waiting for a setter: 1", seat.TextOf("overview-summary"));
         Assert.Contains(Colored(seat), c => c is Avalonia.Controls.Shapes.Path);
-        Assert.Contains("Someone else changed the program at the machine.", seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
+        Assert.Contains(
+            "Someone else changed the program at the machine.",
+            seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
         seat.Tap("waiting-1").See("detail-title");
         Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
         Assert.Contains("Someone else changed", seat.TextOf("detail-reason"), StringComparison.Ordinal);
@@ -72,10 +74,22 @@ public sealed class OverviewTests
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(1, CorrectionState.Verified);
         seat.Cell.FinishPiece();
-        seat.WaitFor(() => overview.Slots[0] is { State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released; its counterpart is not measured yet." }, "It is not said what was cut.");
+        seat.WaitFor(
+            () => overview.Slots[0] is
+            {
+                State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released; its counterpart is not measured yet."
+            },
+            "It is not said what was cut.");
         seat.Cell.DeliverCounterpart(1, 0);
-        seat.WaitFor(() => overview.Slots[0] is { State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released, verified by #2." }, "It is not said that it was measured.");
-        seat.Tap("slot-vmc1/A").WaitFor(() => seat.Find("piece-title") is not null && seat.TextOf("piece-title") == "#1 · 0001", "The tap does not lead to the verification.");
+        seat.WaitFor(
+            () => overview.Slots[0] is
+            {
+                State: "Free", Severity: Severity.Quiet, Detail: "#1 · 0001 is cut and released, verified by #2."
+            },
+            "It is not said that it was measured.");
+        seat.Tap("slot-vmc1/A").WaitFor(
+            () => seat.Find("piece-title") is not null && seat.TextOf("piece-title") == "#1 · 0001",
+            "The tap does not lead to the verification.");
         Assert.Equal((Screens.Verification, "Measured"), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-kind")));
     });
 
@@ -91,7 +105,8 @@ public sealed class OverviewTests
         }
 
         // Nobody has let any of them go yet: they are in no line.
-        seat.WaitFor(() => Texts(seat).Contains("Nothing in line · to approve: 3"), "What waits for an approval is not told from what is in line.");
+        seat.WaitFor(
+            () => Texts(seat).Contains("Nothing in line · to approve: 3"), "What waits for an approval is not told from what is in line.");
         foreach (var id in new[] { 1, 2, 3 })
         {
             new CorrectionDecisions(seat.Station.Store).Approve(id, DemoCell.Setter, null);
@@ -99,9 +114,12 @@ public sealed class OverviewTests
 
         seat.WaitFor(() => Texts(seat).Contains("In line: 2"), "The two behind the first are not counted.");
 
-        static IEnumerable<string?> Texts(Seat seat) => seat.See("slot-vmc1/A").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text);
+        static IEnumerable<string?> Texts(Seat seat) =>
+            seat.See("slot-vmc1/A").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text);
     });
 
     // What stands out: text, icons and borders in the colors of the abnormal.
-    private static IEnumerable<Control> Colored(Seat seat) => seat.Window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (c.Classes.Contains("alarm") || c.Classes.Contains("attention")));
+    private static IEnumerable<Control> Colored(Seat seat) => seat.Window.GetVisualDescendants()
+        .OfType<Control>()
+        .Where(c => c.IsEffectivelyVisible && (c.Classes.Contains("alarm") || c.Classes.Contains("attention")));
 }

@@ -56,7 +56,8 @@ public sealed class PlatformTests
     {
         using var drawn = new RenderTargetBitmap(new PixelSize(200, 200));
         using var small = new MemoryStream(new byte[100], writable: true);
-        Assert.IsType<NotSupportedException>(Assert.Throws<IOException>(() => drawn.Save(small, PngBitmapEncoderOptions.Default)).InnerException);
+        Assert.IsType<NotSupportedException>(
+            Assert.Throws<IOException>(() => drawn.Save(small, PngBitmapEncoderOptions.Default)).InnerException);
         using var png = new MemoryStream();
         drawn.Save(png, PngBitmapEncoderOptions.Default);
         using var torn = new MemoryStream(png.ToArray()[..40]);
@@ -65,7 +66,8 @@ public sealed class PlatformTests
 
     // After an exception out of the timer that waits, the next wait was seen never to end; why was not traced in Avalonia.
     [Fact]
-    public Task A_wait_whose_condition_throws_fails_and_the_next_one_goes_on() => Drawing.Needed().RunAsync(() => Within(new Border(), (_, user) =>
+    public Task A_wait_whose_condition_throws_fails_and_the_next_one_goes_on() =>
+        Drawing.Needed().RunAsync(() => Within(new Border(), (_, user) =>
     {
         var looks = 0;
         Assert.Throws<InvalidOperationException>(() => user.WaitFor(() => throw new InvalidOperationException("No."), Seat.Patience));

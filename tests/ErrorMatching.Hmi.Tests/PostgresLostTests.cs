@@ -25,7 +25,10 @@ public sealed partial class PostgresLostTests
                 server.Kill();
                 try
                 {
-                    seat.WaitFor(() => seat.Shell.Banner?.StartsWith("The store cannot be read: It does not answer.", StringComparison.Ordinal) ?? false, "There is no banner.");
+                    seat.WaitFor(
+                        () => seat.Shell.Banner?.StartsWith("The store cannot be read: It does not answer.", StringComparison.Ordinal)
+                            ?? false,
+                        "There is no banner.");
                     seat.User.Press(Key.Enter);
                     Assert.Equal("It does not answer.", seat.TextOf("signing-message"));
                     seat.User.Press(Key.Escape);
@@ -37,7 +40,8 @@ public sealed partial class PostgresLostTests
                         seat.Tap(item.Screen.AutomationId).WaitFor(() => seat.Shell.Chosen == item, "The screen does not open.");
                     }
 
-                    seat.Tap("nav-history").WaitFor(() => seat.TextOf("history-message") == "It does not answer.", "History does not say why it finds nothing.");
+                    seat.Tap("nav-history").WaitFor(
+                        () => seat.TextOf("history-message") == "It does not answer.", "History does not say why it finds nothing.");
                 }
                 finally
                 {
@@ -47,8 +51,14 @@ public sealed partial class PostgresLostTests
                 seat.WaitFor(() => seat.Shell.Banner is null, "The banner stays.");
                 Again(seat, () => seat.Tap("nav-history").Tap("history-search"), () => seat.Find("found-1") is not null, "history-message");
                 seat.Tap("nav-compensation").Tap("approve");
-                Again(seat, () => seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm"), () => seat.Shell.Signing is null, "signing-message");
-                seat.WaitFor(() => seat.Find("detail-state") is not null && seat.TextOf("detail-state") == "At the machine", "It is not approved and sent.");
+                Again(
+                    seat,
+                    () => seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm"),
+                    () => seat.Shell.Signing is null,
+                    "signing-message");
+                seat.WaitFor(
+                    () => seat.Find("detail-state") is not null && seat.TextOf("detail-state") == "At the machine",
+                    "It is not approved and sent.");
                 Assert.Null(seat.Station.Store.VerifyAudit());
             },
             prepare: folder => Move(folder, server.NewDatabase()));
@@ -70,7 +80,9 @@ public sealed partial class PostgresLostTests
     private static void Move(string folder, PostgresSettings to)
     {
         var file = Path.Combine(folder, "cell", "cell.json");
-        var store = string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "postgresql", "host": "{{to.Host}}", "port": {{to.Port}}, "database": "{{to.Database}}", "user": "{{to.User}}", "passwordFile": "{{to.PasswordFile}}" }""");
+        var store = string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "kind": "postgresql", "host": "{{to.Host}}", "port": {{to.Port}}, "database": "{{to.Database}}", "user": "{{to.User}}", "passwordFile": "{{to.PasswordFile}}" }""");
         File.WriteAllText(file, Store().Replace(File.ReadAllText(file), $"\"store\": {store},"));
         Directory.Delete(Path.Combine(folder, "cell", "run"), recursive: true);
         var settings = CellSettingsReader.Read(file);

@@ -17,7 +17,9 @@ public sealed class PreferenceTests
         Assert.Null(files.Read("../anna"));
         files.Keep("../anna", Dark);
         files.Keep("王小明", Dark with { Language = Language.English });
-        Assert.Equal((Dark.Language, Dark.IsDark, Dark.TouchSize), files.Read("../anna") is { } read ? (read.Language, read.IsDark, read.TouchSize) : default);
+        Assert.Equal(
+            (Dark.Language, Dark.IsDark, Dark.TouchSize),
+            files.Read("../anna") is { } read ? (read.Language, read.IsDark, read.TouchSize) : default);
         Assert.Equal(Dark.Folders, files.Read("../anna")!.Folders);
         Assert.Equal(Language.English, files.Read("王小明")!.Language);
         Assert.Equal(2, Directory.GetFiles(folder["new"]).Length);
@@ -56,7 +58,10 @@ public sealed class PreferenceTests
     {
         using var folder = new TemporaryFolder();
         var files = new PreferenceFiles(folder.Path);
-        File.WriteAllText(files.Of("a"), "{\"user\":\"a\",\"language\":\"English\",\"theme\":\"light\",\"targets\":\"Large\",\"folders\":[\"../..\",\"/a\\u0000b\",\"" + folder.Path.Replace("\\", "\\\\", StringComparison.Ordinal) + "\"]}");
+        File.WriteAllText(
+            files.Of("a"),
+            "{\"user\":\"a\",\"language\":\"English\",\"theme\":\"light\",\"targets\":\"Large\",\"folders\":[\"../..\",\"/a\\u0000b\",\""
+                + folder.Path.Replace("\\", "\\\\", StringComparison.Ordinal) + "\"]}");
         Assert.Equal([folder.Path], files.Read("a")!.Folders);
     }
 
@@ -70,7 +75,9 @@ public sealed class PreferenceTests
         Leave(seat);
         Assert.False(seat.Shell.IsDark);
         seat.SignIn(DemoCell.Setter);
-        seat.WaitFor(() => seat.Shell.IsDark && Texts.Current.Language == Language.TraditionalChinese && seat.Shell.TouchSize == TouchSize.Large, "The setter's preferences do not come back.");
+        seat.WaitFor(
+            () => seat.Shell.IsDark && Texts.Current.Language == Language.TraditionalChinese && seat.Shell.TouchSize == TouchSize.Large,
+            "The setter's preferences do not come back.");
         Assert.Null(seat.Shell.Notice);
     });
 

@@ -38,13 +38,19 @@ public sealed class ProgramLinesTests
     {
         var folder = Path.Combine(AppContext.BaseDirectory, "samples", "surface-one");
         var files = new FreeformFiles(Path.Combine(folder, "job.json"));
-        var (job, dialect) = (files.Job with { Toolpath = files.Job.Toolpath with { ScallopMm = 0.1, ChordMm = 0.05 } }, files.ToolpathDialect());
+        var (job, dialect) = (
+            files.Job with { Toolpath = files.Job.Toolpath with { ScallopMm = 0.1, ChordMm = 0.05 } }, files.ToolpathDialect());
         var cam = FinishingProgram.Write(ToolPathPlanner.Plan(files.Surface(), job.Tool, job.Toolpath, 0, dialect).Path!, job, dialect);
-        var displaced = SurfaceRun.Displace(files, new() { Measured = [new(Path.Combine(folder, "measured.csv"))] }, new("cam.nc", cam), TestContext.Current.CancellationToken).Result!;
+        var displaced = SurfaceRun.Displace(
+            files,
+            new() { Measured = [new(Path.Combine(folder, "measured.csv"))] },
+            new("cam.nc", cam),
+            TestContext.Current.CancellationToken).Result!;
         var kept = KeptSurface.Read(displaced.ReportJson())!;
         Assert.StartsWith("; ERRORMATCH MEASUREMENT=", kept.Proof!.Marker, StringComparison.Ordinal);
         Assert.Empty(new ProgramLines(cam, displaced.Program, [], kept.Proof.Marker).Changes);
     }
 
-    private static ProgramLines Of(string original, string modified, params KeptBlock[] blocks) => new(Encoding.ASCII.GetBytes(original), Encoding.ASCII.GetBytes(modified), blocks);
+    private static ProgramLines Of(string original, string modified, params KeptBlock[] blocks) =>
+        new(Encoding.ASCII.GetBytes(original), Encoding.ASCII.GetBytes(modified), blocks);
 }

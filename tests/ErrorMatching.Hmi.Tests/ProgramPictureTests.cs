@@ -179,8 +179,12 @@ public sealed class ProgramPictureTests
         Law.Holds(Gen.Choose(-80_000, 10_000).Zip(Gen.Choose(-30_000, 100_000)), p =>
         {
             var place = new Point2(p.Item1 / 1000.0, p.Item2 / 1000.0);
-            var all = Enumerable.Range(0, program.Moves.Count).Where(i => program.Moves.EndsOf(i) is not null).Select(i => program.Moves.NearestOn(i, place).DistanceTo(place)).Min();
-            return Math.Abs(program.Moves.NearestOn(program.Moves.Nearest(place, double.PositiveInfinity), place).DistanceTo(place) - all) < Small;
+            var all = Enumerable.Range(0, program.Moves.Count)
+                .Where(i => program.Moves.EndsOf(i) is not null)
+                .Select(i => program.Moves.NearestOn(i, place).DistanceTo(place))
+                .Min();
+            return Math.Abs(
+                program.Moves.NearestOn(program.Moves.Nearest(place, double.PositiveInfinity), place).DistanceTo(place) - all) < Small;
         });
     }
 
@@ -192,8 +196,14 @@ public sealed class ProgramPictureTests
         Assert.Equal(new PlotBox(-10, 0, 10, 10), program.Moves.Extent);
         var strokes = program.Moves.StrokesOf(1, view);
         Assert.InRange(strokes.Count, 10, 100);
-        Assert.All(strokes, s => Assert.InRange(view.ToPlot(new((s.X1 + s.X2) / 2, (s.Y1 + s.Y2) / 2)).DistanceTo(new(0, 0)), 10 - (0.26 / view.ScaleX), 10.0001));
-        Assert.Equal((view.ToScreen(new(10, 0)), view.ToScreen(new(-10, 0))), (new(strokes[0].X1, strokes[0].Y1), new(strokes[^1].X2, strokes[^1].Y2)), (a, b) => a.Item1.DistanceTo(b.Item1) + a.Item2.DistanceTo(b.Item2) < 0.01);
+        Assert.All(
+            strokes,
+            s => Assert.InRange(
+                view.ToPlot(new((s.X1 + s.X2) / 2, (s.Y1 + s.Y2) / 2)).DistanceTo(new(0, 0)), 10 - (0.26 / view.ScaleX), 10.0001));
+        Assert.Equal(
+            (view.ToScreen(new(10, 0)), view.ToScreen(new(-10, 0))),
+            (new(strokes[0].X1, strokes[0].Y1), new(strokes[^1].X2, strokes[^1].Y2)),
+            (a, b) => a.Item1.DistanceTo(b.Item1) + a.Item2.DistanceTo(b.Item2) < 0.01);
     }
 
     [Fact]
@@ -223,13 +233,19 @@ public sealed class ProgramPictureTests
             picture.Light(3);
             picture.Extend(0);
             _ = (picture.Chosen, picture.Message, picture.Program.Moves.Nearest(new(0, 0), 1));
-            Assert.True(picture.Program.Moves.Strokes(PlotView.Fit(picture.Program.Moves.Extent, 100, 100, 10, isTrue: true), 1, _ => true));
+            Assert.True(
+                picture.Program.Moves.Strokes(PlotView.Fit(picture.Program.Moves.Extent, 100, 100, 10, isTrue: true), 1, _ => true));
         }
     }
 
-    private static int BlockOf(ProgramPicture picture, string name) => Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name);
+    private static int BlockOf(ProgramPicture picture, string name) =>
+        Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name);
 
-    private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
+    private static OpenedProgram Sample() => OpenedProgram.Read(
+        File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")),
+        NcDialects.DeltaNc300,
+        TestContext.Current.CancellationToken);
 
-    private static OpenedProgram Open(string text) => OpenedProgram.Read(Encoding.UTF8.GetBytes(text), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+    private static OpenedProgram Open(string text) =>
+        OpenedProgram.Read(Encoding.UTF8.GetBytes(text), NcDialects.FanucMill, TestContext.Current.CancellationToken);
 }

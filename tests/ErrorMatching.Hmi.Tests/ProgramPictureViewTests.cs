@@ -64,7 +64,9 @@ public sealed class ProgramPictureViewTests
         view.Tap(view.RowOf("N120"));
         view.User.Press(Key.Down).Press(Key.Down);
         Assert.Equal("N130", view.Picture.Chosen);
-        view.User.Press(Key.Down, RawInputModifiers.Shift).Press(Key.Down, RawInputModifiers.Shift).Press(Key.Down, RawInputModifiers.Shift);
+        view.User.Press(Key.Down, RawInputModifiers.Shift)
+            .Press(Key.Down, RawInputModifiers.Shift)
+            .Press(Key.Down, RawInputModifiers.Shift);
         Assert.Equal("N130 to N160: 4 lines", view.Picture.Chosen);
         view.User.Press(Key.End);
         Assert.Equal(view.Picture.Program.Count - 1, view.Picture.Cursor);
@@ -124,7 +126,8 @@ public sealed class ProgramPictureViewTests
     });
 
     [Fact]
-    public async Task A_line_that_does_not_fit_ends_in_an_ellipsis_and_is_shown_whole_when_it_is_lit() => await At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X2. ({new string('X', 70)})\nN40 X3.\n"), async view =>
+    public async Task A_line_that_does_not_fit_ends_in_an_ellipsis_and_is_shown_whole_when_it_is_lit() =>
+        await At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X2. ({new string('X', 70)})\nN40 X3.\n"), async view =>
     {
         Assert.Equal([1], view.Text.RowsCut);
         Assert.True(view.EndsInDots("N20"), "The cut line looks whole.");
@@ -145,7 +148,8 @@ public sealed class ProgramPictureViewTests
     });
 
     [Fact]
-    public Task What_does_not_fit_is_scrolled_to_by_keys_and_finger_and_the_line_numbers_stay() => At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X3.\n"), view =>
+    public Task What_does_not_fit_is_scrolled_to_by_keys_and_finger_and_the_line_numbers_stay() =>
+        At(Read($"N10 G1 X1.\nN20 ({new string('X', 200)})\nN30 X3.\n"), view =>
     {
         view.Tap(view.RowOf("N20"));
         view.User.Press(Key.Right);
@@ -208,7 +212,8 @@ public sealed class ProgramPictureViewTests
         view.Picture.Light(lit);
         view.User.Settle();
         Assert.Equal(0, Cut(), 1e-6);
-        Assert.True(view.Text.Offset.Y + view.Text.Bounds.Height >= (lit + 1) * view.Text.RowHeight, "Part of the lit line is below the edge.");
+        Assert.True(
+            view.Text.Offset.Y + view.Text.Bounds.Height >= (lit + 1) * view.Text.RowHeight, "Part of the lit line is below the edge.");
         view.Picture.Feature = "C1";
         await view.Picture.MarkAsync([new("C1", ["N900..N1190"])]);
         view.User.Settle();
@@ -241,7 +246,8 @@ public sealed class ProgramPictureViewTests
     [Theory]
     [InlineData(1030, true)]
     [InlineData(800, false)]
-    public Task The_box_of_values_hides_no_button_and_nothing_of_the_path_if_there_is_room(double width, bool isRoom) => At(Sample(), view =>
+    public Task The_box_of_values_hides_no_button_and_nothing_of_the_path_if_there_is_room(double width, bool isRoom) =>
+        At(Sample(), view =>
     {
         view.Window.Width = width;
         view.Window.Height = 480;
@@ -252,12 +258,16 @@ public sealed class ProgramPictureViewTests
             view.User.Click(view.Path, view.MiddleOf(name));
             Assert.StartsWith(name + "\n", view.Path.Values, StringComparison.Ordinal);
             var room = view.Path.ValuesRoom;
-            Assert.True(new Rect(view.Path.Bounds.Size).WithWidth(buttons).Contains(room), $"{name} leaves the plot or lies under a button.");
+            Assert.True(
+                new Rect(view.Path.Bounds.Size).WithWidth(buttons).Contains(room), $"{name} leaves the plot or lies under a button.");
             Assert.False(isRoom && view.Ends().Any(room.Contains), $"{name} hides the path.");
         }
     });
 
-    private static OpenedProgram Sample() => OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken);
+    private static OpenedProgram Sample() => OpenedProgram.Read(
+        File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")),
+        NcDialects.DeltaNc300,
+        TestContext.Current.CancellationToken);
 
     private static OpenedProgram Million()
     {
@@ -270,7 +280,8 @@ public sealed class ProgramPictureViewTests
         return Read(text.ToString());
     }
 
-    private static OpenedProgram Read(string text) => OpenedProgram.Read(Encoding.UTF8.GetBytes(text), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+    private static OpenedProgram Read(string text) =>
+        OpenedProgram.Read(Encoding.UTF8.GetBytes(text), NcDialects.FanucMill, TestContext.Current.CancellationToken);
 
     private static Task At(OpenedProgram program, Action<Shown> test) => At(program, view =>
     {
@@ -300,7 +311,9 @@ public sealed class ProgramPictureViewTests
 
         public PathPlot Path => Window.GetVisualDescendants().OfType<PathPlot>().Single();
 
-        public Control? Find(string id) => Window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
+        public Control? Find(string id) => Window.GetVisualDescendants()
+            .OfType<Control>()
+            .FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
 
         public void Tap(Point at) => User.Click(Text, at);
 
@@ -316,14 +329,21 @@ public sealed class ProgramPictureViewTests
         }
 
         /// <summary>Where the cuts end in the path.</summary>
-        public IEnumerable<Point> Ends() => Enumerable.Range(0, Picture.Program.Moves.Count).Where(m => Picture.Program.Path.Motions[m].IsCut).Select(m => Picture.Program.Moves.EndsOf(m)).OfType<(Point2 From, Point2 To)>().Select(e => Path.View.At(e.To));
+        public IEnumerable<Point> Ends() => Enumerable.Range(0, Picture.Program.Moves.Count)
+            .Where(m => Picture.Program.Path.Motions[m].IsCut)
+            .Select(m => Picture.Program.Moves.EndsOf(m))
+            .OfType<(Point2 From, Point2 To)>()
+            .Select(e => Path.View.At(e.To));
 
         /// <summary>True if there is something in the color of what is chosen within a few pixels.</summary>
         public bool IsLit(Point at)
         {
             var color = ((Avalonia.Media.ISolidColorBrush)Path.ChosenBrush!).Color;
             var place = InWindow(at);
-            return Enumerable.Range(-4, 9).Any(x => Enumerable.Range(-4, 9).Any(y => User.PixelAt(new(place.X + x, place.Y + y)) is var p && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12));
+            return Enumerable.Range(-4, 9).Any(
+                x => Enumerable.Range(-4, 9).Any(
+                    y => User.PixelAt(new(place.X + x, place.Y + y)) is var p
+                        && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12));
         }
 
         public bool HasInk(Point at) => User.PixelAt(InWindow(at)) == ((Avalonia.Media.ISolidColorBrush)Path.Ink!).Color;
@@ -352,7 +372,8 @@ public sealed class ProgramPictureViewTests
             IEnumerable<int> Rows(int x) => Enumerable.Range(-10, 20).Where(y => User.PixelAt(new(x, (int)middle.Y + y)) != ground);
         }
 
-        private PixelPoint InWindow(Point at) => Path.TranslatePoint(at, Window)!.Value is var place ? new((int)place.X, (int)place.Y) : default;
+        private PixelPoint InWindow(Point at) =>
+            Path.TranslatePoint(at, Window)!.Value is var place ? new((int)place.X, (int)place.Y) : default;
 
         private int BlockOf(string name) => Enumerable.Range(0, Picture.Program.Count).First(b => Picture.Program.NameOf(b) == name);
     }

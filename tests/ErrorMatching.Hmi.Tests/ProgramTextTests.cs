@@ -20,7 +20,8 @@ public sealed class ProgramTextTests
         OffScreenSession.Scaling = scaling;
 
         // A word behind a gap: in a picture that is shown too large, a letter that is cut through is not taken for the last one.
-        var program = OpenedProgram.Read(Encoding.ASCII.GetBytes("N10 G1\nN20                X1\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken);
+        var program = OpenedProgram.Read(
+            Encoding.ASCII.GetBytes("N10 G1\nN20                X1\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken);
         var text = new ProgramText { Picture = new(program), Width = 300, Height = 80 };
         var window = new Window { Width = 400, Height = 200, Content = text };
         window.Show();
@@ -28,8 +29,11 @@ public sealed class ProgramTextTests
         {
             var user = new ScreenUser(window).Settle();
             var ground = ((ISolidColorBrush)text.Ground!).Color;
-            var (corner, end) = (text.TranslatePoint(new(0, text.RowHeight), window)!.Value * scaling, text.RowsEnd.Single(r => r.Block == 1).End);
-            var inked = Enumerable.Range(0, (int)(text.Width * scaling)).Last(x => Enumerable.Range(4, (int)(text.RowHeight * scaling) - 8).Any(y => user.PixelAt(new((int)corner.X + x, (int)corner.Y + y)) != ground));
+            var (corner, end) = (
+                text.TranslatePoint(new(0, text.RowHeight), window)!.Value * scaling, text.RowsEnd.Single(r => r.Block == 1).End);
+            var inked = Enumerable.Range(0, (int)(text.Width * scaling)).Last(
+                x => Enumerable.Range(4, (int)(text.RowHeight * scaling) - 8).Any(
+                    y => user.PixelAt(new((int)corner.X + x, (int)corner.Y + y)) != ground));
             Assert.InRange(inked, (end - 3) * scaling, end * scaling);
         }
         finally
@@ -51,7 +55,16 @@ public sealed class ProgramTextTests
         {
             var program = OpenedProgram.Read(Encoding.ASCII.GetBytes(lines), NcDialects.FanucMill, TestContext.Current.CancellationToken);
             var text = new ProgramText { Picture = new(program) };
-            var window = new Window { Width = 400, Height = 200, Content = new ScrollViewer { HorizontalScrollBarVisibility = Avalonia.Controls.Primitives.ScrollBarVisibility.Auto, Content = text } };
+            var window = new Window
+            {
+                Width = 400,
+                Height = 200,
+                Content = new ScrollViewer
+                {
+                    HorizontalScrollBarVisibility = Avalonia.Controls.Primitives.ScrollBarVisibility.Auto,
+                    Content = text
+                }
+            };
             window.Show();
             try
             {

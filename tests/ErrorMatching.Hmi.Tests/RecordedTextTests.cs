@@ -9,10 +9,12 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed partial class RecordedTextTests
 {
     // Commands, fields of the configuration, units: the same in every language.
-    private static readonly string[] Kept = ["errormatch cell release CONFIG", "errormatch", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
+    private static readonly string[] Kept = [
+        "errormatch cell release CONFIG", "errormatch", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
 
     [Fact]
-    public Task Every_form_is_read_back_and_said_in_Chinese_with_its_values() => InChinese(() => Assert.All(Recorded.All.Concat(WarningForms.All).Concat(RefusalForms.All), form =>
+    public Task Every_form_is_read_back_and_said_in_Chinese_with_its_values() =>
+        InChinese(() => Assert.All(Recorded.All.Concat(WarningForms.All).Concat(RefusalForms.All), form =>
     {
         var sentence = form.With([.. form.Kinds.Select(Sample)]);
         var read = form.Read(sentence)!;
@@ -27,7 +29,13 @@ public sealed partial class RecordedTextTests
 
     [Fact]
     public Task What_no_form_fits_is_shown_as_it_is_recorded() => InChinese(() => Assert.All(
-        ["Coolant ran out", "because of chips", "slot", "displaced by at most a lot at block N5.", "displaced by at most 0.1 mm at the door.", ""],
+        [
+            "Coolant ran out",
+            "because of chips",
+            "slot",
+            "displaced by at most a lot at block N5.",
+            "displaced by at most 0.1 mm at the door.",
+            ""],
         r => Assert.Equal(r, RecordedText.Of(r))));
 
     [Fact]
@@ -53,7 +61,11 @@ public sealed partial class RecordedTextTests
         seat.WaitFor(2, CorrectionState.Proposed);
         decisions.Approve(2, DemoCell.Setter, null);
         seat.WaitFor(2, CorrectionState.Verified);
-        await new SlotReversal(cell.Settings, store, m => MachineFolders.Open(m, () => null), TimeProvider.System).RevertAsync(2, DemoCell.Setter, "換刀", CancellationToken.None);
+        await new SlotReversal(
+            cell.Settings,
+            store,
+            m => MachineFolders.Open(m, () => null),
+            TimeProvider.System).RevertAsync(2, DemoCell.Setter, "換刀", CancellationToken.None);
         decisions.Release(2, DemoCell.Operator, null);
         cell.Deliver(3, 0.02);
         seat.WaitFor(3, CorrectionState.Proposed);
@@ -65,7 +77,8 @@ public sealed partial class RecordedTextTests
         seat.WaitFor(() => store.Find(5)?.State is CorrectionState.Refused or CorrectionState.Proposed, "The same file is not taken.");
         cell.Deliver(6, 3);
         seat.WaitFor(6, CorrectionState.Refused);
-        await File.WriteAllTextAsync(Path.Combine(cell.Settings.Gauges[0].Incoming!, "X1.csv"), "point,x,y\n1,0,0\n", CancellationToken.None);
+        await File.WriteAllTextAsync(
+            Path.Combine(cell.Settings.Gauges[0].Incoming!, "X1.csv"), "point,x,y\n1,0,0\n", CancellationToken.None);
         seat.WaitFor(7, CorrectionState.Refused);
         cell.DeliverCounterpart(1, 0);
         seat.WaitFor(8, CorrectionState.Recorded);
@@ -93,13 +106,17 @@ public sealed partial class RecordedTextTests
         string[] names =
         [
             .. Kept, "counterpart.nc", "FINISH.MPF", "A.READY", "job.json", "theoretical.csv", "X1.csv", "Sample cell",
-            .. cell.Settings.Jobs.Select(j => j.Name), .. cell.Settings.Gauges.Select(g => g.Name), .. cell.Settings.Machines.Select(m => m.Name), DemoCell.Setter, DemoCell.Operator, DemoCell.Administrator,
+            .. cell.Settings.Jobs.Select(j => j.Name), .. cell.Settings.Gauges.Select(g => g.Name),
+            .. cell.Settings.Machines.Select(m => m.Name), DemoCell.Setter, DemoCell.Operator, DemoCell.Administrator,
         ];
-        Assert.All(screen.Entries, e => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{e.Who} {e.What} {e.Subject} {e.Basis}", ""), names)));
+        Assert.All(
+            screen.Entries,
+            e => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{e.Who} {e.What} {e.Subject} {e.Basis}", ""), names)));
         foreach (var id in Enumerable.Range(1, 9))
         {
             var detail = new CorrectionDetail(KeptCorrection.Read(store, store.Find(id)!), seat.Clock);
-            Assert.All(detail.Steps, s => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{s.By} {s.State} {s.Basis}", ""), names)));
+            Assert.All(
+                detail.Steps, s => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{s.By} {s.State} {s.Basis}", ""), names)));
         }
     });
 
@@ -118,18 +135,21 @@ public sealed partial class RecordedTextTests
         "who" => "who was operator then, and this takes setter",
         "form" => "it lacks the X1 X2",
         "wrong" => "wrong password, 3 in a row",
-        "policies" => "policy a person, limit the job's, sum 0.3 mm, gain the job's; X1: automatic, limit 0.2 mm, sum none of its own, gain 0.8",
+        "policies" =>
+            "policy a person, limit the job's, sum 0.3 mm, gain the job's; X1: automatic, limit 0.2 mm, sum none of its own, gain 0.8",
         ['0', ..] => 7,
         ['y', ..] => "2026-11-22 08:00:00",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "A kind without a sample."),
     };
 
-    private static string Without(string text, IEnumerable<string> names) => names.Aggregate(text, (t, n) => t.Replace(n, "", StringComparison.Ordinal));
+    private static string Without(string text, IEnumerable<string> names) =>
+        names.Aggregate(text, (t, n) => t.Replace(n, "", StringComparison.Ordinal));
 
     [GeneratedRegex("[A-Za-z]{2,}", RegexOptions.None, 1000)]
     private static partial Regex English();
 
-    [GeneratedRegex(@"[0-9a-f]{8,64}…?|(part|counterpart|surface)-\d{4}\.csv|\^(part|counterpart|surface)-.*?\$", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        @"[0-9a-f]{8,64}…?|(part|counterpart|surface)-\d{4}\.csv|\^(part|counterpart|surface)-.*?\$", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex NameOrHash();
 
     // The language is the process's: whoever needs another one waits for the turn.

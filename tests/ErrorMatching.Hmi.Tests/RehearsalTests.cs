@@ -105,7 +105,8 @@ public sealed class RehearsalTests
             () =>
             {
                 found += seat.Window.Stage.GetVisualDescendants().Count();
-                heard.AddRange(Heard(ControlAutomationPeer.CreatePeerForElement(seat.Window)).Where(c => seat.Window.Stage.IsVisualAncestorOf(c)));
+                heard.AddRange(
+                    Heard(ControlAutomationPeer.CreatePeerForElement(seat.Window)).Where(c => seat.Window.Stage.IsVisualAncestorOf(c)));
                 return rehearsal.IsCompleted;
             },
             "The rehearsal does not end.");

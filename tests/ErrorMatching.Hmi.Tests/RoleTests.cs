@@ -33,7 +33,9 @@ public sealed class RoleTests
     [Fact]
     public Task Each_role_has_its_buttons_and_no_other() => Seat.AtAsync(seat =>
     {
-        File.Copy(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.nc"), Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"));
+        File.Copy(
+            Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.nc"),
+            Path.Combine(seat.Cell.MachineFolder, "counterpart.nc"));
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
@@ -52,7 +54,9 @@ public sealed class RoleTests
                 {
                     seat.Shell.Go(screen);
                     _ = side is null ? seat : seat.Tap(side);
-                    seat.WaitFor(() => Settled(seat) && IsOffered(seat, button) == by.Contains(user), $"{button} is {(by.Contains(user) ? "not " : "")}offered to {user}.");
+                    seat.WaitFor(
+                        () => Settled(seat) && IsOffered(seat, button) == by.Contains(user),
+                        $"{button} is {(by.Contains(user) ? "not " : "")}offered to {user}.");
                 }
 
                 seat.Tap("sign-out").WaitFor(() => seat.Shell.IsLocked, "The station does not lock.");
@@ -71,7 +75,11 @@ public sealed class RoleTests
         foreach (var act in new[] { Act.Approve, Act.Revert, Act.ManageUsers, Act.ManageMachines })
         {
             // A button that was offered by mistake.
-            seat.Shell.Sign(new(seat.Station, seat.Shell.Who!, act, "#1", needsReason: false, (_, _, _) => Task.FromResult(isDone = true)) { TitleKey = "Act.Approve" });
+            seat.Shell.Sign(
+                new(seat.Station, seat.Shell.Who!, act, "#1", needsReason: false, (_, _, _) => Task.FromResult(isDone = true))
+                {
+                    TitleKey = "Act.Approve"
+                });
             seat.Type("signing-password", DemoCell.Password).User.Press(Key.Enter);
             Assert.Equal("Your role does not allow this.", seat.TextOf("signing-message"));
             seat.User.Press(Key.Escape);
@@ -93,7 +101,8 @@ public sealed class RoleTests
         Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
     });
 
-    private static bool Settled(Seat seat) => seat.Shell.Current is not CompensationViewModel { Detail: null } && seat.Shell.Editing.Loading.IsCompleted;
+    private static bool Settled(Seat seat) =>
+        seat.Shell.Current is not CompensationViewModel { Detail: null } && seat.Shell.Editing.Loading.IsCompleted;
 
     private static bool IsOffered(Seat seat, string button) => seat.Find(button) is { IsEffectivelyEnabled: true };
 }

@@ -3,7 +3,8 @@ using Avalonia.Input;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Who tries the station finds the samples' files where files are chosen, and cannot take one for another without being told.</summary>
+/// <summary>Who tries the station finds the samples' files where files are chosen,
+/// and cannot take one for another without being told.</summary>
 public sealed class SamplesTests
 {
     [Theory]
@@ -58,12 +59,18 @@ public sealed class SamplesTests
         // A measurement has the labels of the drawing: nothing but its name tells.
         seat.Seat.Tap("nav-system").Tap("points-read").Tap("entry-part.csv").Tap("chooser-confirm");
         seat.Seat.WaitFor(() => seat.Seat.Find("setup-notice") is not null, "Nothing is said.");
-        Assert.StartsWith("The job uses the name part.csv for its measurement. If it is one, undo and read the drawing. The table has 17 points.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "The job uses the name part.csv for its measurement. If it is one, undo and read the drawing. The table has 17 points.",
+            seat.TextOf("setup-notice"),
+            StringComparison.Ordinal);
         seat.Seat.Tap("setup-undo");
 
         // The job's own points have one that nobody measures.
         Begin(seat);
-        seat.Seat.Tap("nav-system").Tap("points-read").Type("chooser-path", Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "theoretical.csv")).Tap("chooser-confirm");
+        seat.Seat.Tap("nav-system")
+            .Tap("points-read")
+            .Type("chooser-path", Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "theoretical.csv"))
+            .Tap("chooser-confirm");
         seat.Seat.WaitFor(() => seat.Seat.Find("setup-message") is not null, "Nothing is said.");
         Assert.StartsWith("Nothing imported: 17 rows for 16 points", seat.TextOf("setup-message"), StringComparison.Ordinal);
     });
@@ -78,14 +85,27 @@ public sealed class SamplesTests
         Assert.Null(seat.Seat.Find("dry-run-doubt"));
 
         // Without the apex the drawing has all that is measured: it would be taken for a perfect part.
-        seat.Seat.Tap("dry-run-back").Tap("dry-run-file").Tap("entry-drawing.csv").Tap("chooser-confirm").WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
-        Assert.Equal("Every point of drawing.csv is exactly as designed: this is a drawing, not a measurement. Go back and choose a file from the gauge.", seat.TextOf("dry-run-doubt"));
+        seat.Seat.Tap("dry-run-back")
+            .Tap("dry-run-file")
+            .Tap("entry-drawing.csv")
+            .Tap("chooser-confirm")
+            .WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
+        Assert.Equal(
+            "Every point of drawing.csv is exactly as designed: this is a drawing, not a measurement. Go back and choose a file from the "
+                + "gauge.",
+            seat.TextOf("dry-run-doubt"));
     });
 
     private static void Begin(SetupSeat seat)
     {
         seat.Seat.Tap("nav-points");
-        seat.Settle().Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve").Type("edit-features[2].points", "10").User.Press(Key.Enter);
+        seat.Settle().Seat
+            .Tap("setup-anew")
+            .Tap("add-line")
+            .Tap("add-triangle")
+            .Tap("add-curve")
+            .Type("edit-features[2].points", "10").User
+            .Press(Key.Enter);
         seat.Settle();
     }
 

@@ -116,5 +116,6 @@ public sealed class ScannerTests
     private static void Scan(Seat seat, string code) => seat.User.Type(code).Press(Key.Enter);
 
     private static void Found(Seat seat, string id, string not) =>
-        seat.WaitFor(() => !History(seat).Search.IsRunning && seat.Find(id) is not null && seat.Find(not) is null, $"{id} is not found alone.");
+        seat.WaitFor(
+            () => !History(seat).Search.IsRunning && seat.Find(id) is not null && seat.Find(not) is null, $"{id} is not found alone.");
 }

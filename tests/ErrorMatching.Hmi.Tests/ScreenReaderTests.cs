@@ -9,13 +9,25 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What a screen reader says of controls that draw themselves. That everything on each screen has a name and a role is measured with the pictures (<see cref="Layout"/>).</summary>
+/// <summary>What a screen reader says of controls that draw themselves. That everything on each screen has a name and a role is measured
+/// with the pictures (<see cref="Layout"/>).</summary>
 public sealed class ScreenReaderTests
 {
     [Fact]
     public Task A_plot_is_a_picture_that_says_the_values_that_were_asked_for() => Drawing.Needed().RunAsync(() =>
     {
-        var plot = new GapPlot { Drawing = new([[new(0, 0), new(100, 1)]], [[new(0, 1), new(100, 0)]], [("A", new(0, 0), new(0, 1), 0.0005, 0.01, false), ("B", new(100, 1), new(100, 0), -0.0125, 0.02, false)], new(0, 0, 100, 1), 1, 0.0125, IsLong: true, IsTurned: false) };
+        var plot = new GapPlot
+        {
+            Drawing = new(
+                [[new(0, 0), new(100, 1)]],
+                [[new(0, 1), new(100, 0)]],
+                [("A", new(0, 0), new(0, 1), 0.0005, 0.01, false), ("B", new(100, 1), new(100, 0), -0.0125, 0.02, false)],
+                new(0, 0, 100, 1),
+                1,
+                0.0125,
+                IsLong: true,
+                IsTurned: false)
+        };
         Show(plot, user =>
         {
             var (peer, heard) = (PeerOf(plot, AutomationControlType.Image), new List<object?>());
@@ -32,13 +44,21 @@ public sealed class ScreenReaderTests
     [Fact]
     public Task A_program_is_a_document_that_says_the_line_that_the_keys_went_to() => Drawing.Needed().RunAsync(() =>
     {
-        var text = new ProgramText { Picture = new(OpenedProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), NcDialects.DeltaNc300, TestContext.Current.CancellationToken)) };
+        var text = new ProgramText
+        {
+            Picture = new(OpenedProgram.Read(
+                File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")),
+                NcDialects.DeltaNc300,
+                TestContext.Current.CancellationToken))
+        };
         Show(text, user =>
         {
             var peer = PeerOf(text, AutomationControlType.Document);
             text.Focus();
             user.Press(Key.Home).Press(Key.Down);
-            Assert.Equal(File.ReadLines(Repository.PathTo("samples", "complex-mating", "counterpart.nc")).ElementAt(1), peer.GetProvider<IValueProvider>()!.Value);
+            Assert.Equal(
+                File.ReadLines(Repository.PathTo("samples", "complex-mating", "counterpart.nc")).ElementAt(1),
+                peer.GetProvider<IValueProvider>()!.Value);
             Assert.True(peer.GetProvider<IValueProvider>()!.IsReadOnly);
         });
     });

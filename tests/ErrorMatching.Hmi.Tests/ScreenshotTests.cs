@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Every screen in both themes, both languages and two sizes: looked at by measure here, and by people in artifacts/screenshots.</summary>
+/// <summary>Every screen in both themes, both languages and two sizes:
+/// looked at by measure here, and by people in artifacts/screenshots.</summary>
 [Trait("Length", "Long")]
 public sealed class ScreenshotTests
 {

@@ -22,7 +22,8 @@ public sealed class SettingsTests
         Assert.Equal("olga", seat.TextOf("users-title"));
         Assert.Equal(Role.Operator, seat.Station.Users.List().Single(u => u.Name == "olga").Role);
         Assert.Equal("olga", seat.Station.Users.SignIn("olga", Fresh).Name);
-        Assert.Contains(seat.Station.Store.AuditEntries(0, 1000), e => e is { Who: DemoCell.Administrator, What: "user-added", Subject: "olga" });
+        Assert.Contains(
+            seat.Station.Store.AuditEntries(0, 1000), e => e is { Who: DemoCell.Administrator, What: "user-added", Subject: "olga" });
     });
 
     [Fact]
@@ -70,7 +71,12 @@ public sealed class SettingsTests
         seat.WaitFor(() => seat.TextOf("users-title") == DemoCell.Setter, "The other user is not shown.");
         Assert.Null(seat.Find("users-password"));
         Assert.Null(seat.Find("users-disable"));
-        seat.Tap("user-row-otto").Type("users-password", "short").Type("users-again", "short").Tap("users-set-password").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.Tap("user-row-otto")
+            .Type("users-password", "short")
+            .Type("users-again", "short")
+            .Tap("users-set-password")
+            .Type("signing-password", DemoCell.Password)
+            .Tap("signing-confirm");
         Assert.StartsWith("A password needs at least 12 characters", seat.TextOf("signing-message"), StringComparison.Ordinal);
         seat.Tap("signing-leave").Type("users-password", Fresh).Type("users-again", Fresh).Tap("users-set-password");
         Sign(seat);
@@ -150,17 +156,26 @@ public sealed class SettingsTests
         var about = ((SettingsViewModel)seat.Shell.Current!).About;
         Assert.Contains(about.Places, r => r.Value == Path.GetFullPath(seat.Cell.Settings.File));
         Assert.Contains(about.Places, r => r.Value == ((SqliteSettings)seat.Cell.Settings.Store).File);
-        Assert.Contains(about.Places, r => Regex.IsMatch(r.Value, @"^ErrorMatching \d+\.\d+\.\d+", RegexOptions.None, TimeSpan.FromSeconds(1)));
+        Assert.Contains(
+            about.Places, r => Regex.IsMatch(r.Value, @"^ErrorMatching \d+\.\d+\.\d+", RegexOptions.None, TimeSpan.FromSeconds(1)));
     });
 
     [Fact]
     public void Every_package_that_the_station_brings_along_is_named_with_its_license()
     {
-        using var document = JsonDocument.Parse(File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Hmi.Desktop", "packages.lock.json")));
+        using var document = JsonDocument.Parse(File.ReadAllText(Repository.PathTo(
+            "src", "ErrorMatching.Hmi.Desktop", "packages.lock.json")));
         var packages = document.RootElement.GetProperty("dependencies").EnumerateObject().SelectMany(f => f.Value.EnumerateObject())
-            .Where(p => p.Value.GetProperty("type").GetString() != "Project" && !p.Name.Contains("Analyzer", StringComparison.Ordinal)).Select(p => p.Name).ToArray();
+            .Where(
+                p => p.Value.GetProperty("type").GetString() != "Project" && !p.Name.Contains("Analyzer", StringComparison.Ordinal))
+                .Select(p => p.Name).ToArray();
         Assert.True(packages.Length > 10);
-        Assert.All(packages, p => Assert.Contains(Licenses.Packages, l => l.Package.TrimEnd('*') is var stem && (l.Package.EndsWith('*') ? p.StartsWith(stem, StringComparison.Ordinal) : p == stem)));
+        Assert.All(
+            packages,
+            p => Assert.Contains(
+                Licenses.Packages,
+                l => l.Package.TrimEnd('*') is var stem
+                    && (l.Package.EndsWith('*') ? p.StartsWith(stem, StringComparison.Ordinal) : p == stem)));
     }
 
     [Fact]

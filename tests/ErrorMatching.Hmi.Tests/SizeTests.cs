@@ -2,20 +2,23 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Every side of every screen at other sizes, scalings and heights of what is touched than the pictures have: measured, not pictured.</summary>
+/// <summary>Every side of every screen at other sizes, scalings and heights of what is touched than the pictures have:
+/// measured, not pictured.</summary>
 [Trait("Length", "Long")]
 public sealed class SizeTests
 {
     private const int Tries = 200;
 
-    /// <summary>What screens measure: size in units of a screen of so many pixels at a scaling, with targets as they are or as large as they get.</summary>
+    /// <summary>What screens measure: size in units of a screen of so many pixels at a scaling,
+    /// with targets as they are or as large as they get.</summary>
     [Theory]
     [InlineData(1.0, 3840, 2160, TouchSize.Standard)]
     [InlineData(1.5, 1280, 720, TouchSize.Standard)]
     [InlineData(2.0, 1920, 1080, TouchSize.Standard)]
     [InlineData(1.0, 1280, 800, TouchSize.Largest)]
     [InlineData(1.5, 1280, 720, TouchSize.Largest)]
-    public async Task Everything_is_seen_at_any_scaling_and_with_the_largest_targets(double scaling, double width, double height, TouchSize size)
+    public async Task Everything_is_seen_at_any_scaling_and_with_the_largest_targets(
+        double scaling, double width, double height, TouchSize size)
     {
         await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = scaling);
         try

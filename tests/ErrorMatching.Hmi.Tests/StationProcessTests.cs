@@ -16,7 +16,8 @@ public sealed partial class StationProcessTests
     [InlineData("--demo --scale 201", 1, "--scale is out of range; expected 100 to 200.")]
     [InlineData("nowhere.json", 1, "nowhere.json cannot be opened: ")]
     [InlineData("/dev/null", 1, "/dev/null:1:1 ")]
-    [InlineData("--demo", 3, "No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.")]
+    [InlineData(
+        "--demo", 3, "No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.")]
     public async Task What_it_cannot_do_is_said_in_a_line_and_by_its_exit_code(string arguments, int exit, string said)
     {
         Drawing.Needed();
@@ -61,12 +62,14 @@ public sealed partial class StationProcessTests
     // Pixels of the window, as another program sees it.
     private static async Task<string> SizeAsync(string display)
     {
-        using var look = Process.Start(new ProcessStartInfo("timeout", [$"{Patience.TotalSeconds}", "xdotool", "search", "--sync", "--name", "Sample cell", "getwindowgeometry"])
-        {
-            RedirectStandardOutput = true,
-            UseShellExecute = false,
-            Environment = { ["DISPLAY"] = display },
-        })!;
+        using var look = Process.Start(
+            new ProcessStartInfo(
+                "timeout", [$"{Patience.TotalSeconds}", "xdotool", "search", "--sync", "--name", "Sample cell", "getwindowgeometry"])
+            {
+                RedirectStandardOutput = true,
+                UseShellExecute = false,
+                Environment = { ["DISPLAY"] = display },
+            })!;
         return Geometry().Match(await look.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken)).Groups["size"].Value;
     }
 
@@ -74,7 +77,8 @@ public sealed partial class StationProcessTests
     {
         // Tests and station are built side by side: .../bin/<project>/<configuration>/
         var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
-        var executable = Path.Combine(configuration.Parent!.Parent!.FullName, "ErrorMatching.Hmi.Desktop", configuration.Name, "errormatch-station");
+        var executable = Path.Combine(
+            configuration.Parent!.Parent!.FullName, "ErrorMatching.Hmi.Desktop", configuration.Name, "errormatch-station");
         return Process.Start(new ProcessStartInfo(executable, arguments)
         {
             WorkingDirectory = folder,

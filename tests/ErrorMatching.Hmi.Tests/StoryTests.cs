@@ -11,8 +11,9 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>
-/// The whole story at one seat, in each language: a setter signs in, sets up the complex mating from nothing, picks its blocks by tapping, a part arrives, every value is what the console says of the sample's own files, it is
-/// approved and cut, verified by the second measurement, found again, and the seat is left.
+/// The whole story at one seat, in each language: a setter signs in, sets up the complex mating from nothing, picks its blocks by tapping,
+/// a part arrives, every value is what the console says of the sample's own files, it is approved and cut, verified by the second
+/// measurement, found again, and the seat is left.
 /// </summary>
 [Trait("Length", "Long")]
 public sealed class StoryTests
@@ -44,13 +45,17 @@ public sealed class StoryTests
         Assert.StartsWith(isChinese ? "程式檢核通過" : "Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);
-        Assert.Equal(seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
+        Assert.Equal(
+            seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
         seat.Cell.FinishPiece();
         seat.WaitFor(1, CorrectionState.Released);
 
-        seat.Tap("nav-verification").WaitFor(() => seat.Find("piece-kind") is not null && seat.TextOf("piece-kind") == (isChinese ? "預測" : "Predicted"), "The piece is not shown.");
+        seat.Tap("nav-verification").WaitFor(
+            () => seat.Find("piece-kind") is not null && seat.TextOf("piece-kind") == (isChinese ? "預測" : "Predicted"),
+            "The piece is not shown.");
         seat.Cell.DeliverCounterpart(1, 0);
-        seat.WaitFor(() => seat.TextOf("piece-kind") == (isChinese ? "實測" : "Measured"), "The second measurement does not verify the piece.");
+        seat.WaitFor(
+            () => seat.TextOf("piece-kind") == (isChinese ? "實測" : "Measured"), "The second measurement does not verify the piece.");
 
         seat.Tap("nav-history").See("found-1");
         seat.Type("history-serial", "0001").Tap("history-search").See("found-1");
@@ -64,7 +69,11 @@ public sealed class StoryTests
         seat.Tap("nav-points");
         var here = new SetupSeat(seat).Settle();
         seat.Tap("setup-anew").Type("edit-workOrder", "WO-2021-02").Type("edit-name", "Complex mating");
-        seat.Tap("add-line").Tap("add-triangle").Tap("add-curve").Type("edit-features[1].name", "L2L3").Type("edit-features[2].points", "10");
+        seat.Tap("add-line")
+            .Tap("add-triangle")
+            .Tap("add-curve")
+            .Type("edit-features[1].name", "L2L3")
+            .Type("edit-features[2].points", "10");
         seat.User.Press(Key.Enter);
         here.Settle();
         Assert.Equal(isChinese ? "示意圖：共 16 點，尚無座標。" : "Schematic: 16 points, none with coordinates yet.", seat.TextOf("points-caption"));
@@ -136,7 +145,10 @@ public sealed class StoryTests
 
     private static void MustBeTheConsoles(JsonNode actual)
     {
-        var console = MatingRun.Of(new(Path.Combine(Sample, "job.json")), new() { Program = new(Path.Combine(Sample, "counterpart.nc")) }, TestContext.Current.CancellationToken).Result!;
+        var console = MatingRun.Of(
+            new(Path.Combine(Sample, "job.json")),
+            new() { Program = new(Path.Combine(Sample, "counterpart.nc")) },
+            TestContext.Current.CancellationToken).Result!;
         var expected = JsonNode.Parse(console.ReportJson())!;
 
         // The marker names the measurement's bytes, which are not those of the sample's file.
@@ -148,8 +160,13 @@ public sealed class StoryTests
         }
 
         Assert.Equal(Blocks(expected), Blocks(actual));
-        Assert.Equal((expected["job"]!["name"]!.GetValue<string>(), "WO-2021-02"), (actual["job"]!["name"]!.GetValue<string>(), actual["job"]!["workOrder"]!.GetValue<string>()));
+        Assert.Equal(
+            (expected["job"]!["name"]!.GetValue<string>(), "WO-2021-02"),
+            (actual["job"]!["name"]!.GetValue<string>(), actual["job"]!["workOrder"]!.GetValue<string>()));
 
-        static string[] Blocks(JsonNode report) => [.. report["program"]!["blocks"]!.AsArray().Select(b => b!.ToJsonString()).Where(b => !b.Contains("ERRORMATCH MEASUREMENT=", StringComparison.Ordinal))];
+        static string[] Blocks(JsonNode report) => [
+            .. report["program"]!["blocks"]!.AsArray()
+                .Select(b => b!.ToJsonString())
+                .Where(b => !b.Contains("ERRORMATCH MEASUREMENT=", StringComparison.Ordinal))];
     }
 }

@@ -39,7 +39,10 @@ public sealed class SurfaceCellsTests
 
                     int[] corners = [.. Enumerable.Range(0, 4).Select(c => DivergingColors.IndexOf(values[Corner(cell, c)], Limit))];
                     var within = At(place.Lerp(middle, random.NextDouble()));
-                    Assert.True(net.Outside.Contains(cell) ? within.Length == 0 : within.Length <= 1 && within.All(c => c >= corners.Min() && c <= corners.Max()));
+                    Assert.True(
+                        net.Outside.Contains(cell)
+                            ? within.Length == 0
+                            : within.Length <= 1 && within.All(c => c >= corners.Min() && c <= corners.Max()));
                 }
             }
 
@@ -58,7 +61,10 @@ public sealed class SurfaceCellsTests
         var random = new Random(1);
         var net = Net(random, outside: [3]);
         double[] values = [.. Enumerable.Range(0, CountU * CountV).Select(_ => swing * ((2 * random.NextDouble()) - 1))];
-        Assert.Equal(new SurfaceCells(net, null, Limit).Pieces.Sum(q => AreaOf(q.Corners)), new SurfaceCells(net, values, Limit).Pieces.Sum(q => AreaOf(q.Corners)), 1e-6);
+        Assert.Equal(
+            new SurfaceCells(net, null, Limit).Pieces.Sum(q => AreaOf(q.Corners)),
+            new SurfaceCells(net, values, Limit).Pieces.Sum(q => AreaOf(q.Corners)),
+            1e-6);
     }
 
     [Fact]
@@ -80,7 +86,12 @@ public sealed class SurfaceCellsTests
     }
 
     private static SurfaceNet Net(Random random, int[] outside) => new(
-        CountU, CountV, [.. Enumerable.Range(0, CountU * CountV).Select(i => new Point3((10 * (i / CountV)) + (3 * random.NextDouble()), (10 * (i % CountV)) + (3 * random.NextDouble()), random.NextDouble()))], outside);
+        CountU,
+        CountV,
+        [
+            .. Enumerable.Range(0, CountU * CountV).Select(i => new Point3(
+                (10 * (i / CountV)) + (3 * random.NextDouble()), (10 * (i % CountV)) + (3 * random.NextDouble()), random.NextDouble()))],
+        outside);
 
     // Around a cell.
     private static int Corner(int cell, int corner)
@@ -91,9 +102,12 @@ public sealed class SurfaceCellsTests
 
     private static Point2 Above(SurfaceNet net, int place) => new(net.Places[place].X, net.Places[place].Y);
 
-    private static Point2 Middle(SurfaceNet net, int cell) => new(Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).X), Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).Y));
+    private static Point2 Middle(SurfaceNet net, int cell) => new(
+        Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).X),
+        Enumerable.Range(0, 4).Average(c => Above(net, Corner(cell, c)).Y));
 
-    private static double AreaOf(IReadOnlyList<Point2> corners) => Math.Abs(corners.Select((c, i) => (c - Point2.Origin).Cross(corners[(i + 1) % corners.Count] - Point2.Origin)).Sum()) / 2;
+    private static double AreaOf(IReadOnlyList<Point2> corners) =>
+        Math.Abs(corners.Select((c, i) => (c - Point2.Origin).Cross(corners[(i + 1) % corners.Count] - Point2.Origin)).Sum()) / 2;
 
     // On the same side of all four sides.
     private static bool IsWithin(IReadOnlyList<Point2> corners, Point2 place)

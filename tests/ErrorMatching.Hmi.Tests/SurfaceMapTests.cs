@@ -18,7 +18,8 @@ public sealed class SurfaceMapTests
     [InlineData(TouchSize.Standard)]
     [InlineData(TouchSize.Large)]
     [InlineData(TouchSize.Largest)]
-    public Task A_map_has_room_for_what_it_shows_and_for_its_buttons_whatever_the_size_of_what_is_touched(TouchSize size) => Seat.AtAsync(seat =>
+    public Task A_map_has_room_for_what_it_shows_and_for_its_buttons_whatever_the_size_of_what_is_touched(TouchSize size) =>
+        Seat.AtAsync(seat =>
     {
         Arrive(seat, size);
         var least = (double)Application.Current!.FindResource("PlotLeast")!;
@@ -30,7 +31,9 @@ public sealed class SurfaceMapTests
                 // As by whoever scrolls there.
                 button.BringIntoView();
                 seat.User.Settle();
-                Assert.True(Seen(plot, seat).Inflate(0.5).Contains(In(button, seat)), $"{map}: a button stands at {In(button, seat)}, and {Seen(plot, seat)} is seen.");
+                Assert.True(
+                    Seen(plot, seat).Inflate(0.5).Contains(In(button, seat)),
+                    $"{map}: a button stands at {In(button, seat)}, and {Seen(plot, seat)} is seen.");
             }
 
             Assert.True(plot.Bounds.Height >= least, $"{map} is {plot.Bounds.Height:0} high.");
@@ -75,7 +78,8 @@ public sealed class SurfaceMapTests
         var dot = map.TranslatePoint(new(x, y), seat.Window)!.Value;
 
         // From its middle outwards: the dot, the ring around it, and the ground.
-        byte[] light = [.. new[] { 0, DrawnSizes.Dot, 2 * DrawnSizes.Dot }.Select(away => seat.User.PixelAt(new((int)(dot.X - away), (int)dot.Y)).G)];
+        byte[] light = [
+            .. new[] { 0, DrawnSizes.Dot, 2 * DrawnSizes.Dot }.Select(away => seat.User.PixelAt(new((int)(dot.X - away), (int)dot.Y)).G)];
         Assert.True(light[1] > 128 && light[0] < 64 && light[2] < 64, $"It is {string.Join(", ", light)}.");
     });
 
@@ -86,7 +90,10 @@ public sealed class SurfaceMapTests
         var (map, other) = ((SurfacePlot)seat.See(Maps[0]), (SurfacePlot)seat.See(Maps[1]));
 
         // Numbers that are wider find less room.
-        other.Drawing = other.Drawing! with { Points = [.. other.Drawing.Points.Select(p => ("-" + p.Label + p.Label + p.Label, p.At, p.Values))] };
+        other.Drawing = other.Drawing! with
+        {
+            Points = [.. other.Drawing.Points.Select(p => ("-" + p.Label + p.Label + p.Label, p.At, p.Values))]
+        };
         var seen = new HashSet<bool>();
         foreach (var factor in Enumerable.Repeat(1.3, 10))
         {
@@ -129,7 +136,10 @@ public sealed class SurfaceMapTests
         seat.User.Settle();
     }
 
-    private static Rect In(Visual visual, Seat seat) => new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(seat.Window)!.Value);
+    private static Rect In(Visual visual, Seat seat) =>
+        new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(seat.Window)!.Value);
 
-    private static Rect Seen(Visual visual, Seat seat) => visual.GetVisualAncestors().Where(a => a.ClipToBounds).Aggregate(In(visual, seat), (place, above) => place.Intersect(In(above, seat)));
+    private static Rect Seen(Visual visual, Seat seat) => visual.GetVisualAncestors()
+        .Where(a => a.ClipToBounds)
+        .Aggregate(In(visual, seat), (place, above) => place.Intersect(In(above, seat)));
 }

@@ -142,7 +142,8 @@ public sealed class TargetTests
         Assert.Empty(known.Except(said));
     });
 
-    /// <summary>In each field of each side something is typed that cannot be meant, and nothing at all; in each choice everything is chosen.</summary>
+    /// <summary>In each field of each side something is typed that cannot be meant, and nothing at all;
+    /// in each choice everything is chosen.</summary>
     [Theory]
     [InlineData(Screens.Points, TouchSize.Standard)]
     [InlineData(Screens.System, TouchSize.Standard)]
@@ -150,7 +151,8 @@ public sealed class TargetTests
     [InlineData(Screens.System, TouchSize.Largest)]
     public Task Nothing_that_is_said_of_a_field_moves_a_target(string screen, TouchSize touch) => SetupSeat.AtAsync(screen, here =>
     {
-        var (seat, editing, moved, tried) = (here.Seat, here.Shell.Editing, new List<string>(), new HashSet<string>(StringComparer.Ordinal));
+        var (seat, editing, moved, tried) = (
+            here.Seat, here.Shell.Editing, new List<string>(), new HashSet<string>(StringComparer.Ordinal));
         seat.Shell.Preferences.TouchSize = touch;
 
         // A row of each kind, and what is empty is told too.
@@ -159,7 +161,9 @@ public sealed class TargetTests
         editing.Tell();
         seat.Tap("nav-" + screen);
         var sample = editing.Draft;
-        string[] sides = screen == Screens.Points ? [""] : ["side-coordinates", "side-blocks", "side-tolerances", "side-machine", "side-gauge"];
+        string[] sides = screen == Screens.Points
+            ? [""]
+            : ["side-coordinates", "side-blocks", "side-tolerances", "side-machine", "side-gauge"];
         foreach (var side in sides)
         {
             if (side.Length > 0)
@@ -226,8 +230,13 @@ public sealed class TargetTests
     // What comes by itself or after a tap, and is not there yet: a screen reader reads it out, or it shows progress.
     private static Control[] Saying(Seat seat) => [.. seat.Window.GetVisualDescendants().OfType<Control>()
         .Where(c => c is ProgressBar || (c is TextBlock && AutomationProperties.GetLiveSetting(c) != AutomationLiveSetting.Off))
-        .Where(c => !seat.Window.Stage.IsVisualAncestorOf(c) && HiddenWith(c).All(h => !h.Classes.Contains("page") && !h.Classes.Contains("veil")))
-        .Where(c => HiddenWith(c) is [.., var outer] ? outer.GetVisualParent() is Control { IsEffectivelyVisible: true } : c is TextBlock { Text: null or "" })];
+        .Where(
+            c => !seat.Window.Stage.IsVisualAncestorOf(c)
+                && HiddenWith(c).All(h => !h.Classes.Contains("page") && !h.Classes.Contains("veil")))
+        .Where(
+            c => HiddenWith(c) is [.., var outer]
+                ? outer.GetVisualParent() is Control { IsEffectivelyVisible: true }
+                : c is TextBlock { Text: null or "" })];
 
     // Itself and what stands around it and is hidden with it.
     private static List<Control> HiddenWith(Control control)
@@ -245,7 +254,8 @@ public sealed class TargetTests
         {
             var strip = one.GetVisualAncestors().OfType<Control>().FirstOrDefault(c => c.Classes.Contains("line"));
             Control[] buttons = strip is null ? [] : [.. strip.GetVisualDescendants().OfType<Button>().Where(b => !b.IsVisible)];
-            shown.AddRange(HiddenWith(one).Concat(buttons).Select(c => c.SetValue(Visual.IsVisibleProperty, true, BindingPriority.Animation)));
+            shown.AddRange(
+                HiddenWith(one).Concat(buttons).Select(c => c.SetValue(Visual.IsVisibleProperty, true, BindingPriority.Animation)));
             if (one is TextBlock text)
             {
                 shown.Add(text.SetValue(TextBlock.TextProperty, words, BindingPriority.Animation));

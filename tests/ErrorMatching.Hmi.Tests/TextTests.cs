@@ -11,10 +11,13 @@ public sealed partial class TextTests
 {
     [Fact]
     public void Both_languages_have_the_same_keys() =>
-        Assert.Equal(Texts.Of(Language.English).Keys.Order(StringComparer.Ordinal), Texts.Of(Language.TraditionalChinese).Keys.Order(StringComparer.Ordinal));
+        Assert.Equal(
+            Texts.Of(Language.English).Keys.Order(StringComparer.Ordinal),
+            Texts.Of(Language.TraditionalChinese).Keys.Order(StringComparer.Ordinal));
 
     [Fact]
-    public void No_text_is_empty() => Assert.All(Enum.GetValues<Language>().SelectMany(l => Texts.Of(l)), t => Assert.False(string.IsNullOrWhiteSpace(t.Value), t.Key));
+    public void No_text_is_empty() =>
+        Assert.All(Enum.GetValues<Language>().SelectMany(l => Texts.Of(l)), t => Assert.False(string.IsNullOrWhiteSpace(t.Value), t.Key));
 
     [Fact]
     public void Both_languages_have_the_same_places_for_values() => Assert.All(
@@ -23,7 +26,17 @@ public sealed partial class TextTests
 
     [Fact]
     public void What_is_not_a_name_or_a_format_is_translated() => Assert.All(
-        Texts.Of(Language.TraditionalChinese).Where(t => t.Key is not ("Format.Time" or "Format.DayExample" or "Shell.OtherLanguage" or "Banner.Trouble" or "Recorded.Between" or "List.Between" or "System.LabelsOf" or "Detail.X" or "Detail.Y")),
+        Texts.Of(Language.TraditionalChinese).Where(
+            t => t.Key is not (
+                "Format.Time"
+                    or "Format.DayExample"
+                    or "Shell.OtherLanguage"
+                    or "Banner.Trouble"
+                    or "Recorded.Between"
+                    or "List.Between"
+                    or "System.LabelsOf"
+                    or "Detail.X"
+                    or "Detail.Y")),
         t => Assert.True(t.Value.Any(c => c is >= '\u4e00' and <= '\u9fff'), t.Key));
 
     [Fact]
@@ -45,10 +58,12 @@ public sealed partial class TextTests
         Assert.DoesNotContain(texts, t => t.Value.Contains("量測點", StringComparison.Ordinal));
         Assert.NotEqual(texts["System.From"], texts["Detail.Basis"]);
 
-        // What a program is displaced by; a job, which is no work order and no workpiece; a screen and who leads there, beside the proof of a program and the seals of the trail.
+        // What a program is displaced by; a job, which is no work order and no workpiece;
+        // a screen and who leads there, beside the proof of a program and the seals of the trail.
         Assert.DoesNotContain(texts, t => t.Value.Contains("移動量", StringComparison.Ordinal));
         Assert.DoesNotContain(texts, t => t.Value.Contains("工作", StringComparison.Ordinal));
-        Assert.Equal(["Next.Measure", "Screen.verification"], texts.Where(t => t.Value.Contains("驗證", StringComparison.Ordinal)).Select(t => t.Key));
+        Assert.Equal(
+            ["Next.Measure", "Screen.verification"], texts.Where(t => t.Value.Contains("驗證", StringComparison.Ordinal)).Select(t => t.Key));
 
         // Two pieces are compared; only one of them is the part.
         Assert.DoesNotContain("工件之間", texts["Detail.GapBefore"], StringComparison.Ordinal);
@@ -59,7 +74,10 @@ public sealed partial class TextTests
     {
         var texts = Texts.Of(Language.English);
         Assert.DoesNotContain(texts, t => t.Value.Contains("largest move", StringComparison.OrdinalIgnoreCase));
-        Assert.Single(texts.Where(t => t.Key is "Signing.Leave" or "Chooser.Leave" or "Connection.Cancel").Select(t => t.Value).Distinct(StringComparer.Ordinal));
+        Assert.Single(
+            texts.Where(t => t.Key is "Signing.Leave" or "Chooser.Leave" or "Connection.Cancel")
+                .Select(t => t.Value)
+                .Distinct(StringComparer.Ordinal));
         Assert.Equal((texts["System.Lower"], texts["System.Upper"]), (texts["Verify.Low"], texts["Verify.High"]));
     }
 
@@ -68,21 +86,26 @@ public sealed partial class TextTests
     [InlineData("Displaced. One point.", "Displaced.", "", "One point.")]
     [InlineData("位移。One point. 一點。", "位移。", "One point.", "一點。")]
     [InlineData("")]
-    public void Sentences_have_a_space_between_them_where_their_full_stop_has_none(string joined, params string[] sentences) => Assert.Equal(joined, Sentence.Joined(sentences));
+    public void Sentences_have_a_space_between_them_where_their_full_stop_has_none(string joined, params string[] sentences) =>
+        Assert.Equal(joined, Sentence.Joined(sentences));
 
     [Fact]
     public void Every_value_that_is_shown_by_name_has_a_text()
     {
         string[] keys =
         [
-            .. Names<Role>(), .. Names<TouchSize>(), .. Names<CorrectionState>(), .. Names<PeopleError>(), .. Names<StoreError>(), .. Names<TransportError>(), .. Names<AuditFaultKind>(),
+            .. Names<Role>(), .. Names<TouchSize>(), .. Names<CorrectionState>(), .. Names<PeopleError>(), .. Names<StoreError>(),
+            .. Names<TransportError>(), .. Names<AuditFaultKind>(),
             .. Screens.All.Select(s => "Screen." + s.Key),
             .. Enum.GetNames<FileChoiceKind>().Select(k => "Chooser." + k),
             .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),
             .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
-            .. typeof(NcRefusalCodes).GetFields().Select(f => "Meaning." + f.GetRawConstantValue()), .. Enum.GetValues<NcErrorCode>().Select(c => "Meaning." + ErrorItems.Of(new NcException(c, "")).Code),
+            .. typeof(NcRefusalCodes).GetFields().Select(f => "Meaning." + f.GetRawConstantValue()),
+            .. Enum.GetValues<NcErrorCode>().Select(c => "Meaning." + ErrorItems.Of(new NcException(c, "")).Code),
             .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
-            .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name), .. RefusalForms.All.Select(f => "Refusal." + f.Name), .. Enum.GetNames<Role>().Select(r => "RecordedWord." + r.ToLowerInvariant()),
+            .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name),
+            .. RefusalForms.All.Select(f => "Refusal." + f.Name),
+            .. Enum.GetNames<Role>().Select(r => "RecordedWord." + r.ToLowerInvariant()),
         ];
         Assert.All(keys, k => Assert.True(Texts.Of(Language.English).ContainsKey(k), k));
     }
@@ -101,7 +124,8 @@ public sealed partial class TextTests
     [Fact]
     public void No_words_stand_in_the_views_themselves() => Assert.All(
         Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi"), "*.axaml", SearchOption.AllDirectories),
-        f => Assert.DoesNotContain(Literal().Matches(File.ReadAllText(f)).Select(m => m.Groups["words"].Value), w => w != "mm" && w.Any(char.IsLetter)));
+        f => Assert.DoesNotContain(
+            Literal().Matches(File.ReadAllText(f)).Select(m => m.Groups["words"].Value), w => w != "mm" && w.Any(char.IsLetter)));
 
     [Theory]
     [InlineData(Language.English, "2026-03-01 07:05:09")]
@@ -129,7 +153,10 @@ public sealed partial class TextTests
     [GeneratedRegex(@"[,，] ?(mm|µm|s|°)(/s)?$|\((mm|µm|°)\)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex UnitBehindComma();
 
-    [GeneratedRegex("""(Text|Content|Header|PlaceholderText|Title|ToolTip\.Tip|AutomationProperties\.Name|AutomationProperties\.HelpText)="(?<words>[^"{][^"]*)""", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        """(Text|Content|Header|PlaceholderText|Title|ToolTip\.Tip|AutomationProperties\.Name|AutomationProperties\.HelpText)="(?<words>[^"{][^"]*)""",
+        RegexOptions.ExplicitCapture,
+        1000)]
     private static partial Regex Literal();
 
     [GeneratedRegex(@"\{\d\}", RegexOptions.None, 1000)]
@@ -138,6 +165,9 @@ public sealed partial class TextTests
     [GeneratedRegex(@"[\d}] (mm|µm)\b", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex PartedUnit();
 
-    [GeneratedRegex("""(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""", RegexOptions.None | RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        """(\{l:Text |[Tt]exts(\.Current)?\[|(\.With|texts\.With|Texts\.Current\.With)\()"?(?<key>[A-Za-z]+\.[A-Za-z.\-]*[A-Za-z])["}]""",
+        RegexOptions.None | RegexOptions.ExplicitCapture,
+        1000)]
     private static partial Regex Key();
 }

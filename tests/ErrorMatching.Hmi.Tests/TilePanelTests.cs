@@ -12,7 +12,8 @@ public sealed class TilePanelTests
     [InlineData(2, 611, 611)]
     [InlineData(2, 612, 300)]
     [InlineData(2, 200, 200)]
-    public Task Tiles_share_the_width_and_none_is_narrower_than_it_may_be_while_there_is_room(int tiles, double width, double each) => Drawing.Needed().RunAsync(() =>
+    public Task Tiles_share_the_width_and_none_is_narrower_than_it_may_be_while_there_is_room(int tiles, double width, double each) =>
+        Drawing.Needed().RunAsync(() =>
     {
         var panel = Laid(width, [.. Enumerable.Range(1, tiles).Select(i => 40.0 * i)]);
         Assert.All(panel.Children, c => Assert.Equal(each, c.Bounds.Width, 1.0));

@@ -54,7 +54,9 @@ public sealed class UnfoldingTests
         var all = Seen();
         Assert.True(atKey < all / 4, $"{atKey} of {all} were there at the key.");
         Assert.True(grown.Distinct().Count() >= 5, $"They came by {string.Join(", ", grown)}.");
-        Assert.DoesNotContain(host.GetVisualDescendants().OfType<Control>(), c => c.GetDiagnostic(Visual.IsVisibleProperty).Priority == BindingPriority.Animation);
+        Assert.DoesNotContain(
+            host.GetVisualDescendants().OfType<Control>(),
+            c => c.GetDiagnostic(Visual.IsVisibleProperty).Priority == BindingPriority.Animation);
 
         int Seen() => host.GetLogicalDescendants().OfType<Control>().Count(c => c.IsEffectivelyVisible);
     });

@@ -21,19 +21,36 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
         var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
-        Assert.Equal("With compensation: as measured on #2 · 0001. Without: the uncompensated counterpart that the job names, as measured in counterpart.csv.", seat.TextOf("piece-origin"));
         Assert.Equal(
-            $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square {Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)}\u00a0mm, largest error {Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)}\u00a0mm.",
+            "With compensation: as measured on #2 · 0001. Without: the uncompensated counterpart that the job names, as measured in "
+                + "counterpart.csv.",
+            seat.TextOf("piece-origin"));
+        Assert.Equal(
+            $"Better by {Shown.Percent(100 * (1 - (console.Result.RmsAfterMm / console.Result.RmsBeforeMm)))}: root mean square "
+                + $"{Shown.Mm(console.Result.RmsBeforeMm)} → {Shown.Mm(console.Result.RmsAfterMm)}\u00a0mm, largest error "
+                + $"{Shown.Mm(console.Result.MaxBeforeMm)} → {Shown.Mm(console.Result.MaxAfterMm)}\u00a0mm.",
             seat.TextOf("piece-summary"));
 
-        Assert.Equal(console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))), detail.Points.Select(p => (p.Point, p.Before, p.After)));
         Assert.Equal(
-            console.Result.Features.Select(f => (f.Name, Shown.Mm(f.After).TrimStart('−'), f.ImprovementPercent < -0.5 ? "Worse by " + Shown.Percent(-f.ImprovementPercent) : Shown.Percent(f.ImprovementPercent))),
+            console.Result.Points.Select(p => (p.Label, Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm))),
+            detail.Points.Select(p => (p.Point, p.Before, p.After)));
+        Assert.Equal(
+            console.Result.Features.Select(
+                f => (
+                    f.Name,
+                    Shown.Mm(f.After).TrimStart('−'),
+                    f.ImprovementPercent < -0.5
+                        ? "Worse by " + Shown.Percent(-f.ImprovementPercent)
+                        : Shown.Percent(f.ImprovementPercent))),
             detail.Features.Select(f => (f.Feature, f.After.TrimStart('+', '−'), f.Improvement)));
 
-        // Deviations have their sign and are the counterpart's alone; the paper's comparison in x leaves out point 5, where the curve is furthest off.
-        Assert.All(detail.Features, f => Assert.Equal(f.Quantity.StartsWith("largest", StringComparison.Ordinal), f.Wanted == Shown.Nothing));
-        var (curve, comparison) = (detail.Features.Single(f => f.Feature == "C1" && f.Quantity == "largest in X"), detail.Features.Single(f => f.Feature == "C1 in x"));
+        // Deviations have their sign and are the counterpart's alone; the paper's comparison in x leaves out point 5,
+        // where the curve is furthest off.
+        Assert.All(
+            detail.Features, f => Assert.Equal(f.Quantity.StartsWith("largest", StringComparison.Ordinal), f.Wanted == Shown.Nothing));
+        var (curve, comparison) = (
+            detail.Features.Single(f => f.Feature == "C1" && f.Quantity == "largest in X"),
+            detail.Features.Single(f => f.Feature == "C1 in x"));
         Assert.Equal(Shown.SignedMm(console.Result.Points.Single(p => p.Label == "5").AfterError.Vector.X), curve.After);
         Assert.Equal("largest in X, points 6..14", comparison.Quantity);
         Assert.Equal(Shown.SignedMm(console.Result.Points.Skip(7).Select(p => p.AfterError.Vector.X).MaxBy(Math.Abs)), comparison.After);
@@ -42,28 +59,45 @@ public sealed class VerificationTests
 
         // The paper's improvement, through the whole cell.
         Assert.Equal("81 %", detail.Features.Single(f => f.Feature == "L1-L2").Improvement);
-        Assert.Equal(console.Result.Points.Select(p => (double?)Math.Round(p.AfterError.NormalMm, 9)), detail.Errors.Lines.Single(l => l.Kind == SeriesKind.After).Values.Select(v => (double?)Math.Round(v!.Value, 9)));
+        Assert.Equal(
+            console.Result.Points.Select(p => (double?)Math.Round(p.AfterError.NormalMm, 9)),
+            detail.Errors.Lines.Single(l => l.Kind == SeriesKind.After).Values.Select(v => (double?)Math.Round(v!.Value, 9)));
 
         // A line leads along a feature and not on to the next one.
-        Assert.Equal(["2a", "5"], detail.Errors.Beginnings.Where(b => b < detail.Points.Count).Order().Select(b => detail.Errors.Labels[b]));
+        Assert.Equal(
+            ["2a", "5"], detail.Errors.Beginnings.Where(b => b < detail.Points.Count).Order().Select(b => detail.Errors.Labels[b]));
 
         // The job allows 0.05 mm to either side; the paper's corner is off by 0.391.
         Assert.All(detail.Points, p => Assert.Equal(("−0.0500", "+0.0500"), (p.Low, p.High)));
         Assert.True(detail.Points.Single(p => p.Point == "4").IsOutside);
         Assert.Equal(console.Result.Points.Count(p => Math.Abs(p.AfterError.NormalMm) > 0.05), detail.Points.Count(p => p.IsOutside));
-        Assert.Equal($"{detail.Points.Count(p => p.IsOutside)} points outside their limits: {string.Join(", ", detail.Points.Where(p => p.IsOutside).Select(p => p.Point))}.", seat.TextOf("piece-verdict"));
+        Assert.Equal(
+            $"{detail.Points.Count(p => p.IsOutside)} points outside their limits: "
+                + $"{string.Join(", ", detail.Points.Where(p => p.IsOutside).Select(p => p.Point))}.",
+            seat.TextOf("piece-verdict"));
 
-        // What the match predicted is missed where the counterpart lies elsewhere by more than twice the gauge's 5.4 um, which the job states.
+        // What the match predicted is missed where the counterpart lies elsewhere by more than twice the gauge's 5.4 um,
+        // which the job states.
         using var match = System.Text.Json.JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
-        var predicted = match.RootElement.GetProperty("keyPoints").EnumerateArray().ToDictionary(p => p.GetProperty("point").GetString()!, p => p.GetProperty("predictedMm").GetDouble());
-        var missed = console.Result.Points.Select(p => (p.Label, Mm: Math.Abs(p.AfterError.NormalMm - predicted[p.Label]))).Where(p => p.Mm > 0.0108).ToArray();
+        var predicted = match.RootElement.GetProperty("keyPoints")
+            .EnumerateArray()
+            .ToDictionary(p => p.GetProperty("point").GetString()!, p => p.GetProperty("predictedMm").GetDouble());
+        var missed = console.Result.Points.Select(p => (p.Label, Mm: Math.Abs(p.AfterError.NormalMm - predicted[p.Label])))
+            .Where(p => p.Mm > 0.0108)
+            .ToArray();
         var worst = missed.MaxBy(p => p.Mm);
         Assert.True(missed.Length > 6);
         Assert.DoesNotContain("Hollow", detail.TrendCaption, StringComparison.Ordinal);
         Assert.Equal(
-            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} ({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); largest miss {Shown.Mm(worst.Mm)}\u00a0mm at {worst.Label}.", seat.TextOf("piece-missed"));
+            $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} "
+                + $"({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); largest miss {Shown.Mm(worst.Mm)}\u00a0mm at "
+                + $"{worst.Label}.",
+            seat.TextOf("piece-missed"));
         var outside = detail.Points.Where(p => p.IsOutside).Select(p => p.Point).Intersect(missed.Select(p => p.Label));
-        Assert.Equal($"Someone must decide whether to use this piece; the station does not. Before the next one, find out why {string.Join(", ", outside)} did not match the prediction: clamping, worn tool, chip under the probe.", seat.TextOf("piece-to-do"));
+        Assert.Equal(
+            $"Someone must decide whether to use this piece; the station does not. Before the next one, find out why "
+                + $"{string.Join(", ", outside)} did not match the prediction: clamping, worn tool, chip under the probe.",
+            seat.TextOf("piece-to-do"));
     });
 
     [Fact]
@@ -78,7 +112,11 @@ public sealed class VerificationTests
         using var report = System.Text.Json.JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
         Assert.Equal(
-            report.RootElement.GetProperty("keyPoints").EnumerateArray().Select(p => (Shown.SignedMm(-p.GetProperty("decidedMm").GetDouble()), Shown.SignedMm(p.GetProperty("predictedMm").GetDouble()))),
+            report.RootElement.GetProperty("keyPoints")
+                .EnumerateArray()
+                .Select(
+                    p => (
+                        Shown.SignedMm(-p.GetProperty("decidedMm").GetDouble()), Shown.SignedMm(p.GetProperty("predictedMm").GetDouble()))),
             detail.Points.Select(p => (p.Before, p.After)));
 
         // Two points on rounded corners cannot be followed, and the report warns of them.
@@ -90,7 +128,8 @@ public sealed class VerificationTests
 
         // It is shown as soon as it is computed, and put forward a moment later.
         seat.WaitFor(
-            () => seat.TextOf("piece-to-do")?.StartsWith("Before cutting, read the warnings of the correction: 2, 4 will stay outside. Next: ", StringComparison.Ordinal) is true,
+            () => seat.TextOf("piece-to-do")?.StartsWith(
+                "Before cutting, read the warnings of the correction: 2, 4 will stay outside. Next: ", StringComparison.Ordinal) is true,
             "What to do is not said.");
         Assert.Null(seat.Find("piece-missed"));
 
@@ -126,16 +165,25 @@ public sealed class VerificationTests
 
         // Hollow marks are explained where there are any.
         Assert.Contains("Hollow marks: predicted.", screen.Detail.TrendCaption, StringComparison.Ordinal);
-        Assert.Equal(Math.Round(Console().Result.RmsAfterMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.AfterMean).Values[0]!.Value, 9));
-        Assert.Equal(Math.Round(Console().Result.MaxBeforeMm, 9), Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.Before).Values[0]!.Value, 9));
+        Assert.Equal(
+            Math.Round(Console().Result.RmsAfterMm, 9),
+            Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.AfterMean).Values[0]!.Value, 9));
+        Assert.Equal(
+            Math.Round(Console().Result.MaxBeforeMm, 9),
+            Math.Round(trend.Lines.Single(l => l.Kind == SeriesKind.Before).Values[0]!.Value, 9));
 
         // One is told from the counterpart that the job names, the other from the one as designed: no line leads from one to the other.
         Assert.Equal(["1", "", "1", ""], trend.Lines.Select(l => string.Join(' ', l.Beginnings)));
         Assert.EndsWith("\nwithout: counterpart.csv, as measured", trend.Values[0], StringComparison.Ordinal);
         Assert.EndsWith("\nwithout: as designed", trend.Values[1], StringComparison.Ordinal);
         seat.Tap("tab-trend");
-        Assert.EndsWith("The “without” lines break where they start to refer to another counterpart. Tap a piece to see which one.", seat.TextOf("trend-caption"), StringComparison.Ordinal);
-        Assert.Equal([false, true], new[] { SeriesKind.Before, SeriesKind.After }.Select(k => IsJoined(seat, (SeriesPlot)seat.See("plot-trend"), 0, k)));
+        Assert.EndsWith(
+            "The “without” lines break where they start to refer to another counterpart. Tap a piece to see which one.",
+            seat.TextOf("trend-caption"),
+            StringComparison.Ordinal);
+        Assert.Equal(
+            [false, true],
+            new[] { SeriesKind.Before, SeriesKind.After }.Select(k => IsJoined(seat, (SeriesPlot)seat.See("plot-trend"), 0, k)));
         seat.Tap("piece-3");
         seat.WaitFor(() => seat.TextOf("piece-title") == "#3 · 0002", "The chosen one is not shown.");
         seat.Cell.Deliver(3, 0.02);
@@ -151,14 +199,17 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("plot-errors");
         var plot = (SeriesPlot)seat.See("plot-errors");
         var places = plot.Drawing!.Lines.SelectMany(l => l.Values.Select((v, i) => plot.View.ToScreen(new(i, v ?? 0))));
-        Assert.All(places, p => Assert.True(plot.Inside.Deflate(5).Contains(new Avalonia.Point(p.X, p.Y)), $"A mark at {p} is cut off at {plot.Inside}."));
+        Assert.All(
+            places,
+            p => Assert.True(plot.Inside.Deflate(5).Contains(new Avalonia.Point(p.X, p.Y)), $"A mark at {p} is cut off at {plot.Inside}."));
 
         // Between the last point of a feature and the first one of the next nothing is drawn, and between two of the same something is.
         Assert.Equal([true, false, true], new[] { 0, 1, 2 }.Select(i => IsJoined(seat, plot, i)));
         var row = ((VerificationViewModel)seat.Shell.Current!).Detail!.Points[6];
         var at = plot.View.ToScreen(new(6, 0));
         seat.User.Click(plot, new(at.X + 3, at.Y - 20));
-        Assert.Equal($"Point {row.Point}\nwithout {row.Before}\u00a0mm\nwith {row.After}\u00a0mm\nlimits −0.0500 to +0.0500\u00a0mm", plot.Values);
+        Assert.Equal(
+            $"Point {row.Point}\nwithout {row.Before}\u00a0mm\nwith {row.After}\u00a0mm\nlimits −0.0500 to +0.0500\u00a0mm", plot.Values);
         var scale = plot.View.ScaleX;
 
         // The axis says its unit and the limits; what is drawn ends before the buttons.
@@ -174,7 +225,8 @@ public sealed class VerificationTests
         seat.User.Press(Avalonia.Input.Key.Tab);
         plot.Focus();
         seat.User.Press(Avalonia.Input.Key.PageDown);
-        Assert.StartsWith($"Point {((VerificationViewModel)seat.Shell.Current!).Detail!.Points[7].Point}\n", plot.Values, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"Point {((VerificationViewModel)seat.Shell.Current!).Detail!.Points[7].Point}\n", plot.Values, StringComparison.Ordinal);
     });
 
     [Fact]
@@ -193,7 +245,8 @@ public sealed class VerificationTests
             CutAndMeasure(seat, serial, 0.01);
         }
 
-        seat.WaitFor(() => seat.TextOf("piece-title") == "#5 · 0003" && seat.TextOf("piece-kind") == "Measured", "The last piece is not shown.");
+        seat.WaitFor(
+            () => seat.TextOf("piece-title") == "#5 · 0003" && seat.TextOf("piece-kind") == "Measured", "The last piece is not shown.");
         pictures.Take("verification");
         foreach (var side in Sides)
         {
@@ -214,8 +267,11 @@ public sealed class VerificationTests
         seat.WaitFor(1, CorrectionState.Verified);
 
         // As if the counterpart had slipped by a millimeter.
-        var lines = File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.csv")).Select(l => l.Split(',')).ToArray();
-        var slipped = lines.Skip(1).Select(l => string.Create(CultureInfo.InvariantCulture, $"{l[0]},{double.Parse(l[1], CultureInfo.InvariantCulture) - 1:0.0000},{l[2]}"));
+        var lines = File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating", "counterpart.csv"))
+            .Select(l => l.Split(','))
+            .ToArray();
+        var slipped = lines.Skip(1).Select(l => string.Create(
+            CultureInfo.InvariantCulture, $"{l[0]},{double.Parse(l[1], CultureInfo.InvariantCulture) - 1:0.0000},{l[2]}"));
         var outside = Path.Combine(seat.Cell.MachineFolder, "counterpart-0001.csv");
         File.WriteAllLines(outside, slipped.Prepend(string.Join(',', lines[0])));
         File.Move(outside, Path.Combine(seat.Station.Settings.Gauges[0].Incoming!, "counterpart-0001.csv"));
@@ -227,11 +283,17 @@ public sealed class VerificationTests
         Assert.StartsWith("Worse by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
         Assert.Contains("attention", seat.See("piece-summary").Classes);
         Assert.All(result, f => Assert.Equal(f.IsWorse, f.Improvement.StartsWith("Worse by ", StringComparison.Ordinal)));
-        Assert.All(Percents(), t => Assert.Equal(t.Text!.StartsWith("Worse by ", StringComparison.Ordinal), t.Classes.Contains("attention")));
+        Assert.All(
+            Percents(), t => Assert.Equal(t.Text!.StartsWith("Worse by ", StringComparison.Ordinal), t.Classes.Contains("attention")));
         Assert.DoesNotContain(Percents(), t => t.Text!.Contains('−', StringComparison.Ordinal));
-        seat.Tap("language").WaitFor(() => Percents().Any(t => t.Text!.StartsWith("變差 ", StringComparison.Ordinal) && t.Classes.Contains("attention")), "It is not said in Chinese.");
+        seat.Tap("language").WaitFor(
+            () => Percents().Any(t => t.Text!.StartsWith("變差 ", StringComparison.Ordinal) && t.Classes.Contains("attention")),
+            "It is not said in Chinese.");
 
-        IEnumerable<TextBlock> Percents() => seat.See("improvements").GetVisualDescendants().OfType<TextBlock>().Where(t => t.Text?.EndsWith(" %", StringComparison.Ordinal) == true);
+        IEnumerable<TextBlock> Percents() => seat.See("improvements")
+            .GetVisualDescendants()
+            .OfType<TextBlock>()
+            .Where(t => t.Text?.EndsWith(" %", StringComparison.Ordinal) == true);
     });
 
     private static HashSet<string> Words(SeriesPlot plot) => [.. ((IDrawnWords)plot).DrawnWords.Select(d => d.Words)];
@@ -242,8 +304,10 @@ public sealed class VerificationTests
     {
         var color = ((Avalonia.Media.ISolidColorBrush)(kind == SeriesKind.After ? plot.AfterBrush : plot.BeforeBrush)!).Color;
         var x = plot.View.ToScreen(new(place + 0.5, 0)).X;
-        return Enumerable.Range((int)plot.Inside.Top, (int)plot.Inside.Height).Any(y => Avalonia.VisualExtensions.TranslatePoint(plot, new(x, y), seat.Window)!.Value is var at
-            && seat.User.PixelAt(new((int)at.X, (int)at.Y)) is var p && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12);
+        return Enumerable.Range((int)plot.Inside.Top, (int)plot.Inside.Height).Any(
+            y => Avalonia.VisualExtensions.TranslatePoint(plot, new(x, y), seat.Window)!.Value is var at
+            && seat.User.PixelAt(new((int)at.X, (int)at.Y)) is var p
+                && Math.Abs(p.R - color.R) + Math.Abs(p.G - color.G) + Math.Abs(p.B - color.B) < 12);
     }
 
     private static VerifyReport Console()
@@ -252,7 +316,14 @@ public sealed class VerificationTests
         var files = new JobFiles(Path.Combine(folder, "job.json"));
         var (program, bytes) = files.Program(null);
         return VerifyRun.Report(
-            new(files.Job, files.Theoretical(), files.Part(null), files.Counterpart(new(Path.Combine(folder, "counterpart.csv"))), files.Counterpart(new(Path.Combine(folder, "counterpart-after.csv"))), program, bytes),
+            new(
+                files.Job,
+                files.Theoretical(),
+                files.Part(null),
+                files.Counterpart(new(Path.Combine(folder, "counterpart.csv"))),
+                files.Counterpart(new(Path.Combine(folder, "counterpart-after.csv"))),
+                program,
+                bytes),
             out _)!;
     }
 

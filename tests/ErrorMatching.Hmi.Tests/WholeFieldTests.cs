@@ -4,7 +4,8 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Who taps a field writes a new value in the place of the old one; who taps again, or draws over it, means a place in it.</summary>
+/// <summary>Who taps a field writes a new value in the place of the old one;
+/// who taps again, or draws over it, means a place in it.</summary>
 public sealed class WholeFieldTests
 {
     [Theory]

@@ -43,6 +43,8 @@ public sealed class WorkingTests
             window.Close();
         }
 
-        Control? Find(string id) => window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
+        Control? Find(string id) => window.GetVisualDescendants()
+            .OfType<Control>()
+            .FirstOrDefault(c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id);
     });
 }

@@ -7,5 +7,6 @@ public sealed class PrintedTextTests
     [InlineData("a\r\nb\tc", "a  b c")]
     [InlineData("\u001b[31mred\u0007\u009b", "\uFFFD[31mred\uFFFD\uFFFD")]
     [InlineData("gpj.\u202Evsc\u200b\u2028\ufeff", "gpj.\uFFFDvsc\uFFFD\uFFFD\uFFFD")]
-    public void What_steers_a_terminal_is_shown_and_steers_nothing(string text, string shown) => Assert.Equal(shown, PrintedText.OneLine(text));
+    public void What_steers_a_terminal_is_shown_and_steers_nothing(string text, string shown) =>
+        Assert.Equal(shown, PrintedText.OneLine(text));
 }

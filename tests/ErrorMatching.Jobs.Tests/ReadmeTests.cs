@@ -33,7 +33,9 @@ public sealed class ReadmeTests
         }
 
         // example
-        Assert.Equal(["counterpart.nc", "report.html", "report.json"], Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["counterpart.nc", "report.html", "report.json"],
+            Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
         Assert.Contains("part-4711.csv", File.ReadAllText(temporary["report.json"]), StringComparison.Ordinal);
     }
 

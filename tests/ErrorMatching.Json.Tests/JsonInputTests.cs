@@ -29,7 +29,15 @@ public sealed class JsonInputTests
 
         Assert.Equal(
             ["[1, \"é\\u00e9\", ]", "\"é\\u00e9\"", "1", "{ \"c\": true }", "true", text[(mark.Length + 5)..^1]],
-            new[] { root["ä"], root["ä"].Items[1], root["ä"].Items[0], root["b"], root["b"]["c"], root }.Select(i => Encoding.UTF8.GetString(bytes[i.Bytes])));
+            new[]
+            {
+                root["ä"],
+                root["ä"].Items[1],
+                root["ä"].Items[0],
+                root["b"],
+                root["b"]["c"],
+                root
+            }.Select(i => Encoding.UTF8.GetString(bytes[i.Bytes])));
     }
 
     [Fact(Timeout = 20_000)]
@@ -56,7 +64,11 @@ public sealed class JsonInputTests
     {
         var root = Read("[null, true, false, -1.50e1, \"a\\u00e9\\n\", [], {}]");
 
-        Assert.Equal([JsonItemKind.Null, JsonItemKind.Boolean, JsonItemKind.Boolean, JsonItemKind.Number, JsonItemKind.Text, JsonItemKind.List, JsonItemKind.Object], root.Items.Select(i => i.Kind));
+        Assert.Equal(
+            [
+                JsonItemKind.Null, JsonItemKind.Boolean, JsonItemKind.Boolean, JsonItemKind.Number, JsonItemKind.Text, JsonItemKind.List,
+                JsonItemKind.Object],
+            root.Items.Select(i => i.Kind));
         Assert.True(root.Items[1].Flag);
         Assert.False(root.Items[2].Flag);
         Assert.Equal(-15, root.Items[3].Number);
@@ -163,10 +175,13 @@ public sealed class JsonInputTests
                 return true;
             }
 
-            var json = System.Text.Json.JsonSerializer.Serialize(new Dictionary<string, object?> { [key.Get] = new object?[] { value.Get, number.Get, null } });
+            var json = System.Text.Json.JsonSerializer.Serialize(
+                new Dictionary<string, object?> { [key.Get] = new object?[] { value.Get, number.Get, null } });
             var once = JsonInput.Read(Encoding.UTF8.GetBytes(json), "x");
             var twice = JsonInput.Read(Encoding.UTF8.GetBytes(once.ToJson()), "x");
-            return twice[key.Get].Items[0].Text == value.Get && twice[key.Get].Items[1].Number == number.Get && once.ToJson() == twice.ToJson();
+            return twice[key.Get].Items[0].Text == value.Get
+                && twice[key.Get].Items[1].Number == number.Get
+                && once.ToJson() == twice.ToJson();
         }));
     }
 
@@ -194,7 +209,8 @@ public sealed class JsonInputTests
         }
     }
 
-    private static bool IsText(string text) => System.Text.Unicode.Utf8.IsValid(Encoding.UTF8.GetBytes(text)) && Encoding.UTF8.GetString(Encoding.UTF8.GetBytes(text)) == text;
+    private static bool IsText(string text) =>
+        System.Text.Unicode.Utf8.IsValid(Encoding.UTF8.GetBytes(text)) && Encoding.UTF8.GetString(Encoding.UTF8.GetBytes(text)) == text;
 
     private static JsonItem Read(string text) => JsonInput.Read(Encoding.UTF8.GetBytes(text), "job.json");
 

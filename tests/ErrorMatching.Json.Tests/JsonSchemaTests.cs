@@ -8,7 +8,8 @@ public sealed class JsonSchemaTests
     [InlineData("""{ "items": { "type": "string" } }""", "[", "5,", "]", "wrong-type", "$[100]")]
     [InlineData("""{ "properties": { "b": {} }, "additionalProperties": false }""", "{", "\"a#\": 1,", "}", "unknown-key", "$.a100")]
     [InlineData("""{ "items": { "oneOf": [{ "type": "string" }, { "type": "boolean" }] } }""", "[", "5,", "]", "wrong-type", "$[100]")]
-    public void After_a_hundred_findings_a_last_one_says_that_there_are_more(string schema, string open, string part, string close, string code, string path)
+    public void After_a_hundred_findings_a_last_one_says_that_there_are_more(
+        string schema, string open, string part, string close, string code, string path)
     {
         var text = open + string.Concat(Enumerable.Range(0, 2000).Select(i => part.Replace("#", $"{i}", StringComparison.Ordinal))) + close;
         var problems = JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema").Check(JsonInput.Read(Encoding.UTF8.GetBytes(text), "x"));
@@ -24,7 +25,11 @@ public sealed class JsonSchemaTests
     [InlineData("""{ "type": "object" }""", "[]", "wrong-type", "found an empty list; expected an object")]
     [InlineData("""{ "type": "array" }""", "{}", "wrong-type", "found an object; expected a list")]
     [InlineData("""{ "type": "boolean" }""", "null", "wrong-type", "found null; expected true or false")]
-    [InlineData("""{ "enum": ["part", "counterpart", 3] }""", "\"parts\"", "not-one-of", "found the text \"parts\"; expected \"part\", \"counterpart\" or 3")]
+    [InlineData(
+        """{ "enum": ["part", "counterpart", 3] }""",
+        "\"parts\"",
+        "not-one-of",
+        "found the text \"parts\"; expected \"part\", \"counterpart\" or 3")]
     [InlineData("""{ "const": "mating" }""", "\"freeform\"", "not-one-of", "found the text \"freeform\"; expected \"mating\"")]
     [InlineData("""{ "required": ["a"] }""", "{}", "missing-key", "found no key \"a\"; expected the key \"a\"")]
     [InlineData("""{ "minItems": 2 }""", "[1]", "too-few-items", "found a list of 1; expected at least 2")]
@@ -36,8 +41,13 @@ public sealed class JsonSchemaTests
     [InlineData("""{ "minLength": 1 }""", "\"\"", "too-short", "found the text \"\"; expected text that is not empty")]
     [InlineData("""{ "minLength": 2 }""", "\"é\"", "too-short", "found the text \"é\"; expected at least 2 characters")]
     [InlineData("""{ "minLength": 2 }""", "\"😀\"", "too-short", "found the text \"😀\"; expected at least 2 characters")]
-    [InlineData("""{ "pattern": "^N[0-9]+$" }""", "\"n1\"", "pattern-mismatch", "found the text \"n1\"; expected text that matches ^N[0-9]+$")]
-    [InlineData("""{ "pattern": "^N[0-9]+$", "title": "a block number" }""", "\"n1\"", "pattern-mismatch", "found the text \"n1\"; expected a block number")]
+    [InlineData(
+        """{ "pattern": "^N[0-9]+$" }""", "\"n1\"", "pattern-mismatch", "found the text \"n1\"; expected text that matches ^N[0-9]+$")]
+    [InlineData(
+        """{ "pattern": "^N[0-9]+$", "title": "a block number" }""",
+        "\"n1\"",
+        "pattern-mismatch",
+        "found the text \"n1\"; expected a block number")]
     public void A_value_that_breaks_a_rule_is_reported(string schema, string document, string code, string message)
     {
         var problem = Assert.Single(Check(schema, document));
@@ -56,7 +66,8 @@ public sealed class JsonSchemaTests
     [InlineData("""{ "minimum": 5, "minLength": 5 }""", "[]")]
     [InlineData("""{ "properties": { "a": { "type": "number" } } }""", """{ "b": 1 }""")]
     [InlineData("""{ "anyOf": [ { "minimum": 5 }, { "maximum": 9 } ] }""", "7")]
-    [InlineData("""{ "title": "t", "description": "d", "examples": [1], "default": 1, "$comment": "c", "$id": "i", "$schema": "s" }""", "[1, {}]")]
+    [InlineData(
+        """{ "title": "t", "description": "d", "examples": [1], "default": 1, "$comment": "c", "$id": "i", "$schema": "s" }""", "[1, {}]")]
     public void A_value_that_keeps_the_rules_passes(string schema, string document) => Assert.Empty(Check(schema, document));
 
     [Fact]
@@ -86,7 +97,8 @@ public sealed class JsonSchemaTests
     [InlineData("KIND", "kind")]
     public void An_unknown_key_is_answered_with_the_nearest_known_one(string typed, string known)
     {
-        var problem = Assert.Single(Check("""{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", $$"""{ "{{typed}}": 1 }"""));
+        var problem = Assert.Single(Check(
+            """{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", $$"""{ "{{typed}}": 1 }"""));
 
         Assert.Equal(("unknown-key", $"\"{known}\"", new JsonPlace(1, 3)), (problem.Code, problem.Expected, problem.Place));
         Assert.EndsWith($"did you mean \"{known}\"?", problem.Message, StringComparison.Ordinal);
@@ -95,7 +107,8 @@ public sealed class JsonSchemaTests
     [Fact]
     public void An_unknown_key_that_resembles_nothing_is_answered_with_all_known_ones()
     {
-        var problem = Assert.Single(Check("""{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", """{ "colour": 1 }"""));
+        var problem = Assert.Single(Check(
+            """{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", """{ "colour": 1 }"""));
 
         Assert.Equal("the key \"colour\" is not known here; known are kind, toleranceMm", problem.Message);
     }
@@ -103,11 +116,14 @@ public sealed class JsonSchemaTests
     [Fact]
     public void References_are_followed_even_when_they_recur()
     {
-        const string schema = """{ "$ref": "#/$defs/tree", "$defs": { "tree": { "type": "array", "items": { "$ref": "#/$defs/tree" } } } }""";
+        const string schema =
+            """{ "$ref": "#/$defs/tree", "$defs": { "tree": { "type": "array", "items": { "$ref": "#/$defs/tree" } } } }""";
 
         Assert.Empty(Check(schema, "[[], [[]]]"));
         Assert.Equal("$[1][0]", Assert.Single(Check(schema, "[[], [3]]")).Path);
-        Assert.Equal("$.a.a", Assert.Single(Check("""{ "type": "object", "properties": { "a": { "$ref": "#" } } }""", """{ "a": { "a": 1 } }""")).Path);
+        Assert.Equal(
+            "$.a.a",
+            Assert.Single(Check("""{ "type": "object", "properties": { "a": { "$ref": "#" } } }""", """{ "a": { "a": 1 } }""")).Path);
     }
 
     [Fact]
@@ -123,7 +139,8 @@ public sealed class JsonSchemaTests
         Assert.Equal("found no key \"n\"; expected the key \"n\"", Assert.Single(Check(schema, """{ "kind": "line" }""")).Message);
         Assert.Equal("$.degree", Assert.Single(Check(schema, """{ "kind": "curve", "degree": "high" }""")).Path);
 
-        Assert.Equal("found the text \"lime\"; expected \"line\" or \"curve\"", Assert.Single(Check(schema, "{ \"kind\": \"lime\" }")).Message);
+        Assert.Equal(
+            "found the text \"lime\"; expected \"line\" or \"curve\"", Assert.Single(Check(schema, "{ \"kind\": \"lime\" }")).Message);
         Assert.Empty(Check(schema, "\"short\""));
         Assert.Equal("found no key \"kind\"; expected the key \"kind\"", Assert.Single(Check(schema, "{}")).Message);
     }
@@ -139,12 +156,16 @@ public sealed class JsonSchemaTests
 
         var problem = Assert.Single(Check(schema, """{ "kind": "lime" }"""));
 
-        Assert.Equal(("not-one-of", "$.kind", "found the text \"lime\"; expected \"line\" or \"curve\""), (problem.Code, problem.Path, problem.Message));
+        Assert.Equal(
+            ("not-one-of", "$.kind", "found the text \"lime\"; expected \"line\" or \"curve\""),
+            (problem.Code, problem.Path, problem.Message));
     }
 
     [Fact]
     public void Types_of_all_alternatives_are_listed_when_none_fits() =>
-        Assert.Equal("found true; expected a number or a list", Assert.Single(Check("""{ "anyOf": [ { "type": "number" }, { "type": "array" } ] }""", "true")).Message);
+        Assert.Equal(
+            "found true; expected a number or a list",
+            Assert.Single(Check("""{ "anyOf": [ { "type": "number" }, { "type": "array" } ] }""", "true")).Message);
 
     [Fact]
     public void Alternatives_are_named_by_their_titles()

@@ -8,7 +8,9 @@ public sealed class ReadmeTests
     public void The_example_of_the_readme_runs()
     {
         // example
-        var schema = JsonSchema.Parse("""{ "type": "object", "properties": { "gain": { "exclusiveMinimum": 0, "maximum": 2 } }, "additionalProperties": false }"""u8, "schema.json");
+        var schema = JsonSchema.Parse(
+            """{ "type": "object", "properties": { "gain": { "exclusiveMinimum": 0, "maximum": 2 } }, "additionalProperties": false }"""u8,
+            "schema.json");
         var document = JsonInput.Read("""
             {
               "gian": 1.0, // mistyped

@@ -59,7 +59,8 @@ public sealed class ReadmeTests
         var source = File.ReadAllLines(Repository.PathTo("tests", "ErrorMatching.Mating.Tests", "ReadmeTests.cs"));
         var inside = source.SkipWhile(l => l.Trim() != "// example").Skip(1).TakeWhile(l => l.Trim() != "// example").ToArray();
 
-        Assert.Contains("```csharp\n" + string.Join('\n', inside.Select(l => l.Length > 8 ? l[8..] : l)) + "\n```", ReadMe(), StringComparison.Ordinal);
+        Assert.Contains(
+            "```csharp\n" + string.Join('\n', inside.Select(l => l.Length > 8 ? l[8..] : l)) + "\n```", ReadMe(), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -125,7 +125,8 @@ public class BadInputTests
 
     [Fact]
     public void A_wrong_delimiter_is_guessed_in_the_message_only() =>
-        Assert.Contains("set the delimiter of the format to \";\"", Text.Refused("point;x_mm;y_mm\nA;1;2\n").Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "set the delimiter of the format to \";\"", Text.Refused("point;x_mm;y_mm\nA;1;2\n").Message, StringComparison.Ordinal);
 
     [Fact]
     public void Too_many_bytes_are_refused_before_they_are_read()
@@ -144,7 +145,10 @@ public class BadInputTests
 
     [Fact]
     public void A_file_of_a_spreadsheet_is_a_binary_file() =>
-        Assert.Equal(MeasurementError.BinaryFile, Assert.Throws<MeasurementException>(() => MeasurementReader.Read("PK\u0003\u0004\u0014\0\u0006\0"u8.ToArray(), "a.xlsx", MeasurementFormat.Points)).Code);
+        Assert.Equal(
+            MeasurementError.BinaryFile,
+            Assert.Throws<MeasurementException>(() => MeasurementReader.Read(
+                "PK\u0003\u0004\u0014\0\u0006\0"u8.ToArray(), "a.xlsx", MeasurementFormat.Points)).Code);
 
     [Theory]
     [InlineData("no-such-folder/part.csv")]
@@ -165,10 +169,15 @@ public class BadInputTests
         {
             var lines = string.Concat(Enumerable.Range(1, 2000).Select(i => FormattableString.Invariant($"{i},{i},{i}\n")));
             File.WriteAllText(path, Header + lines);
-            var (file, bytes) = (MeasurementReader.Read(path, MeasurementFormat.Points), MeasurementReader.Read(Encoding.UTF8.GetBytes(Header + lines), path, MeasurementFormat.Points));
+            var (file, bytes) = (
+                MeasurementReader.Read(path, MeasurementFormat.Points),
+                MeasurementReader.Read(Encoding.UTF8.GetBytes(Header + lines), path, MeasurementFormat.Points));
             Assert.Equal((bytes.Sha256, bytes.File), (file.Sha256, file.File));
             Assert.Equal(bytes.Points, file.Points);
-            Assert.Equal(MeasurementError.FileTooLarge, Assert.Throws<MeasurementException>(() => MeasurementReader.Read(path, MeasurementFormat.Points with { MaxBytes = 100 })).Code);
+            Assert.Equal(
+                MeasurementError.FileTooLarge,
+                Assert.Throws<MeasurementException>(() => MeasurementReader.Read(
+                    path, MeasurementFormat.Points with { MaxBytes = 100 })).Code);
         }
         finally
         {

@@ -36,7 +36,9 @@ public class EncodingTests
     {
         var error = Assert.Throws<MeasurementException>(() => Label([.. "point,x_mm,y_mm\nA,1,2"u8, 0xE4, 0xB8], "utf-8"));
         Assert.Equal((MeasurementError.InvalidEncoding, 2, 3), (error.Code, error.Line, error.Column));
-        Assert.Equal(MeasurementError.InvalidEncoding, Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes(Table)[..^1], "utf-16")).Code);
+        Assert.Equal(
+            MeasurementError.InvalidEncoding,
+            Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes(Table)[..^1], "utf-16")).Code);
     }
 
     [Fact]
@@ -48,7 +50,10 @@ public class EncodingTests
     }
 
     [Fact]
-    public void A_nul_in_utf_16_is_binary() => Assert.Equal(MeasurementError.BinaryFile, Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes("point,\0"), "utf-16")).Code);
+    public void A_nul_in_utf_16_is_binary() => Assert.Equal(
+        MeasurementError.BinaryFile,
+        Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes("point,\0"), "utf-16")).Code);
 
-    private static string Label(byte[] bytes, string encoding) => MeasurementReader.Read(bytes, "part.csv", Text.Format($$"""{ "encoding": "{{encoding}}" }""")).Points[0].Label;
+    private static string Label(byte[] bytes, string encoding) =>
+        MeasurementReader.Read(bytes, "part.csv", Text.Format($$"""{ "encoding": "{{encoding}}" }""")).Points[0].Label;
 }

@@ -19,8 +19,11 @@ public class FeatureTableTests
     public void A_feature_becomes_one_point_of_its_actual_values()
     {
         var file = Text.Read(Two, MeasurementFormat.FeatureTable);
-        Assert.Equal([new("P1", new Point3(47.932, 48.7451, 0), false, 2), new LabelledPoint("P2", new Point3(1.0005, 2, 5.25), true, 5)], file.Points);
-        Assert.Equal([new("P1", new Point3(48.050, 48.745, 0), false, 2), new LabelledPoint("P2", new Point3(1, 2, 5), true, 5)], file.Nominals);
+        Assert.Equal(
+            [new("P1", new Point3(47.932, 48.7451, 0), false, 2), new LabelledPoint("P2", new Point3(1.0005, 2, 5.25), true, 5)],
+            file.Points);
+        Assert.Equal(
+            [new("P1", new Point3(48.050, 48.745, 0), false, 2), new LabelledPoint("P2", new Point3(1, 2, 5), true, 5)], file.Nominals);
     }
 
     [Theory]
@@ -50,11 +53,18 @@ public class FeatureTableTests
 
     [Fact]
     public void A_dropped_zero_does_not_excuse_a_wrong_sign() =>
-        Assert.Equal((MeasurementError.InconsistentDeviation, 3), Text.Refused(Header + "A,X,48.05,48.17,0.12,\nA,Y,1,1.2,-0.2,\n", MeasurementFormat.FeatureTable) is var e ? (e.Code, e.Line) : default);
+        Assert.Equal(
+            (MeasurementError.InconsistentDeviation, 3),
+            Text.Refused(Header + "A,X,48.05,48.17,0.12,\nA,Y,1,1.2,-0.2,\n", MeasurementFormat.FeatureTable) is var e
+                ? (e.Code, e.Line)
+                : default);
 
     [Fact]
     public void The_opposite_sign_of_deviations_is_recognized() =>
-        Assert.Contains("opposite sign", Text.Refused(Header + "A,X,48.050,47.932,0.118,\n", MeasurementFormat.FeatureTable).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "opposite sign",
+            Text.Refused(Header + "A,X,48.050,47.932,0.118,\n", MeasurementFormat.FeatureTable).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     public void A_feature_needs_x_and_y()
@@ -71,11 +81,16 @@ public class FeatureTableTests
     [Fact]
     public void Inches_convert_nominal_and_actual_alike()
     {
-        var file = Text.Read("f,i,n,a\nA,X,1,1.1\nA,Y,2,0.3\n", Text.Format("""{ "kind": "feature-table", "unit": "inch", "columns": { "feature": "f", "item": "i", "nominal": "n", "actual": "a", "deviation": null } }"""));
+        var file = Text.Read(
+            "f,i,n,a\nA,X,1,1.1\nA,Y,2,0.3\n",
+            Text.Format(
+                """{ "kind": "feature-table", "unit": "inch", "columns": { "feature": "f", "item": "i", "nominal": "n", "actual": "a", "deviation": null } }"""));
         Assert.Equal((new Point3(27.94, 7.62, 0), new Point3(25.4, 50.8, 0)), (file.Points[0].Position, file.Nominals[0].Position));
     }
 
     [Fact]
     public void Too_many_features_are_refused() =>
-        Assert.Equal((MeasurementError.TooManyPoints, 5), Text.Refused(Two, MeasurementFormat.FeatureTable with { MaxPoints = 1 }) is var e ? (e.Code, e.Line) : default);
+        Assert.Equal(
+            (MeasurementError.TooManyPoints, 5),
+            Text.Refused(Two, MeasurementFormat.FeatureTable with { MaxPoints = 1 }) is var e ? (e.Code, e.Line) : default);
 }

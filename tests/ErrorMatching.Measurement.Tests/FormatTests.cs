@@ -23,7 +23,8 @@ public class FormatTests
     [Fact]
     public void A_shops_own_format_is_read()
     {
-        var format = Text.Format("""{ "delimiter": ";", "decimalComma": true, "columns": { "label": "Nr", "x": "X-Wert", "y": 4, "z": null } }""");
+        var format = Text.Format(
+            """{ "delimiter": ";", "decimalComma": true, "columns": { "label": "Nr", "x": "X-Wert", "y": 4, "z": null } }""");
         Assert.Equal(new Point3(-32.067, 76.005, 0), Text.Read("Nr;X-Wert;Bemerkung;Y;z_mm\n1;-32,067;;76,005;9\n", format)["1"].Position);
     }
 
@@ -34,7 +35,9 @@ public class FormatTests
         Assert.Equal((new Point3(1, 2, 3), 1), Text.Read("A\t1\t2\t3\n", format)["A"] is var p ? (p.Position, p.Line) : default);
         var error = Text.Refused("A\t1\t2\n", format);
         Assert.Equal((MeasurementError.MissingColumn, 1), (error.Code, error.Line));
-        Assert.Equal((MeasurementError.TextForNumber, 2, 3), Text.Refused("A\t1\t2\t3\nB\t1\tx\t3\n", format) is var e ? (e.Code, e.Line, e.Column) : default);
+        Assert.Equal(
+            (MeasurementError.TextForNumber, 2, 3),
+            Text.Refused("A\t1\t2\t3\nB\t1\tx\t3\n", format) is var e ? (e.Code, e.Line, e.Column) : default);
     }
 
     [Fact]

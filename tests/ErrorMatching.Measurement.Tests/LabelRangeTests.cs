@@ -24,5 +24,6 @@ public class LabelRangeTests
     [InlineData("1..07")]
     [InlineData("0..100000")]
     [InlineData("1..99999999999999")]
-    public void Anything_else_is_named(string range) => Assert.Equal(MeasurementError.BadRange, Assert.Throws<MeasurementException>(() => LabelRange.Expand(range)).Code);
+    public void Anything_else_is_named(string range) =>
+        Assert.Equal(MeasurementError.BadRange, Assert.Throws<MeasurementException>(() => LabelRange.Expand(range)).Code);
 }

@@ -27,12 +27,15 @@ public class LineNumberTests
     }
 
     [Fact]
-    public void Skipping_everything_is_named() => Assert.Equal(MeasurementError.MissingHeader, Text.Refused("a\nb\n", Text.Format("""{ "skipLines": 5 }""")).Code);
+    public void Skipping_everything_is_named() =>
+        Assert.Equal(MeasurementError.MissingHeader, Text.Refused("a\nb\n", Text.Format("""{ "skipLines": 5 }""")).Code);
 
     [Fact]
     public void Long_files_keep_their_lines_across_the_parsers_buffers()
     {
-        var lines = string.Concat(Enumerable.Range(1, 20_000).Select(i => FormattableString.Invariant($"\"P{i}\",\"{i % 100}\",\"with \"\"quotes\"\"\nand a break\",{i % 7}.5\r\n")));
+        var lines = string.Concat(
+            Enumerable.Range(1, 20_000).Select(i => FormattableString.Invariant(
+                $"\"P{i}\",\"{i % 100}\",\"with \"\"quotes\"\"\nand a break\",{i % 7}.5\r\n")));
         var file = Text.Read("point,x_mm,note,y_mm\r\n" + lines);
         Assert.All(file.Points.Select((p, i) => (p, i)), t => Assert.Equal(2 + (2 * t.i), t.p.Line));
         Assert.Equal(20_000, file.Points.Count);

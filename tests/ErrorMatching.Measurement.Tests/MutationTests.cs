@@ -7,8 +7,13 @@ public class MutationTests
     private static readonly (string Text, MeasurementFormat Format)[] Seeds =
     [
         ("point,x_mm,y_mm,z_mm\nA,1.5,2,3\n\"B\"\"b\",-1e-3,2,3\r\n5,.5,\"6\",7\n", MeasurementFormat.Points),
-        ("Serial: 4\nfeature,item,nominal,actual,deviation,tolerance\nP1,X,48.050,47.932,-0.118,0.05\nP1,Y,1,1,0,0\nP1,Z,1,1,0,0\n", MeasurementFormat.FeatureTable with { SkipLines = 1 }),
-        ("Nr;x;y\n1;-32,067;76,005\n", MeasurementFormat.FromJson("""{ "delimiter": ";", "decimalComma": true, "unit": "inch", "encoding": "gb18030", "columns": { "label": 1, "x": "x", "y": 3 } }""")),
+        (
+            "Serial: 4\nfeature,item,nominal,actual,deviation,tolerance\nP1,X,48.050,47.932,-0.118,0.05\nP1,Y,1,1,0,0\nP1,Z,1,1,0,0\n",
+            MeasurementFormat.FeatureTable with { SkipLines = 1 }),
+        (
+            "Nr;x;y\n1;-32,067;76,005\n",
+            MeasurementFormat.FromJson(
+                """{ "delimiter": ";", "decimalComma": true, "unit": "inch", "encoding": "gb18030", "columns": { "label": 1, "x": "x", "y": 3 } }""")),
         ("p\0o\0i\0n\0t\0,\0x\0_\0m\0m\0,\0y\0_\0m\0m\0\n\0A\0,\01\0,\02\0", MeasurementFormat.Points with { Encoding = "utf-16" }),
     ];
 
@@ -41,7 +46,8 @@ public class MutationTests
     public void Random_descriptions_are_read_or_named_and_nothing_else()
     {
         var random = new Random(20190101);
-        var seed = """{"kind":"points","encoding":"utf-8","delimiter":";","decimalComma":true,"skipLines":3,"unit":"mm","columns":{"label":1,"x":"X","y":"Y","z":null},"maxBytes":9,"maxPoints":8}"""u8.ToArray();
+        var seed = """{"kind":"points","encoding":"utf-8","delimiter":";","decimalComma":true,"skipLines":3,"unit":"mm","columns":{"label":1,"x":"X","y":"Y","z":null},"maxBytes":9,"maxPoints":8}"""u8
+            .ToArray();
         for (var i = 0; i < 20_000; i++)
         {
             var json = Encoding.UTF8.GetString(Mutate(seed, random));

@@ -44,7 +44,9 @@ public class NumberTableTests
     }
 
     [Fact]
-    public void A_missing_file_is_named() => Assert.Equal(MeasurementError.FileUnreadable, Assert.Throws<MeasurementException>(() => NumberTable.Read("none.csv", "x", "y")).Code);
+    public void A_missing_file_is_named() => Assert.Equal(
+        MeasurementError.FileUnreadable, Assert.Throws<MeasurementException>(() => NumberTable.Read("none.csv", "x", "y")).Code);
 
-    private static NumberTable Read(string text, params string[] columns) => NumberTable.Read(Encoding.UTF8.GetBytes(text), "data.csv", columns);
+    private static NumberTable Read(string text, params string[] columns) =>
+        NumberTable.Read(Encoding.UTF8.GetBytes(text), "data.csv", columns);
 }

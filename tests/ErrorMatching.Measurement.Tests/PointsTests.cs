@@ -14,7 +14,10 @@ public class PointsTests
     {
         var file = Text.Read(TableTwo);
         Assert.Equal(
-            [new("1", new(0.883, -2.819, 0), false, 2), new("2", new(2.281, -8.381, 0), false, 3), new LabelledPoint("3", new(0.790, -15.772, 0), false, 4)],
+            [
+                new("1", new(0.883, -2.819, 0), false, 2),
+                new("2", new(2.281, -8.381, 0), false, 3),
+                new LabelledPoint("3", new(0.790, -15.772, 0), false, 4)],
             file.Points);
         Assert.Empty(file.Nominals);
         Assert.Equal("part.csv", file.File);
@@ -49,9 +52,11 @@ public class PointsTests
     [InlineData("0.1000000000000000055511151231257827", 0.1)]
     [InlineData("\"7.25\"", 7.25)]
     [InlineData("0e99999999999", 0)]
-    public void Plain_decimals_are_read(string cell, double value) => Assert.Equal(value, Text.Read($"point,x_mm,y_mm\nA,{cell},2\n")["A"].Position.X);
+    public void Plain_decimals_are_read(string cell, double value) =>
+        Assert.Equal(value, Text.Read($"point,x_mm,y_mm\nA,{cell},2\n")["A"].Position.X);
 
-    // 25.4 times the decimal, rounded once: computed with Python's decimal and float. The product of doubles gives 7.619999999999999 for the third.
+    // 25.4 times the decimal, rounded once: computed with Python's decimal and float.
+    // The product of doubles gives 7.619999999999999 for the third.
     [Theory]
     [InlineData("1", 25.4)]
     [InlineData("1.1", 27.94)]
@@ -95,7 +100,9 @@ public class PointsTests
                 var lines = Enumerable.Range(1, 30).Select(i => FormattableString.Invariant($"P{i},{i * 0.37},{-i}")).ToArray();
                 var shuffled = lines.ToArray();
                 new Random(seed).Shuffle(shuffled);
-                var (one, other) = (Text.Read("point,x_mm,y_mm\n" + string.Join('\n', lines)), Text.Read("point,x_mm,y_mm\n" + string.Join('\n', shuffled)));
+                var (one, other) = (
+                    Text.Read("point,x_mm,y_mm\n" + string.Join('\n', lines)),
+                    Text.Read("point,x_mm,y_mm\n" + string.Join('\n', shuffled)));
                 return one.Points.All(p => other[p.Label].Position == p.Position)
                     && other.Points.Select(p => p.Label).SequenceEqual(shuffled.Select(l => l.Split(',')[0]));
             }).QuickCheckThrowOnFailure();

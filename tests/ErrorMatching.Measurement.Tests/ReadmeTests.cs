@@ -18,7 +18,8 @@ public class ReadmeTests
         // example
 
         Assert.Equal((-32.372, 58.359, 3), (point.Position.X, point.Position.Y, point.Line));
-        Assert.Contains(Example(), File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Measurement", "README.md")), StringComparison.Ordinal);
+        Assert.Contains(
+            Example(), File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Measurement", "README.md")), StringComparison.Ordinal);
     }
 
     private static string Example()

@@ -11,7 +11,8 @@ public class SourceRulesTests
     [InlineData("C:\\P-1\\x.csv", "kind = part", "A", SourceSide.Part)]
     [InlineData("counter/counter.csv", "", "A", SourceSide.Counterpart)]
     [InlineData("x.csv", "Kind: partly", "C1", SourceSide.Counterpart)]
-    public void Name_field_or_column_decide(string file, string field, string piece, SourceSide side) => Assert.Equal(side, Rules.Decide(File(file, field, piece)));
+    public void Name_field_or_column_decide(string file, string field, string piece, SourceSide side) =>
+        Assert.Equal(side, Rules.Decide(File(file, field, piece)));
 
     [Theory]
     [InlineData("x.csv", "", "A")]
@@ -29,7 +30,10 @@ public class SourceRulesTests
     {
         var error = Assert.Throws<MeasurementException>(() => Rules.Decide(File("P-1.csv", "", "C1")));
         Assert.Equal(MeasurementError.ContradictorySource, error.Code);
-        Assert.Contains("because the file name matches /^P-[0-9]+/, and the counterpart's, because the column piece matches /^C/;", error.Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "because the file name matches /^P-[0-9]+/, and the counterpart's, because the column piece matches /^C/;",
+            error.Message,
+            StringComparison.Ordinal);
         Assert.DoesNotContain("header field", error.Message, StringComparison.Ordinal);
     }
 

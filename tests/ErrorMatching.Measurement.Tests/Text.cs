@@ -8,7 +8,8 @@ internal static class Text
     public static MeasurementFile Read(string text, MeasurementFormat? format = null, string file = "part.csv") =>
         MeasurementReader.Read(Encoding.UTF8.GetBytes(text), file, format ?? MeasurementFormat.Points);
 
-    public static MeasurementException Refused(string text, MeasurementFormat? format = null) => Assert.Throws<MeasurementException>(() => Read(text, format));
+    public static MeasurementException Refused(string text, MeasurementFormat? format = null) =>
+        Assert.Throws<MeasurementException>(() => Read(text, format));
 
     public static MeasurementFormat Format(string json) => MeasurementFormat.FromJson(json);
 }

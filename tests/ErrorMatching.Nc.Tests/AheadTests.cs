@@ -4,7 +4,8 @@ using System.Text;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// A program of 100,000 blocks and more is begun in its middle as well. A program that is a little shorter is not, so that the two must agree in all blocks that they share.
+/// A program of 100,000 blocks and more is begun in its middle as well.
+/// A program that is a little shorter is not, so that the two must agree in all blocks that they share.
 /// </summary>
 public class AheadTests
 {
@@ -15,7 +16,9 @@ public class AheadTests
     [Fact]
     public void Lines_and_arcs_are_the_same_wherever_they_were_begun() => AssertSame(i => i % 7 == 3
         ? Text($"N{i} G{2 + (i % 2)} X{i + 1} Y{i % 5} R9.5")
-        : i % 11 == 0 ? Text($"G0 X{i} Y{i % 3}. Z{i % 4}.5") : Text($"N{i} G1 X{i}.25 Y{i % 13}.125 Z-{i % 4}.5{(i % 50 == 0 ? " F" + (i % 900) : "")}"));
+        : i % 11 == 0
+            ? Text($"G0 X{i} Y{i % 3}. Z{i % 4}.5")
+            : Text($"N{i} G1 X{i}.25 Y{i % 13}.125 Z-{i % 4}.5{(i % 50 == 0 ? " F" + (i % 900) : "")}"));
 
     [Theory]
     [InlineData("G91")]
@@ -40,7 +43,18 @@ public class AheadTests
     [InlineData(Middle + 30_000)]
     public void What_is_more_than_a_motion_stands_where_it_stands(int place)
     {
-        foreach (var text in new[] { "(A COMMENT)", "G4 P1", "M8", "G92 X0 Y0", "G81 X1 Y1 Z-1 R1", "G2 X50 Y50 I1 J0", "G1 X5 Q8", "G54", "#1=2" })
+        foreach (var text in new[]
+        {
+            "(A COMMENT)",
+            "G4 P1",
+            "M8",
+            "G92 X0 Y0",
+            "G81 X1 Y1 Z-1 R1",
+            "G2 X50 Y50 I1 J0",
+            "G1 X5 Q8",
+            "G54",
+            "#1=2"
+        })
         {
             AssertSame(i => i == place ? text : Text($"G1 X{i % 17}.5 Y{i % 29} Z1"));
         }
@@ -50,7 +64,9 @@ public class AheadTests
     public void A_loop_around_the_middle_runs_as_often_as_it_says()
     {
         const int Loop = 1_000;
-        var text = Program(i => i == Middle - Loop ? "#1=0\nWHILE [#1 LT 3] DO1" : i == Middle + Loop ? "#1=#1+1\nEND1" : Text($"G1 X{i} Y{i % 29}"), Long);
+        var text = Program(
+            i => i == Middle - Loop ? "#1=0\nWHILE [#1 LT 3] DO1" : i == Middle + Loop ? "#1=#1+1\nEND1" : Text($"G1 X{i} Y{i % 29}"),
+            Long);
         var path = Bench.Read(text, NcDialects.FanucMill);
         Assert.Null(path.Refusal);
         Assert.Equal(Long - 2 + (2 * ((2 * Loop) - 1)), path.Motions.Length);

@@ -5,12 +5,14 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>Short ways to read, displace and prove a program in a test.</summary>
 internal static class Bench
 {
-    public static NcPath Read(string text, NcDialect? dialect = null) => NcInterpreter.Run(NcProgram.FromText(text), dialect ?? NcDialects.Generic);
+    public static NcPath Read(string text, NcDialect? dialect = null) =>
+        NcInterpreter.Run(NcProgram.FromText(text), dialect ?? NcDialects.Generic);
 
     public static string Text(NcProgram program) => System.Text.Encoding.Latin1.GetString(program.Bytes.Span);
 
     public static int[] Blocks(NcPath path, params string[] selectors) =>
-        BlockSelector.Select(path.Program, [.. selectors.Select(BlockSelector.Parse)]).Value ?? throw new InvalidOperationException("No such block.");
+        BlockSelector.Select(path.Program, [.. selectors.Select(BlockSelector.Parse)]).Value
+            ?? throw new InvalidOperationException("No such block.");
 
     public static NcMotion MotionOf(NcPath path, string block) => path.Motions[path.MotionOf(Blocks(path, block)[0])];
 
@@ -22,7 +24,8 @@ internal static class Bench
     public static string By(string text, Vector3 by, string selector, NcDialect? dialect = null) =>
         Displaced(Read(text, dialect), p => DisplacementWish.EndsBy(p, Blocks(p, selector), by));
 
-    public static string Displaced(NcPath path, Func<NcPath, NcOutcome<DisplacementWish>> wanted) => Text(Rewritten(path, Usable(wanted(path))).Program);
+    public static string Displaced(NcPath path, Func<NcPath, NcOutcome<DisplacementWish>> wanted) =>
+        Text(Rewritten(path, Usable(wanted(path))).Program);
 
     public static Rewrite Rewritten(NcPath path, DisplacementWish wish)
     {

@@ -5,7 +5,8 @@ namespace ErrorMatching.Nc.Tests;
 
 public sealed class BlockNameTests
 {
-    private const string Program = "%\nN10 G0 X0\n(LINE)\nN20 G1 X5.\nN30 X6.\nG1 X7.\nX8.\nN40 X9.\nX8.\nN50 M30\nN50 M30\n\nX10. (A/B+C)\n%\n";
+    private const string Program =
+        "%\nN10 G0 X0\n(LINE)\nN20 G1 X5.\nN30 X6.\nG1 X7.\nX8.\nN40 X9.\nX8.\nN50 M30\nN50 M30\n\nX10. (A/B+C)\n%\n";
 
     [Theory]
     [InlineData(1, 1, "N10")]
@@ -21,12 +22,15 @@ public sealed class BlockNameTests
     [InlineData(6, 6, NcRefusalCodes.BlockAmbiguous)]
     [InlineData(9, 9, NcRefusalCodes.BlockAmbiguous)]
     [InlineData(11, 11, NcRefusalCodes.BlockNotFound)]
-    public void Blocks_that_cannot_be_told_from_others_are_refused(int first, int last, string code) => Assert.Equal(code, BlockNames.Of(NcProgram.FromText(Program), first, last).Refusal!.Code);
+    public void Blocks_that_cannot_be_told_from_others_are_refused(int first, int last, string code) =>
+        Assert.Equal(code, BlockNames.Of(NcProgram.FromText(Program), first, last).Refusal!.Code);
 
     [Fact]
     public void What_is_named_is_what_is_read()
     {
-        var line = Gen.Choose(0, 30).Zip(Gen.Choose(0, 5), (number, kind) => kind switch { 0 => $"X{number}.", 1 => "", 2 => $"N0{number}0", _ => $"N{10 * number} X{number}." });
+        var line = Gen.Choose(0, 30).Zip(
+            Gen.Choose(0, 5),
+            (number, kind) => kind switch { 0 => $"X{number}.", 1 => "", 2 => $"N0{number}0", _ => $"N{10 * number} X{number}." });
         var cases = 0;
         Check.One(
             Config.QuickThrowOnFailure.WithMaxTest(1000),
@@ -37,7 +41,10 @@ public sealed class BlockNameTests
                 var (first, last) = (Math.Min(a, b), Math.Max(a, b));
                 var words = BlockNames.Of(program, first, last);
                 cases += words.IsUsable ? 1 : 0;
-                return !words.IsUsable || BlockSelector.Select(program, [.. words.Value.Select(BlockSelector.Parse)]).Value!.SequenceEqual(Enumerable.Range(first, last - first + 1));
+                return !words.IsUsable
+                    || BlockSelector.Select(
+                        program,
+                        [.. words.Value.Select(BlockSelector.Parse)]).Value!.SequenceEqual(Enumerable.Range(first, last - first + 1));
             }));
         Assert.True(cases > 100, "Hardly any range could be named.");
     }

@@ -43,7 +43,9 @@ public sealed class BuiltInDialectTests
         Assert.EndsWith(".", f.Statement, StringComparison.Ordinal);
         Assert.True(f.Source is "assumed" or "measured with rs274" || f.Source.Contains(' ', StringComparison.Ordinal), f.ToString());
         Assert.Contains(f.Dialect, NcDialects.Bases);
-        Assert.Equal(f.Topic is DialectTopic.Flow or DialectTopic.MachineProgram or DialectTopic.Note, f.Meaning.Length == 0 && f.Subject != "turnsLetter");
+        Assert.Equal(
+            f.Topic is DialectTopic.Flow or DialectTopic.MachineProgram or DialectTopic.Note,
+            f.Meaning.Length == 0 && f.Subject != "turnsLetter");
     });
 
     [Theory]
@@ -51,7 +53,9 @@ public sealed class BuiltInDialectTests
     public void Each_code_letter_and_function_of_the_tables_is_on_the_page_with_its_meaning(string name)
     {
         var dialect = NcDialects.Named(name);
-        var page = dialect.Facts.Where(f => f.Topic is DialectTopic.Code).SelectMany(f => f.Subject.Split(' ').SelectMany(TenthsOf).Select(t => (Tenths: t, Meaning: f.Meaning.Split(" (")[0]))).ToLookup(p => p.Tenths, p => p.Meaning);
+        var page = dialect.Facts.Where(f => f.Topic is DialectTopic.Code)
+            .SelectMany(f => f.Subject.Split(' ').SelectMany(TenthsOf).Select(t => (Tenths: t, Meaning: f.Meaning.Split(" (")[0])))
+            .ToLookup(p => p.Tenths, p => p.Meaning);
         for (var tenths = 0; tenths < 10_000; tenths++)
         {
             Assert.Equal(dialect.MeaningOf(tenths) != NcMeaning.Unknown, page[tenths].Any(m => m != "unknown"));
@@ -60,7 +64,11 @@ public sealed class BuiltInDialectTests
 
         foreach (var fact in dialect.Facts.Where(f => f.Topic is DialectTopic.Letter))
         {
-            Assert.All(fact.Subject.Split(' '), l => Assert.Equal((LetterRole)KebabNames.Of(typeof(LetterRole))[fact.Meaning], l.Length == 1 ? dialect.RoleOf((byte)l[0]) : dialect.RoleOf(Encoding.ASCII.GetBytes(l))));
+            Assert.All(
+                fact.Subject.Split(' '),
+                l => Assert.Equal(
+                    (LetterRole)KebabNames.Of(typeof(LetterRole))[fact.Meaning],
+                    l.Length == 1 ? dialect.RoleOf((byte)l[0]) : dialect.RoleOf(Encoding.ASCII.GetBytes(l))));
         }
     }
 
@@ -68,21 +76,30 @@ public sealed class BuiltInDialectTests
     public void Schema_knows_each_meaning_and_role_by_its_name()
     {
         var schema = NcDialects.Schema;
-        Assert.All(new[] { typeof(NcMeaning), typeof(LetterRole), typeof(FunctionRole), typeof(NcSyntax) }.SelectMany(t => KebabNames.Of(t).Keys), n => Assert.Contains($"\"{n}\"", schema, StringComparison.Ordinal));
-        Assert.Equal(["plane-xy", "arc-counter-clockwise", "retract-to-r"], new[] { "PlaneXY", "ArcCounterClockwise", "RetractToR" }.Select(KebabNames.Of));
+        Assert.All(
+            new[] { typeof(NcMeaning), typeof(LetterRole), typeof(FunctionRole), typeof(NcSyntax) }.SelectMany(t => KebabNames.Of(t).Keys),
+            n => Assert.Contains($"\"{n}\"", schema, StringComparison.Ordinal));
+        Assert.Equal(
+            ["plane-xy", "arc-counter-clockwise", "retract-to-r"],
+            new[] { "PlaneXY", "ArcCounterClockwise", "RetractToR" }.Select(KebabNames.Of));
     }
 
     [Fact]
     public void Each_meaning_is_used_by_some_built_in_dialect_or_unused_on_purpose()
     {
-        var used = NcDialects.All.SelectMany(d => d.Facts).Where(f => f.Topic == DialectTopic.Code).Select(f => f.Meaning.Split(" (")[0]).ToHashSet(StringComparer.Ordinal);
+        var used = NcDialects.All.SelectMany(d => d.Facts)
+            .Where(f => f.Topic == DialectTopic.Code)
+            .Select(f => f.Meaning.Split(" (")[0])
+            .ToHashSet(StringComparer.Ordinal);
         Assert.Equal(Unused, Enum.GetValues<NcMeaning>().Where(m => !used.Contains(KebabNames.Of(m.ToString()))));
     }
 
     [Fact]
     public void Each_file_is_in_the_library() => Assert.Equal(
         Files.Append("dialect.schema").Select(f => $"ErrorMatching.Nc.Dialects.{f}.json").Order(StringComparer.Ordinal),
-        typeof(NcDialect).Assembly.GetManifestResourceNames().Where(n => n.StartsWith("ErrorMatching.Nc.Dialects.", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
+        typeof(NcDialect).Assembly.GetManifestResourceNames()
+            .Where(n => n.StartsWith("ErrorMatching.Nc.Dialects.", StringComparison.Ordinal))
+            .Order(StringComparer.Ordinal));
 
     [Theory]
     [InlineData("generic", "G20", NcMeaning.Inch)]
@@ -102,7 +119,8 @@ public sealed class BuiltInDialectTests
     [InlineData("linuxcnc", "G90.1", NcMeaning.AbsoluteCenters)]
     [InlineData("linuxcnc", "G68", NcMeaning.Unknown)]
     [InlineData("linuxcnc", "G5.2", NcMeaning.Spline)]
-    public void Codes_mean_what_the_controls_say(string name, string code, NcMeaning meaning) => Assert.Equal(meaning, NcDialects.Named(name).MeaningOf(TenthsOf(code).Single()));
+    public void Codes_mean_what_the_controls_say(string name, string code, NcMeaning meaning) =>
+        Assert.Equal(meaning, NcDialects.Named(name).MeaningOf(TenthsOf(code).Single()));
 
     [Theory]
     [InlineData("TRANS", NcMeaning.FrameShift)]
@@ -128,7 +146,8 @@ public sealed class BuiltInDialectTests
     [InlineData("MEAS", NcMeaning.ProbeInBlock)]
     [InlineData("CYCLE8", NcMeaning.Unknown)]
     [InlineData("", NcMeaning.Unknown)]
-    public void Siemens_words_have_meanings_whatever_their_case(string word, NcMeaning meaning) => Assert.Equal(meaning, NcDialects.Siemens840D.MeaningOf(Encoding.ASCII.GetBytes(word)));
+    public void Siemens_words_have_meanings_whatever_their_case(string word, NcMeaning meaning) =>
+        Assert.Equal(meaning, NcDialects.Siemens840D.MeaningOf(Encoding.ASCII.GetBytes(word)));
 
     [Fact]
     public void Words_are_looked_up_without_allocation()
@@ -178,8 +197,12 @@ public sealed class BuiltInDialectTests
     [Fact]
     public void Functions_call_end_and_return()
     {
-        Assert.Equal([FunctionRole.ProgramEnd, FunctionRole.Call, FunctionRole.Return, FunctionRole.Harmless], new[] { 30, 98, 99, 8 }.Select(NcDialects.FanucMill.FunctionOf));
-        Assert.Equal([FunctionRole.Return, FunctionRole.Harmless, FunctionRole.Unknown, FunctionRole.Unknown], new[] { 17, 98, 10_000, -1 }.Select(NcDialects.Siemens840D.FunctionOf));
+        Assert.Equal(
+            [FunctionRole.ProgramEnd, FunctionRole.Call, FunctionRole.Return, FunctionRole.Harmless],
+            new[] { 30, 98, 99, 8 }.Select(NcDialects.FanucMill.FunctionOf));
+        Assert.Equal(
+            [FunctionRole.Return, FunctionRole.Harmless, FunctionRole.Unknown, FunctionRole.Unknown],
+            new[] { 17, 98, 10_000, -1 }.Select(NcDialects.Siemens840D.FunctionOf));
         Assert.Equal(FunctionRole.RestoreModes, NcDialects.LinuxCnc.FunctionOf(72));
         Assert.Equal([98], NcDialects.LinuxCnc.CallFunctions);
     }
@@ -210,7 +233,9 @@ public sealed class BuiltInDialectTests
             return [];
         }
 
-        var ends = subject.Split("..").Select(c => (int)(decimal.Parse(c[1..], System.Globalization.CultureInfo.InvariantCulture) * 10)).ToArray();
+        var ends = subject.Split("..")
+            .Select(c => (int)(decimal.Parse(c[1..], System.Globalization.CultureInfo.InvariantCulture) * 10))
+            .ToArray();
         return Enumerable.Range(0, 10_000).Where(t => t >= ends[0] && t <= ends[^1] && (t - ends[0]) % 10 == 0);
     }
 }

@@ -4,14 +4,15 @@ using FsCheck.Fluent;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Siemens deep holes and patterns of holes as motions, worked out by hand from the rules that docs/dialects.md states. Each program begins at the origin; the tool goes to 10 above it.
+/// Siemens deep holes and patterns of holes as motions, worked out by hand from the rules that docs/dialects.md states. Each program begins
+/// at the origin; the tool goes to 10 above it.
 /// </summary>
 public sealed class CycleCallMotionTests
 {
     [Theory]
 
-    // Return plane 10, reference plane 0, safety 2, depth -10, first depth -5 (or 5 below the reference plane), no degression: strokes to -5 and -10.
-    // VARI=0 lifts by 1 at feed, VARI=1 goes to 2 and back to 0.6 above the last depth (holes up to 30 deep).
+    // Return plane 10, reference plane 0, safety 2, depth -10, first depth -5 (or 5 below the reference plane), no degression:
+    // strokes to -5 and -10. VARI=0 lifts by 1 at feed, VARI=1 goes to 2 and back to 0.6 above the last depth (holes up to 30 deep).
     [InlineData("CYCLE83(10,0,2,-10,,-5)", "R1,0,2 L1,0,-5 L1,0,-4 L1,0,-10 R1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,,5)", "R1,0,2 L1,0,-5 L1,0,-4 L1,0,-10 R1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,,0,0,0,1,1)", "R1,0,2 L1,0,-5 R1,0,2 R1,0,-4.4 L1,0,-10 R1,0,10")]
@@ -32,7 +33,8 @@ public sealed class CycleCallMotionTests
     // 100 -> 70 -> 50 -> 30 -> 17.5 -> 5. Rapids end 145 / 50 = 2.9 above the last depth.
     [InlineData(
         "CYCLE83(155,150,1,5,,100,,20,0,0,1,1)",
-        "R1,0,151 L1,0,100 R1,0,151 R1,0,102.9 L1,0,70 R1,0,151 R1,0,72.9 L1,0,50 R1,0,151 R1,0,52.9 L1,0,30 R1,0,151 R1,0,32.9 L1,0,17.5 R1,0,151 R1,0,20.4 L1,0,5 R1,0,155")]
+        "R1,0,151 L1,0,100 R1,0,151 R1,0,102.9 L1,0,70 R1,0,151 R1,0,72.9 L1,0,50 R1,0,151 R1,0,52.9 L1,0,30 R1,0,151 R1,0,32.9 "
+            + "L1,0,17.5 R1,0,151 R1,0,20.4 L1,0,5 R1,0,155")]
 
     // 400 deep: 400 / 50 = 8 would be more than 7.
     [InlineData("CYCLE83(10,0,2,-400,,-200,,0,0,0,1,1)", "R1,0,2 L1,0,-200 R1,0,2 R1,0,-193 L1,0,-400 R1,0,10")]
@@ -46,8 +48,9 @@ public sealed class CycleCallMotionTests
     // Nothing below the reference plane is no depth.
     [InlineData("CYCLE83(10,0,2,-10,0,-5,0)", "R1,0,2 L1,0,-5 L1,0,-4 L1,0,-10 R1,0,10")]
 
-    // Not followed: no first depth; one above the reference plane; one that disagrees with the one below it; degression by a factor; a first stroke shorter than the degression;
-    // strokes that no rule gives (50 and 40 of 100, then 30 where 10 remain; 50 of 60 with degression 40, then halves of 10); another axis; neither 0 nor 1; later modes; values that only the machine knows.
+    // Not followed: no first depth; one above the reference plane; one that disagrees with the one below it; degression by a factor; a
+    // first stroke shorter than the degression; strokes that no rule gives (50 and 40 of 100, then 30 where 10 remain; 50 of 60 with
+    // degression 40, then halves of 10); another axis; neither 0 nor 1; later modes; values that only the machine knows.
     [InlineData("CYCLE83(10,0,2,-10)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,5)", "C1,0,10")]
     [InlineData("CYCLE83(10,0,2,-10,,-5,4)", "C1,0,10")]
@@ -66,16 +69,21 @@ public sealed class CycleCallMotionTests
 
     // As many strokes as nobody drills.
     [InlineData("CYCLE83(10,0,2,-10,,-0.00005)\nCYCLE83(10,0,2,-10,,-5)", "C1,0,10 C1,0,10")]
-    public void Deep_holes(string call, string moves) => Assert.Equal("R0,0,10 R1,0,10 " + moves, Moves.Of("siemens-840d", "Z10 F100\nX1\n" + call));
+    public void Deep_holes(string call, string moves) =>
+        Assert.Equal("R0,0,10 R1,0,10 " + moves, Moves.Of("siemens-840d", "Z10 F100\nX1\n" + call));
 
     [Fact]
     public void Strokes_deepen_to_the_depth_get_no_longer_and_are_longer_than_half_of_the_degression()
     {
         var followed = 0;
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(400), Prop.ForAll(Gen.Choose(1, 300).Zip(Gen.Choose(1, 120)).Zip(Gen.Choose(0, 40)).ToArbitrary(), p =>
+        Check.One(
+            Config.QuickThrowOnFailure.WithMaxTest(400),
+            Prop.ForAll(Gen.Choose(1, 300).Zip(Gen.Choose(1, 120)).Zip(Gen.Choose(0, 40)).ToArbitrary(), p =>
         {
             var ((total, first), less) = p;
-            var path = Bench.Read(FormattableString.Invariant($"G90 G17 G71 G94 G0 X0 Y0 Z10 F100\nCYCLE83(10,0,2,{-total},,{-first},,{less})\n"), NcDialects.Siemens840D);
+            var path = Bench.Read(
+                FormattableString.Invariant($"G90 G17 G71 G94 G0 X0 Y0 Z10 F100\nCYCLE83(10,0,2,{-total},,{-first},,{less})\n"),
+                NcDialects.Siemens840D);
             Assert.Equal(10, path.Motions[^1].End.Z);
             if (path.Motions[^1].Kind == MotionKind.Cycle)
             {
@@ -83,7 +91,10 @@ public sealed class CycleCallMotionTests
             }
 
             followed++;
-            var depths = path.Motions.Where(m => m.Kind == MotionKind.Line && m.End.Z < m.Start.Z).Select(m => -m.End.Z).Prepend(0).ToArray();
+            var depths = path.Motions.Where(m => m.Kind == MotionKind.Line && m.End.Z < m.Start.Z)
+                .Select(m => -m.End.Z)
+                .Prepend(0)
+                .ToArray();
             var strokes = depths.Zip(depths.Skip(1), (a, b) => b - a).ToArray();
             Assert.Equal(total, depths[^1]);
             Assert.Equal(Math.Min(first, total), strokes[0]);
@@ -110,10 +121,12 @@ public sealed class CycleCallMotionTests
 
     [Theory]
 
-    // A row at 30 degrees about (10,0), 10 from there to the first hole and 20 from hole to hole: cos 30 = 0.866025, sin 30 = 0.5. It only positions where no cycle is modal.
+    // A row at 30 degrees about (10,0), 10 from there to the first hole and 20 from hole to hole: cos 30 = 0.866025, sin 30 = 0.5.
+    // It only positions where no cycle is modal.
     [InlineData("HOLES1(10,0,30,10,20,2)", "R18.6603,5,10 R35.9808,15,10")]
     [InlineData("HOLES1(10,5,90,0,20,3)", "R10,5,10 R10,25,10 R10,45,10")]
-    [InlineData("MCALL CYCLE81(10,0,2,-5)\nHOLES1(10,0,0,0,10,2)\nMCALL", "R10,0,10 R10,0,2 L10,0,-5 R10,0,10 R20,0,10 R20,0,2 L20,0,-5 R20,0,10")]
+    [InlineData(
+        "MCALL CYCLE81(10,0,2,-5)\nHOLES1(10,0,0,0,10,2)\nMCALL", "R10,0,10 R10,0,2 L10,0,-5 R10,0,10 R20,0,10 R20,0,2 L20,0,-5 R20,0,10")]
 
     // It begins at the nearer end: from (50,0) with the hole at 30, not 10.
     [InlineData("X50\nHOLES1(10,0,0,0,10,3)", "R50,0,10 R30,0,10 R20,0,10 R10,0,10")]
@@ -132,11 +145,14 @@ public sealed class CycleCallMotionTests
     [InlineData("HOLES1(10,0,0,0,10,1.5)", "C?,?,?")]
     [InlineData("HOLES1(10,0,0,0,10,1000000000)", "C?,?,?")]
 
-    // A circle about (70,60) of radius 42, first hole at 33 degrees, four all around: cos 33 = 0.838671, sin 33 = 0.544639; the others a quarter turn on.
+    // A circle about (70,60) of radius 42, first hole at 33 degrees, four all around: cos 33 = 0.838671, sin 33 = 0.544639;
+    // the others a quarter turn on.
     [InlineData("HOLES2(70,60,42,33,0,4)", "R105.2242,82.8748,10 R47.1252,95.2242,10 R34.7758,37.1252,10 R92.8748,24.7758,10")]
     [InlineData("HOLES2(0,0,10,0,90,2)", "R10,0,10 R0,10,10")]
     [InlineData("HOLES2(0,0,10,90,-90,2)", "R0,10,10 R10,0,10")]
-    [InlineData("MCALL CYCLE83(10,0,2,-10,,-5)\nHOLES2(0,0,10,0,180,2)\nMCALL", "R10,0,10 R10,0,2 L10,0,-5 L10,0,-4 L10,0,-10 R10,0,10 R-10,0,10 R-10,0,2 L-10,0,-5 L-10,0,-4 L-10,0,-10 R-10,0,10")]
+    [InlineData(
+        "MCALL CYCLE83(10,0,2,-10,,-5)\nHOLES2(0,0,10,0,180,2)\nMCALL",
+        "R10,0,10 R10,0,2 L10,0,-5 L10,0,-4 L10,0,-10 R10,0,10 R-10,0,10 R-10,0,2 L-10,0,-5 L-10,0,-4 L-10,0,-10 R-10,0,10")]
     [InlineData("HOLES2(0,0,,0,90,2)", "C?,?,?")]
 
     // A circle goes from hole to hole wherever the tool was.
@@ -152,7 +168,9 @@ public sealed class CycleCallMotionTests
 
     // The border of 3 by 3 leaves out the middle.
     [InlineData("CYCLE801(0,0,0,10,10,3,3,1)", "C0,0,10 C10,0,10 C20,0,10 C20,10,10 C0,10,10 C0,20,10 C10,20,10 C20,20,10")]
-    [InlineData("MCALL CYCLE81(10,0,2,-5)\nCYCLE801(0,0,0,10,10,1,2)\nMCALL\nX1", "C0,0,10 R0,0,2 L0,0,-5 R0,0,10 C0,10,10 R0,10,2 L0,10,-5 R0,10,10 R1,?,10")]
+    [InlineData(
+        "MCALL CYCLE81(10,0,2,-5)\nCYCLE801(0,0,0,10,10,1,2)\nMCALL\nX1",
+        "C0,0,10 R0,0,2 L0,0,-5 R0,0,10 C0,10,10 R0,10,2 L0,10,-5 R0,10,10 R1,?,10")]
     [InlineData("CYCLE801(0,0,0,10,10,3,3,2)", "C?,?,?")]
     [InlineData("CYCLE801(0,0,0,10,10,100000,100000)", "C?,?,?")]
 
@@ -172,7 +190,8 @@ public sealed class CycleCallMotionTests
     [Fact]
     public void A_grid_is_noted_since_its_order_is_not_known()
     {
-        var path = Bench.Read("G90 G17 G71 G94 G0 X0 Y0 Z10 F100\nCYCLE801(0,0,0,10,10,2,2)\nHOLES2(0,0,10,0,90,2)\n", NcDialects.Siemens840D);
+        var path = Bench.Read(
+            "G90 G17 G71 G94 G0 X0 Y0 Z10 F100\nCYCLE801(0,0,0,10,10,2,2)\nHOLES2(0,0,10,0,90,2)\n", NcDialects.Siemens840D);
         Assert.Equal([("cycle-not-followed", 1)], path.Notes.Select(n => (n.Code, n.Block)));
     }
 

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Canned cycles as the motions that they are made of, worked out by hand. Each program begins at the origin; the tool goes to 10 above it.</summary>
+/// <summary>Canned cycles as the motions that they are made of, worked out by hand. Each program begins at the origin;
+/// the tool goes to 10 above it.</summary>
 public sealed class CycleMotionTests
 {
     [Theory]
@@ -40,14 +41,21 @@ public sealed class CycleMotionTests
     [InlineData("G98 G76 X1. Z-5. R2. Q0.5\nG0 X2.", "R1,0,10 R1,0,2 L1,0,-5 R?,?,-5 R?,?,10 R1,0,10 R2,0,10")]
     [InlineData("G99 G76 X1. Z-5. R2. Q0.5\nX2.", "R1,0,10 R1,0,2 L1,0,-5 R?,?,-5 R?,?,2 R1,0,2 R2,0,2 L2,0,-5 R?,?,-5 R?,?,2 R2,0,2")]
 
-    // Series 15i, parameter 6200#2 = 1 (B-63324EN/03): I and J say how far and which way, at feed, and are modal; in G18 they are K and I, in G19 J and K.
-    [InlineData("G99 G76 X1. Z-5. R2. I0.5 J-0.25\nX2.", "R1,0,10 R1,0,2 L1,0,-5 L1.5,-0.25,-5 R1.5,-0.25,2 L1,0,2 R2,0,2 L2,0,-5 L2.5,-0.25,-5 R2.5,-0.25,2 L2,0,2")]
+    // Series 15i, parameter 6200#2 = 1 (B-63324EN/03): I and J say how far and which way, at feed, and are modal;
+    // in G18 they are K and I, in G19 J and K.
+    [InlineData(
+        "G99 G76 X1. Z-5. R2. I0.5 J-0.25\nX2.",
+        "R1,0,10 R1,0,2 L1,0,-5 L1.5,-0.25,-5 R1.5,-0.25,2 L1,0,2 R2,0,2 L2,0,-5 L2.5,-0.25,-5 R2.5,-0.25,2 L2,0,2")]
     [InlineData("G18 Y10.\nG99 G76 X1. Z1. Y-5. R2. K0.5 I0.25", "R0,10,10 R1,10,1 R1,2,1 L1,-5,1 L1.25,-5,1.5 R1.25,2,1.5 L1,2,1")]
     [InlineData("G18 Y10.\nG99 G76 X1. Z1. Y-5. R2. Q0.5 K1", "R0,10,10 R1,10,1 R1,2,1 L1,-5,1 R?,-5,? R?,2,? R1,2,1")]
-    [InlineData("G99 G76 X1. Z-5. R2. I0.5\nX2. Q0.5", "R1,0,10 R1,0,2 L1,0,-5 L1.5,0,-5 R1.5,0,2 L1,0,2 R2,0,2 L2,0,-5 R?,?,-5 R?,?,2 R2,0,2")]
+    [InlineData(
+        "G99 G76 X1. Z-5. R2. I0.5\nX2. Q0.5", "R1,0,10 R1,0,2 L1,0,-5 L1.5,0,-5 R1.5,0,2 L1,0,2 R2,0,2 L2,0,-5 R?,?,-5 R?,?,2 R2,0,2")]
 
-    // Back boring: R is below, where the tool comes back over the hole, and Z above it, where the cut ends; out to where it began, in G99 too.
-    [InlineData("G98 G87 X1. Z-5. R-8. Q0.5\nX2.", "R1,0,10 R?,?,10 R?,?,-8 R1,0,-8 L1,0,-5 R?,?,-5 R?,?,10 R1,0,10 R2,0,10 R?,?,10 R?,?,-8 R2,0,-8 L2,0,-5 R?,?,-5 R?,?,10 R2,0,10")]
+    // Back boring: R is below, where the tool comes back over the hole, and Z above it, where the cut ends;
+    // out to where it began, in G99 too.
+    [InlineData(
+        "G98 G87 X1. Z-5. R-8. Q0.5\nX2.",
+        "R1,0,10 R?,?,10 R?,?,-8 R1,0,-8 L1,0,-5 R?,?,-5 R?,?,10 R1,0,10 R2,0,10 R?,?,10 R?,?,-8 R2,0,-8 L2,0,-5 R?,?,-5 R?,?,10 R2,0,10")]
     [InlineData("G99 G87 X1. Z-5. R-8. I0.5\nG0 X2.", "R1,0,10 L1.5,0,10 R1.5,0,-8 L1,0,-8 L1,0,-5 L1.5,0,-5 R1.5,0,10 L1,0,10 R2,0,10")]
     [InlineData("G91 G98 G87 X1. Z3. R-18. Q0.5", "R1,0,10 R?,?,10 R?,?,-8 R1,0,-8 L1,0,-5 R?,?,-5 R?,?,10 R1,0,10")]
     [InlineData("G87 X1. R2.", "C1,0,?")]
@@ -105,7 +113,9 @@ public sealed class CycleMotionTests
     // MCALL drills behind every motion until it stands alone.
     [InlineData("MCALL CYCLE81(10,0,2,-5)\nX1\nX2\nMCALL\nX3", "R1,0,10 R1,0,2 L1,0,-5 R1,0,10 R2,0,10 R2,0,2 L2,0,-5 R2,0,10 R3,0,10")]
     [InlineData("R5=-5\nMCALL CYCLE81(10,0,2,R5)\nR5=-9\nX1\nMCALL\nX3", "R1,0,10 R1,0,2 L1,0,-5 R1,0,10 R3,0,10")]
-    [InlineData("MCALL CYCLE81(10,0,2,-5)\nHOLES1(0,0,0,10,5,2)\nMCALL\nX1 Y1 Z1", "R10,0,10 R10,0,2 L10,0,-5 R10,0,10 R15,0,10 R15,0,2 L15,0,-5 R15,0,10 R1,1,1")]
+    [InlineData(
+        "MCALL CYCLE81(10,0,2,-5)\nHOLES1(0,0,0,10,5,2)\nMCALL\nX1 Y1 Z1",
+        "R10,0,10 R10,0,2 L10,0,-5 R10,0,10 R15,0,10 R15,0,2 L15,0,-5 R15,0,10 R1,1,1")]
     [InlineData("POCKET3(10,0,2,-5)\nX1", "C?,?,? R1,?,?")]
     [InlineData("CYCLE90(10,0,2,-5)\nX1", "C?,?,? R1,?,?")]
 

@@ -46,14 +46,16 @@ public sealed class DisplaceEndsTests
     public void Arcs_inside_the_run_keep_their_words_even_with_unequal_radii()
     {
         // The radii differ by 0.012 here: not ours to mend.
-        var result = Bench.By("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15.012 Y5. I0. J5.\nN30 G2 X20. Y10. R5.\nG0 Z5.\n", Right, "N10..N30");
+        var result = Bench.By(
+            "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15.012 Y5. I0. J5.\nN30 G2 X20. Y10. R5.\nG0 Z5.\n", Right, "N10..N30");
         Assert.Equal("G90 G17\nG0 X0. Y0.\nN10 G1 X10.1 Y0. F100\nN20 G3 X15.112 Y5. I0. J5.\nN30 G2 X20.1 Y10. R5.\nG0 Z5.\n", result);
     }
 
     [Fact]
     public void Absolute_centers_inside_the_run_move_along()
     {
-        var result = Bench.By("G90 G17 G90.1\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I10. J5.\nG0 Z5.\n", Right, "N10..N20", NcDialects.LinuxCnc);
+        var result = Bench.By(
+            "G90 G17 G90.1\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I10. J5.\nG0 Z5.\n", Right, "N10..N20", NcDialects.LinuxCnc);
         Assert.Contains("N20 G3 X15.1 Y5. I10.1 J5.\n", result, StringComparison.Ordinal);
     }
 
@@ -93,7 +95,8 @@ public sealed class DisplaceEndsTests
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 X10. Y10.\nN30 X0. Y10.\nX0. Y0.\n");
         var (n10, n20, n30) = (2, 3, 4);
-        foreach (var wished in (Func<int[], NcOutcome<DisplacementWish>>[])[b => DisplacementWish.EndsBy(path, b, Right), b => DisplacementWish.Normal(path, b, 0.1)])
+        foreach (var wished in (Func<int[], NcOutcome<DisplacementWish>>[])[
+            b => DisplacementWish.EndsBy(path, b, Right), b => DisplacementWish.Normal(path, b, 0.1)])
         {
             var straight = Bench.Rewritten(path, wished([n10, n20, n30]).Value!);
             var mixed = Bench.Rewritten(path, wished([n30, n10, n20, n10]).Value!);

@@ -46,7 +46,8 @@ public sealed class DisplaceNormalTests
     [Fact]
     public void Line_beside_an_arc_meets_the_displaced_circle()
     {
-        // The line y = 0 goes to y = 0.1; the circle of radius 5 about (10, 3) shrinks to 4.9 as it is offset to the inside. The line meets it at x = 10 - sqrt(4.9^2 - 2.9^2).
+        // The line y = 0 goes to y = 0.1; the circle of radius 5 about (10, 3) shrinks to 4.9 as it is offset to the inside.
+        // The line meets it at x = 10 - sqrt(4.9^2 - 2.9^2).
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X6. Y0. F100\nN20 G3 X15. Y3. I4. J3.\nN30 G1 X30. Y3.\n");
         var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N20"), 0.1).Value!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
@@ -59,21 +60,28 @@ public sealed class DisplaceNormalTests
     [Fact]
     public void Tangent_line_and_arc_stay_tangent()
     {
-        var result = Bench.Normal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y20.\nN40 G0 Z50.\n", 0.25, "N10..N30");
-        Assert.Equal("G90 G17\nG0 X0. Y0.25\nN10 G1 X10. Y0.25 F100\nN20 G3 X14.75 Y5. I0. J4.75\nN30 G1 X14.75 Y20.\nN40 G0 Z50.\n", result);
+        var result = Bench.Normal(
+            "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y20.\nN40 G0 Z50.\n", 0.25, "N10..N30");
+        Assert.Equal(
+            "G90 G17\nG0 X0. Y0.25\nN10 G1 X10. Y0.25 F100\nN20 G3 X14.75 Y5. I0. J4.75\nN30 G1 X14.75 Y20.\nN40 G0 Z50.\n", result);
     }
 
     [Fact]
     public void Fillet_between_flanks_that_move_differently_stays_tangent_to_both()
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y20.\nN40 X0. Y20.\n");
-        var wish = DisplacementWish.OfElements([ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
+        var wish = DisplacementWish.OfElements(
+            [ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
         var rewrite = Bench.Rewritten(path, wish);
 
         // Flanks y = 0.1 and x = 14.7; the radius shrinks by the mean of 0.1 and 0.3 to 4.8, so the center is (9.9, 4.9).
-        Assert.Equal("G90 G17\nG0 X0. Y0.1\nN10 G1 X9.9 Y0.1 F100\nN20 G3 X14.7 Y4.9 I0. J4.8\nN30 G1 X14.7 Y20.\nN40 X0. Y20.\n", Bench.Text(rewrite.Program));
+        Assert.Equal(
+            "G90 G17\nG0 X0. Y0.1\nN10 G1 X9.9 Y0.1 F100\nN20 G3 X14.7 Y4.9 I0. J4.8\nN30 G1 X14.7 Y20.\nN40 X0. Y20.\n",
+            Bench.Text(rewrite.Program));
         var proof = Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm);
-        Assert.Equal([("line 2", NeighborRole.Positioning), ("N20", NeighborRole.Fillet), ("N40", NeighborRole.Slides)], proof.Neighbors.Select(n => (n.Block, n.Role)));
+        Assert.Equal(
+            [("line 2", NeighborRole.Positioning), ("N20", NeighborRole.Fillet), ("N40", NeighborRole.Slides)],
+            proof.Neighbors.Select(n => (n.Block, n.Role)));
     }
 
     // Both touch the flanks y = 0.1 and x = 14.7 of the test above, but the radius that was asked for is 4.8.
@@ -83,7 +91,8 @@ public sealed class DisplaceNormalTests
     public void A_fillet_of_another_radius_than_was_asked_for_is_not_proved(string start, string arc)
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y20.\nN40 X0. Y20.\n");
-        var wish = DisplacementWish.OfElements([ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
+        var wish = DisplacementWish.OfElements(
+            [ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
         var program = NcProgram.FromText($"G90 G17\nG0 X0. Y0.1\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X14.7 Y20.\nN40 X0. Y20.\n");
 
         var failure = Assert.Single(Prover.Check(path, program, wish, 0.001).Failures.DistinctBy(f => f.Block));
@@ -93,7 +102,8 @@ public sealed class DisplaceNormalTests
     [Fact]
     public void Arc_that_would_shrink_to_nothing_is_refused()
     {
-        var refusal = Bench.RefusedNormal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.2 Y0.2 I0. J0.2\nN30 G1 X10.2 Y20.\n", 0.25, "N10..N30");
+        var refusal = Bench.RefusedNormal(
+            "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.2 Y0.2 I0. J0.2\nN30 G1 X10.2 Y20.\n", 0.25, "N10..N30");
         Assert.Equal((NcRefusalCodes.ElementFlips, "N20", 4), (refusal.Code, refusal.Block, refusal.Line));
     }
 
@@ -109,15 +119,18 @@ public sealed class DisplaceNormalTests
     public void Short_arc_that_would_turn_round_is_refused()
     {
         // Two degrees of a circle of 5 about (10, 5), tangent to N10; N30, displaced by 0.3, passes at x = 9.874, before the arc begins.
-        var refusal = Bench.RefusedNormal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.174 Y0.003 I0. J5.\nN30 G1 X10.174 Y10.\n", 0.3, "N10..N30");
+        var refusal = Bench.RefusedNormal(
+            "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.174 Y0.003 I0. J5.\nN30 G1 X10.174 Y10.\n", 0.3, "N10..N30");
         Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Block));
     }
 
     [Fact]
     public void Of_two_crossings_nearby_the_one_at_the_corner_is_taken()
     {
-        // The line y = 0 meets the circle of 1 about (0, -0.966) at 15 degrees, so both crossings are near: 0.05 to the right they are at x = -0.2523 and 0.2523.
-        var result = Bench.Normal("G90 G17\nG0 X-5. Y0. Z0.\nN10 G1 X-0.259 Y0. F100\nN20 G2 X1. Y-0.966 I0.259 J-0.966\nG0 Z5.\n", -0.05, "N10..N20");
+        // The line y = 0 meets the circle of 1 about (0, -0.966) at 15 degrees, so both crossings are near:
+        // 0.05 to the right they are at x = -0.2523 and 0.2523.
+        var result = Bench.Normal(
+            "G90 G17\nG0 X-5. Y0. Z0.\nN10 G1 X-0.259 Y0. F100\nN20 G2 X1. Y-0.966 I0.259 J-0.966\nG0 Z5.\n", -0.05, "N10..N20");
         Assert.Contains("N10 G1 X-0.252 Y-0.05 F100\n", result, StringComparison.Ordinal);
     }
 
@@ -151,7 +164,8 @@ public sealed class DisplaceNormalTests
     [Fact]
     public void Tangential_lead_in_and_lead_out_arcs_follow_a_closed_contour()
     {
-        const string Program = "G90 G17\nG0 X5. Y-8.\nG1 Z-1. F100\nN5 G3 X10. Y-3. I0. J5.\nN10 G1 X10. Y10.\nN20 X0. Y10.\nN30 X0. Y-3.\nN40 X10. Y-3.\nN50 G3 X5. Y2. I-5. J0.\nG0 Z5.\n";
+        const string Program = "G90 G17\nG0 X5. Y-8.\nG1 Z-1. F100\nN5 G3 X10. Y-3. I0. J5.\nN10 G1 X10. Y10.\nN20 X0. Y10.\nN30 X0. "
+            + "Y-3.\nN40 X10. Y-3.\nN50 G3 X5. Y2. I-5. J0.\nG0 Z5.\n";
         var path = Bench.Read(Program);
         var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N40"), 0.1).Value!;
         var rewrite = Bench.Rewritten(path, wish);
@@ -159,14 +173,20 @@ public sealed class DisplaceNormalTests
         Assert.Equal((9.9, -2.9), (Bench.MotionOf(now, "N40").End.X, Bench.MotionOf(now, "N40").End.Y));
         var lead = Bench.MotionOf(now, "N5").Arc;
         Assert.Equal(0, lead.Circle.SignedDistance(Bench.MotionOf(path, "N5").Arc.Middle + new Vector2(-0.05, 0.05)), 0.0016);
-        Assert.Equal(["N5", "N50"], Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Neighbors.Where(n => n.Role == NeighborRole.Follows).Select(n => n.Block));
+        Assert.Equal(
+            ["N5", "N50"],
+            Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Neighbors
+                .Where(n => n.Role == NeighborRole.Follows)
+                .Select(n => n.Block));
     }
 
     [Fact]
     public void Rapid_plunge_and_retract_follow_the_border()
     {
         const string Program = "G90 G17\nG0 X0. Y0.\nG0 Z2.\nG1 Z-1. F100\nN10 X10.\nG0 Z2.\nG91 G28 Z0\nG90 G0 X50. Y50.\n";
-        Assert.Equal("G90 G17\nG0 X0. Y0.1\nG0 Z2.\nG1 Z-1. F100\nN10 X10.\nG0 Z2.\nG91 G28 Z0\nG90 G0 X50. Y50.\n", Bench.Normal(Program, 0.1, "N10"));
+        Assert.Equal(
+            "G90 G17\nG0 X0. Y0.1\nG0 Z2.\nG1 Z-1. F100\nN10 X10.\nG0 Z2.\nG91 G28 Z0\nG90 G0 X50. Y50.\n",
+            Bench.Normal(Program, 0.1, "N10"));
     }
 
     [Fact]
@@ -184,15 +204,23 @@ public sealed class DisplaceNormalTests
     }
 
     [Theory]
-    [InlineData("G18", "G0 Z0. X0.\nN10 G1 Z10. X0. F100\nN20 G3 Z15. X5. K0. I5.\nN30 G1 Z15. X20.\n", "G0 Z0. X0.25\nN10 G1 Z10. X0.25 F100\nN20 G3 Z14.75 X5. K0. I4.75\nN30 G1 Z14.75 X20.\n")]
-    [InlineData("G19", "G0 Y0. Z0.\nN10 G1 Y10. Z0. F100\nN20 G3 Y15. Z5. J0. K5.\nN30 G1 Y15. Z20.\n", "G0 Y0. Z0.25\nN10 G1 Y10. Z0.25 F100\nN20 G3 Y14.75 Z5. J0. K4.75\nN30 G1 Y14.75 Z20.\n")]
+    [InlineData(
+        "G18",
+        "G0 Z0. X0.\nN10 G1 Z10. X0. F100\nN20 G3 Z15. X5. K0. I5.\nN30 G1 Z15. X20.\n",
+        "G0 Z0. X0.25\nN10 G1 Z10. X0.25 F100\nN20 G3 Z14.75 X5. K0. I4.75\nN30 G1 Z14.75 X20.\n")]
+    [InlineData(
+        "G19",
+        "G0 Y0. Z0.\nN10 G1 Y10. Z0. F100\nN20 G3 Y15. Z5. J0. K5.\nN30 G1 Y15. Z20.\n",
+        "G0 Y0. Z0.25\nN10 G1 Y10. Z0.25 F100\nN20 G3 Y14.75 Z5. J0. K4.75\nN30 G1 Y14.75 Z20.\n")]
     public void Other_planes_turn_as_seen_against_their_third_axis(string plane, string before, string after) =>
         Assert.Equal("G90 " + plane + "\n" + after, Bench.Normal("G90 " + plane + "\n" + before, 0.25, "N10..N30"));
 
     [Fact]
     public void Ten_thousand_increments_keep_their_sum()
     {
-        var text = "G91 G17 G21\nG0 G90 X0. Y0.\nG1 G91 F100\n" + string.Concat(Enumerable.Range(0, 5000).Select(i => $"N{i + 1} X0.1 Y{(i % 2 == 0 ? "0.03" : "-0.03")}\nX0.1\n")) + "N9000 X1. Y1.\nG90 X600. Y0.\n";
+        var text = "G91 G17 G21\nG0 G90 X0. Y0.\nG1 G91 F100\n"
+            + string.Concat(Enumerable.Range(0, 5000).Select(i => $"N{i + 1} X0.1 Y{(i % 2 == 0 ? "0.03" : "-0.03")}\nX0.1\n"))
+            + "N9000 X1. Y1.\nG90 X600. Y0.\n";
         var path = Bench.Read(text);
         var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N2001..N4000"), 0.037).Value!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
@@ -257,14 +285,16 @@ public sealed class DisplaceNormalTests
     [Fact]
     public void Spelling_is_kept()
     {
-        var result = Bench.Normal("G90 G17\r\nG0 X+00.000 Y+5.000\r\nN10 G1 X+10.000 Y+5.000 F100 ( wall )\r\nN20 X +10.000 Y -5.000\r\n", 0.5, "N10");
+        var result = Bench.Normal(
+            "G90 G17\r\nG0 X+00.000 Y+5.000\r\nN10 G1 X+10.000 Y+5.000 F100 ( wall )\r\nN20 X +10.000 Y -5.000\r\n", 0.5, "N10");
         Assert.Equal("G90 G17\r\nG0 X+00.000 Y+5.500\r\nN10 G1 X+10.000 Y+5.500 F100 ( wall )\r\nN20 X +10.000 Y -5.000\r\n", result);
     }
 
     [Fact]
     public void Compensated_path_moves_as_it_is_programmed()
     {
-        var result = Bench.Normal("G90 G17\nG0 X-10. Y-5.\nG41 D1 G1 X0. Y0. F100\nN10 X10. Y0.\nN20 X10. Y10.\nG40 G1 X20. Y20.\n", 0.1, "N10..N20");
+        var result = Bench.Normal(
+            "G90 G17\nG0 X-10. Y-5.\nG41 D1 G1 X0. Y0. F100\nN10 X10. Y0.\nN20 X10. Y10.\nG40 G1 X20. Y20.\n", 0.1, "N10..N20");
         Assert.Equal("G90 G17\nG0 X-10. Y-5.\nG41 D1 G1 X0. Y0.1 F100\nN10 X9.9 Y0.1\nN20 X9.9 Y10.\nG40 G1 X20. Y20.\n", result);
     }
 }

@@ -52,7 +52,9 @@ public sealed class DisplacementLaws
                 foreach (var fraction in (double[])[0, 0.25, 0.5, 0.75, 1])
                 {
                     var p = moved.PlaneAt(fraction);
-                    var left = was.IsArc ? (was.Kind == MotionKind.ArcCounterClockwise ? -1 : 1) * was.Arc.Circle.SignedDistance(p) : was.Segment.Line.SignedDistance(p);
+                    var left = was.IsArc
+                        ? (was.Kind == MotionKind.ArcCounterClockwise ? -1 : 1) * was.Arc.Circle.SignedDistance(p)
+                        : was.Segment.Line.SignedDistance(p);
                     Assert.Equal(d, left, 0.0022);
                 }
             }
@@ -64,8 +66,13 @@ public sealed class DisplacementLaws
     [InlineData(true)]
     public void Spelling_of_a_contour_makes_no_difference_to_where_it_goes(bool byRadius) => ForAll((contour, seed) =>
     {
-        var (iso, siemens, d) = (Bench.Read(contour.Spell(seed % 2 == 0, byRadius: byRadius)), Bench.Read(contour.SpellSiemens(byRadius), NcDialects.Siemens840D), Distance(contour));
-        var (a, b) = (TryDisplace(iso, DisplacementWish.Normal(iso, Named(iso, contour), d).Value!), TryDisplace(siemens, DisplacementWish.Normal(siemens, Named(siemens, contour), d).Value!));
+        var (iso, siemens, d) = (
+            Bench.Read(contour.Spell(seed % 2 == 0, byRadius: byRadius)),
+            Bench.Read(contour.SpellSiemens(byRadius), NcDialects.Siemens840D),
+            Distance(contour));
+        var (a, b) = (
+            TryDisplace(iso, DisplacementWish.Normal(iso, Named(iso, contour), d).Value!),
+            TryDisplace(siemens, DisplacementWish.Normal(siemens, Named(siemens, contour), d).Value!));
         Assert.Equal(a is null, b is null);
         if (a is null || b is null)
         {
@@ -110,7 +117,9 @@ public sealed class DisplacementLaws
         var results = new[] { false, true }.Select(incremental =>
         {
             var path = Bench.Read(contour.Spell(incremental));
-            var wish = seed % 2 == 0 ? DisplacementWish.Normal(path, Named(path, contour), d).Value! : DisplacementWish.EndsBy(path, Named(path, contour), new(d, -d / 2, d / 4)).Value!;
+            var wish = seed % 2 == 0
+                ? DisplacementWish.Normal(path, Named(path, contour), d).Value!
+                : DisplacementWish.EndsBy(path, Named(path, contour), new(d, -d / 2, d / 4)).Value!;
             return TryDisplace(path, wish) is { } rewrite ? NcInterpreter.Run(rewrite.Program, path.Dialect) : null;
         }).ToArray();
         Assert.Equal(results[0] is null, results[1] is null);
@@ -158,7 +167,11 @@ public sealed class DisplacementLaws
         ForAll((contour, seed) =>
         {
             var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
-            var named = Enumerable.Range(1, contour.Count).Where(_ => contour.Uniform(0, 1) < 0.5).DefaultIfEmpty(1).SelectMany(n => Bench.Blocks(path, "N" + n.ToString(CultureInfo.InvariantCulture))).ToArray();
+            var named = Enumerable.Range(1, contour.Count)
+                .Where(_ => contour.Uniform(0, 1) < 0.5)
+                .DefaultIfEmpty(1)
+                .SelectMany(n => Bench.Blocks(path, "N" + n.ToString(CultureInfo.InvariantCulture)))
+                .ToArray();
             refused += TryDisplace(path, DisplacementWish.Normal(path, named, Distance(contour)).Value!) is null ? 1 : 0;
             TryDisplace(path, DisplacementWish.EndsBy(path, named, new(Distance(contour), Distance(contour), 0)).Value!);
         });
@@ -187,9 +200,16 @@ public sealed class DisplacementLaws
             var random = new RandomContour(seed);
             var corners = 3 + (int)random.Uniform(0, 6);
             var turn = random.Uniform(0, 2 * Math.PI);
-            var places = Enumerable.Range(0, corners + 1).Select(i => Vector2.FromDirection(Angle.FromRadians(turn + (i % corners * 2 * Math.PI / corners))) * random.Uniform(19, 21)).ToArray();
+            var places = Enumerable.Range(0, corners + 1)
+                .Select(
+                    i => Vector2.FromDirection(Angle.FromRadians(turn + (i % corners * 2 * Math.PI / corners))) * random.Uniform(19, 21))
+                .ToArray();
             places[^1] = places[0];
-            var text = "G90 G17 G21\n" + string.Concat(places.Select((p, i) => string.Create(CultureInfo.InvariantCulture, $"N{i} {(i == 0 ? "G0" : "G1")} X{p.X:0.0##} Y{p.Y:0.0##} Z0. F100\n"))) + "G0 Z50.\nM30\n";
+            var text = "G90 G17 G21\n"
+                + string.Concat(places.Select(
+                    (p, i) => string.Create(
+                        CultureInfo.InvariantCulture, $"N{i} {(i == 0 ? "G0" : "G1")} X{p.X:0.0##} Y{p.Y:0.0##} Z0. F100\n")))
+                + "G0 Z50.\nM30\n";
             var path = Bench.Read(text);
             var first = 1 + (int)random.Uniform(0, corners);
             var last = first + (int)random.Uniform(0, corners - first + 1);

@@ -5,7 +5,8 @@ using FsCheck.Fluent;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>What programs compute: expected values are closed forms or hand-computed; those of LinuxCNC are what rs274 of LinuxCNC 2.9 gives.</summary>
+/// <summary>What programs compute: expected values are closed forms or hand-computed;
+/// those of LinuxCNC are what rs274 of LinuxCNC 2.9 gives.</summary>
 public sealed class ExpressionTests
 {
     [Theory]
@@ -303,8 +304,46 @@ public sealed class ExpressionTests
     [Fact]
     public void Any_bytes_are_read_without_an_exception_and_give_no_NaN()
     {
-        var pieces = new[] { "#", "[", "]", "(", ")", "<", ">", "1", "2.5", ".", "-", "+", "*", "/", "**", "SIN", "ATAN", "MOD", "AND", "EQ", "NOT ", "R1", "R[", "\"", "'H", "EX", "$P", "_", ",", " ", "POW[", "0", "X", "é" };
-        var soup = Gen.Frequency((4, Gen.Elements(pieces).ArrayOf().Select(p => Encoding.UTF8.GetBytes(string.Concat(p)))), (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf()));
+        var pieces = new[]
+        {
+            "#",
+            "[",
+            "]",
+            "(",
+            ")",
+            "<",
+            ">",
+            "1",
+            "2.5",
+            ".",
+            "-",
+            "+",
+            "*",
+            "/",
+            "**",
+            "SIN",
+            "ATAN",
+            "MOD",
+            "AND",
+            "EQ",
+            "NOT ",
+            "R1",
+            "R[",
+            "\"",
+            "'H",
+            "EX",
+            "$P",
+            "_",
+            ",",
+            " ",
+            "POW[",
+            "0",
+            "X",
+            "é"
+        };
+        var soup = Gen.Frequency(
+            (4, Gen.Elements(pieces).ArrayOf().Select(p => Encoding.UTF8.GetBytes(string.Concat(p)))),
+            (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf()));
         Check.One(Config.QuickThrowOnFailure.WithMaxTest(20_000), Prop.ForAll(soup.ToArbitrary(), bytes =>
         {
             foreach (var syntax in Enum.GetValues<NcSyntax>())
@@ -334,7 +373,9 @@ public sealed class ExpressionTests
         var reader = new ExpressionReader(bytes, 0, ExpressionSyntax.Of(syntax), variables);
         var value = reader.Expression();
         (error, at) = (reader.Error, reader.ErrorAt);
-        Assert.True(error is not null || reader.At == bytes.Length, string.Create(CultureInfo.InvariantCulture, $"Only {reader.At} bytes were read."));
+        Assert.True(
+            error is not null || reader.At == bytes.Length,
+            string.Create(CultureInfo.InvariantCulture, $"Only {reader.At} bytes were read."));
         return value;
     }
 }

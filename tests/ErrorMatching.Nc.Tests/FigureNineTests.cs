@@ -3,8 +3,8 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// The one program whose modification the paper prints: figure 9 of Wang 2021, with block N8970, which the screenshot hides, as the straight move
-/// that the center of N8980 implies.
+/// The one program whose modification the paper prints: figure 9 of Wang 2021, with block N8970, which the screenshot hides,
+/// as the straight move that the center of N8980 implies.
 /// </summary>
 public sealed class FigureNineTests
 {
@@ -61,7 +61,8 @@ public sealed class FigureNineTests
     }
 
     private static NcPath Original() =>
-        NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "figure-nine", "original.nc"))), NcDialects.DeltaNc300);
+        NcInterpreter.Run(
+            NcProgram.Read(File.ReadAllBytes(Repository.PathTo("samples", "figure-nine", "original.nc"))), NcDialects.DeltaNc300);
 
     private static DisplacementWish Wish(NcPath path)
     {

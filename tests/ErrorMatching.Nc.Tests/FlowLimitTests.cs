@@ -8,11 +8,21 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>Every program comes to an end: by itself, by a limit, or by a refusal; whatever bytes it has.</summary>
 public sealed class FlowLimitTests
 {
-    private static readonly string[] Iso = ["#1=#1+1", "#2=#1*2 ", "IF[#1LT5]GOTO1", "IF[#1EQ3]THEN #2=1", "GOTO2", "GOTO#1", "WHILE[#1LT4]DO1", "END1", "DO2", "END2", "N1 X#1", "N2 X1", "M98P2L2", "M98P20002", "M99", "M99P1", "G65P2A1B#1", "G66P2", "G67", "O2", "O1", "%", "M30", "[", "#", "IF[", "#1=0"];
+    private static readonly string[] Iso = [
+        "#1=#1+1", "#2=#1*2 ", "IF[#1LT5]GOTO1", "IF[#1EQ3]THEN #2=1", "GOTO2", "GOTO#1", "WHILE[#1LT4]DO1", "END1", "DO2", "END2",
+        "N1 X#1", "N2 X1", "M98P2L2", "M98P20002", "M99", "M99P1", "G65P2A1B#1", "G66P2", "G67", "O2", "O1", "%", "M30", "[", "#", "IF[",
+        "#1=0"];
 
-    private static readonly string[] OWords = ["#1=[#1+1]", "o1 if [#1 lt 3]", "o1 else", "o1 elseif [1]", "o1 endif", "o2 while [#1 lt 4]", "o2 endwhile", "o3 do", "o3 while [#1 lt 2]", "o4 repeat [2]", "o4 endrepeat", "o2 break", "o2 continue", "o5 sub", "o5 endsub [1]", "o5 call [#1]", "o5 return [2]", "o[#1] call", "x#1", "m98 p6", "o6", "m99", "m2", "o", "o<a", "#<a>=1"];
+    private static readonly string[] OWords = [
+        "#1=[#1+1]", "o1 if [#1 lt 3]", "o1 else", "o1 elseif [1]", "o1 endif", "o2 while [#1 lt 4]", "o2 endwhile", "o3 do",
+        "o3 while [#1 lt 2]", "o4 repeat [2]", "o4 endrepeat", "o2 break", "o2 continue", "o5 sub", "o5 endsub [1]", "o5 call [#1]",
+        "o5 return [2]", "o[#1] call", "x#1", "m98 p6", "o6", "m99", "m2", "o", "o<a", "#<a>=1"];
 
-    private static readonly string[] Siemens = ["R1=R1+1", "R1=0", "DEF INT I", "IF R1<3", "ELSE", "ENDIF", "IF R1<3 GOTOB A1", "A1: X=R1", "A2:", "GOTOF A2", "GOTOB A1", "FOR I=1 TO 3", "ENDFOR", "WHILE R1<4", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "UNTIL R1>2", "REPEAT A1 P=2", "REPEATB A1", "REPEAT A1 A2", "CASE (R1) OF 1 GOTOF A2 DEFAULT GOTOB A1", "UP(R1) P2", "%_N_UP_SPF", "PROC UP(INT A)", "M17", "RET", "M30", "CALL \"UP\"", "DEF REAL F[3]=SET(1,2,3)", "F[1]=REP(2)", "ENDLABEL:", "GOTOC", "DEF", "\""];
+    private static readonly string[] Siemens = [
+        "R1=R1+1", "R1=0", "DEF INT I", "IF R1<3", "ELSE", "ENDIF", "IF R1<3 GOTOB A1", "A1: X=R1", "A2:", "GOTOF A2", "GOTOB A1",
+        "FOR I=1 TO 3", "ENDFOR", "WHILE R1<4", "ENDWHILE", "LOOP", "ENDLOOP", "REPEAT", "UNTIL R1>2", "REPEAT A1 P=2", "REPEATB A1",
+        "REPEAT A1 A2", "CASE (R1) OF 1 GOTOF A2 DEFAULT GOTOB A1", "UP(R1) P2", "%_N_UP_SPF", "PROC UP(INT A)", "M17", "RET", "M30",
+        "CALL \"UP\"", "DEF REAL F[3]=SET(1,2,3)", "F[1]=REP(2)", "ENDLABEL:", "GOTOC", "DEF", "\""];
 
     [Theory]
     [InlineData(NcSyntax.Iso, "N10 G1 X5. Y-3 F100 M3 (IF #1)", false)]
@@ -47,7 +57,9 @@ public sealed class FlowLimitTests
     {
         using var source = new CancellationTokenSource();
         source.Cancel();
-        Assert.Equal(NcRefusalCodes.EndlessLoop, FlowRun.Of(NcSyntax.Iso, "#1=0\nN1 #1=#1+1\nGOTO1", new() { Cancellation = source.Token }).Refusal?.Code);
+        Assert.Equal(
+            NcRefusalCodes.EndlessLoop,
+            FlowRun.Of(NcSyntax.Iso, "#1=0\nN1 #1=#1+1\nGOTO1", new() { Cancellation = source.Token }).Refusal?.Code);
     }
 
     [Fact]
@@ -90,11 +102,17 @@ public sealed class FlowLimitTests
     public void Any_program_ends_and_none_throws()
     {
         string[][] families = [Iso, OWords, Siemens];
-        var statements = Gen.Choose(0, 2).SelectMany(f => Gen.Frequency((8, Gen.Elements(families[f])), (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().Select(Encoding.Latin1.GetString))).ArrayOf()
+        var statements = Gen.Choose(0, 2).SelectMany(
+            f => Gen.Frequency(
+                (8, Gen.Elements(families[f])),
+                (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().Select(Encoding.Latin1.GetString))).ArrayOf()
             .Select(lines => (Syntax: (NcSyntax)f, Text: string.Join('\n', lines))));
         Check.One(Config.QuickThrowOnFailure.WithMaxTest(20_000).WithEndSize(30), Prop.ForAll(statements.ToArbitrary(), p =>
         {
-            FlowRun.Of(p.Syntax, (p.Syntax == NcSyntax.Siemens ? "R1=0\n" : p.Syntax == NcSyntax.Iso ? "#1=0\n" : "") + p.Text, new() { Steps = 2_000, Depth = 10 });
+            FlowRun.Of(
+                p.Syntax,
+                (p.Syntax == NcSyntax.Siemens ? "R1=0\n" : p.Syntax == NcSyntax.Iso ? "#1=0\n" : "") + p.Text,
+                new() { Steps = 2_000, Depth = 10 });
             return true;
         }));
     }

@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Runs a program as the interpreter does and writes down the blocks whose words were acted on, with the computed values of X.</summary>
+/// <summary>Runs a program as the interpreter does and writes down the blocks whose words were acted on,
+/// with the computed values of X.</summary>
 internal sealed class FlowRun
 {
     private readonly List<string> _trace = [];

@@ -5,7 +5,8 @@ public sealed class IncrementNumberTests
 {
     private static readonly NcDialect Thousandths = OwnDialect.Of(Increments());
 
-    private static readonly NcDialect TenThousandths = OwnDialect.Of(Increments(""", "metricDecimals": { "value": 4, "statement": "0.0001 mm.", "source": "our tests" } """));
+    private static readonly NcDialect TenThousandths = OwnDialect.Of(Increments(
+        """, "metricDecimals": { "value": 4, "statement": "0.0001 mm.", "source": "our tests" } """));
 
     [Theory]
     [InlineData("X10000 Y5.", "R10,5,0")]
@@ -18,7 +19,9 @@ public sealed class IncrementNumberTests
     [InlineData("G68 X0 Y0 R90.\nX10000 Y0", "R0,10,0")]
     [InlineData("G16\nX10000 Y90000", "R0,10,0")]
     [InlineData("G52 X1000\nX0", "R0,0,0")]
-    [InlineData("Z10000\nG99 G83 X1000 Z-5000 R2000 Q3000", "R0,0,10 R1,0,10 R1,0,2 L1,0,-1 R1,0,2 R1,0,-0.746 L1,0,-4 R1,0,2 R1,0,-3.746 L1,0,-5 R1,0,2")]
+    [InlineData(
+        "Z10000\nG99 G83 X1000 Z-5000 R2000 Q3000",
+        "R0,0,10 R1,0,10 R1,0,2 L1,0,-1 R1,0,2 R1,0,-0.746 L1,0,-4 R1,0,2 R1,0,-3.746 L1,0,-5 R1,0,2")]
     public void Are_least_increments_where_the_dialect_says_so(string program, string moves) =>
         Assert.Equal(moves, Moves.Of(Bench.Read("G90 G17 G40 G0 X0 Y0 Z0\n" + program + "\n", Thousandths), 1));
 
@@ -31,7 +34,11 @@ public sealed class IncrementNumberTests
     {
         var result = Bench.Normal("G90 G17\nG0 X0 Y0\nN10 G1 X10000 F100\nN20 Y10.\nN30 X-5000\n", 0.1, "N10..N20", Thousandths);
         Assert.Equal("G90 G17\nG0 X0 Y100\nN10 G1 X9900 F100\nN20 Y10.\nN30 X-5000\n", result);
-        var arc = Bench.Normal("G90 G17\nG0 X0 Y0\nN10 G1 X10000 Y0 F100\nN20 G3 X15000 Y5000 I0 J5000\nN30 G1 X15000 Y20000\n", 0.25, "N10..N30", Thousandths);
+        var arc = Bench.Normal(
+            "G90 G17\nG0 X0 Y0\nN10 G1 X10000 Y0 F100\nN20 G3 X15000 Y5000 I0 J5000\nN30 G1 X15000 Y20000\n",
+            0.25,
+            "N10..N30",
+            Thousandths);
         Assert.Equal("G90 G17\nG0 X0 Y250\nN10 G1 X10000 Y250 F100\nN20 G3 X14750 Y5000 I0 J4750\nN30 G1 X14750 Y20000\n", arc);
         var finer = Bench.Normal("G90 G17\nG0 X0 Y0\nN10 G1 X100000 F100\nN20 Y100000\nN30 X-50000\n", 0.0123, "N10..N20", TenThousandths);
         Assert.Equal("G90 G17\nG0 X0 Y123\nN10 G1 X99877 F100\nN20 Y100000\nN30 X-50000\n", finer);
@@ -46,19 +53,37 @@ public sealed class IncrementNumberTests
     public void Are_noted_where_machines_differ(string dialect, string noted)
     {
         // Zero is zero in any unit, and F, S, P and N have none that a point changes.
-        var path = Bench.Read("N1 G90 G17 G40 G0 X0 Y0 Z0.\nN2 G4 P500\nN3 G1 X10 Y5. F100 S2000\nN4 G2 X20 Y5. I5 J0\nN5 X30. Y5. R5\n", NcDialects.Named(dialect));
-        Assert.Equal(noted.Length > 0 ? ("number-without-point", 2, 4L) : default, path.Notes.Select(n => (n.Code, n.Block, n.Count)).SingleOrDefault());
-        Assert.All(path.Notes, n => Assert.Contains("4 coordinates are written without a point, the first in N3. Dialect " + dialect + " reads them in millimeters or inches: X100 is 100 mm.", n.Message, StringComparison.Ordinal));
+        var path = Bench.Read(
+            "N1 G90 G17 G40 G0 X0 Y0 Z0.\nN2 G4 P500\nN3 G1 X10 Y5. F100 S2000\nN4 G2 X20 Y5. I5 J0\nN5 X30. Y5. R5\n",
+            NcDialects.Named(dialect));
+        Assert.Equal(
+            noted.Length > 0 ? ("number-without-point", 2, 4L) : default,
+            path.Notes.Select(n => (n.Code, n.Block, n.Count)).SingleOrDefault());
+        Assert.All(
+            path.Notes,
+            n => Assert.Contains(
+                "4 coordinates are written without a point, the first in N3. Dialect " + dialect
+                    + " reads them in millimeters or inches: X100 is 100 mm.",
+                n.Message,
+                StringComparison.Ordinal));
     }
 
     [Fact]
     public void Are_always_noted_where_they_count_increments()
     {
-        Assert.Contains("in least increments: X100 is 0.1 mm.", Assert.Single(Bench.Read("G0 X5\n", Thousandths).Notes).Message, StringComparison.Ordinal);
-        Assert.Contains("in least increments: X100 is 0.01 mm.", Assert.Single(Bench.Read("G0 X5\n", TenThousandths).Notes).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "in least increments: X100 is 0.1 mm.",
+            Assert.Single(Bench.Read("G0 X5\n", Thousandths).Notes).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "in least increments: X100 is 0.01 mm.",
+            Assert.Single(Bench.Read("G0 X5\n", TenThousandths).Notes).Message,
+            StringComparison.Ordinal);
         Assert.Single(Bench.Read("G0 X5\n", OwnDialect.Of(Increments(), "linuxcnc")).Notes);
         Assert.Empty(Bench.Read("G0 X5. Y0\n", Thousandths).Notes);
     }
 
-    private static string Increments(string more = "") => """, "settings": { "integersAreIncrements": { "value": true, "statement": "X100 is 100 increments.", "source": "our tests" }""" + more + " }";
+    private static string Increments(string more = "") =>
+        """, "settings": { "integersAreIncrements": { "value": true, "statement": "X100 is 100 increments.", "source": "our tests" }"""
+            + more + " }";
 }

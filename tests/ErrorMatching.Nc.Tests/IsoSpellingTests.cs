@@ -59,7 +59,8 @@ public sealed class IsoSpellingTests
                 {
                     foreach (var token in program.Tokens(program[i]))
                     {
-                        Assert.True(token.Length > 0 && token.ValueStart >= token.Start && token.ValueStart + token.ValueLength <= token.End);
+                        Assert.True(
+                            token.Length > 0 && token.ValueStart >= token.Start && token.ValueStart + token.ValueLength <= token.End);
                     }
                 }
             }
@@ -71,7 +72,8 @@ public sealed class IsoSpellingTests
     [Fact]
     public void Comments_in_encodings_of_two_bytes_end_where_they_end()
     {
-        // Second bytes of Big5 and GBK begin at 0x40, of Shift JIS too: brackets, backslashes and bars, but never a parenthesis, a semicolon or a line end.
+        // Second bytes of Big5 and GBK begin at 0x40, of Shift JIS too:
+        // brackets, backslashes and bars, but never a parenthesis, a semicolon or a line end.
         for (var lead = 0x81; lead <= 0xFE; lead++)
         {
             for (var trail = 0x40; trail <= 0xFE; trail++)

@@ -4,8 +4,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Motions of LinuxCNC programs: origins that turn, tool lengths, stored places, cycles, and what this control does otherwise than one would think. The expected values are worked out by hand, and rs274 of
-/// LinuxCNC 2.9 prints the same.
+/// Motions of LinuxCNC programs: origins that turn, tool lengths, stored places, cycles, and what this control does otherwise than one
+/// would think. The expected values are worked out by hand, and rs274 of LinuxCNC 2.9 prints the same.
 /// </summary>
 public sealed class LinuxCncMotionTests
 {
@@ -99,7 +99,9 @@ public sealed class LinuxCncMotionTests
 
     [Fact]
     public void A_block_with_polar_words_is_not_displaced() =>
-        Assert.Equal(NcRefusalCodes.ActiveTransform, Bench.RefusedBy(Head + "N10 G1 X5\nN20 @8 ^0\nN30 X20\n", new Vector3(0.1, 0, 0), "N20", NcDialects.LinuxCnc).Code);
+        Assert.Equal(
+            NcRefusalCodes.ActiveTransform,
+            Bench.RefusedBy(Head + "N10 G1 X5\nN20 @8 ^0\nN30 X20\n", new Vector3(0.1, 0, 0), "N20", NcDialects.LinuxCnc).Code);
 
     [Fact]
     public void A_thread_is_a_straight_cut_that_is_not_displaced()
@@ -121,7 +123,9 @@ public sealed class LinuxCncMotionTests
     [Fact]
     public void A_break_out_of_a_while_loop_still_counts_at_the_next_do_loop()
     {
-        var path = Run("#1=0\no1 while [#1 LT 5]\n#1=[#1+1]\no2 if [#1 GT 1]\no1 break\no2 endif\no1 endwhile\n#1=0\no3 do\nG0 X#1\n#1=[#1+1]\no3 while [#1 LT 3]\n#1=0\no4 do\nG0 Y#1\n#1=[#1+1]\no4 while [#1 LT 3]");
+        var path = Run(
+            "#1=0\no1 while [#1 LT 5]\n#1=[#1+1]\no2 if [#1 GT 1]\no1 break\no2 endif\no1 endwhile\n#1=0\no3 do\nG0 X#1\n#1=[#1+1]\no3 "
+                + "while [#1 LT 3]\n#1=0\no4 do\nG0 Y#1\n#1=[#1+1]\no4 while [#1 LT 3]");
         Assert.Equal(["0 0 10", "0 0 10", "0 1 10", "0 2 10"], Shown(path)[1..]);
         Assert.Single(path.Notes, n => n.Code == "loop-left");
     }
@@ -144,6 +148,7 @@ public sealed class LinuxCncMotionTests
         var (end, unknown) = (path.Motions[index].End, path.Motions[index].UnknownEnd);
         return $"{One(AxisSet.X, end.X)} {One(AxisSet.Y, end.Y)} {One(AxisSet.Z, end.Z)}";
 
-        string One(AxisSet axis, double value) => (unknown & axis) != AxisSet.None ? "?" : (Math.Round(value, 4) + 0.0).ToString(CultureInfo.InvariantCulture);
+        string One(AxisSet axis, double value) =>
+            (unknown & axis) != AxisSet.None ? "?" : (Math.Round(value, 4) + 0.0).ToString(CultureInfo.InvariantCulture);
     }
 }

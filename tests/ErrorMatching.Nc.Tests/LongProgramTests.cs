@@ -9,8 +9,23 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>What serves long programs gives what a plain walk gives.</summary>
 public sealed class LongProgramTests
 {
-    private static readonly Gen<string> Paths = Gen.Elements("G1 X{0}. Y{1}.", "G1 X{0}. Y{1}.", "G1 X{0}.0001 Y{1}.", "G1 X{0}.00005 Y{1}.", "G1 X{0}.0000496 Y{1}.", "G0 X{0}. Y{1}.", "G3 X{0}. Y{1}. R9.", "G1 Z{0}.", "G55", "G41 G1 X{0}. Y{1}.", "G40 G1 X{0}. Y{1}.")
-        .Zip(Gen.Choose(0, 3).Two()).Select(p => p.Item1.Replace("{0}", p.Item2.Item1.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal).Replace("{1}", p.Item2.Item2.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal))
+    private static readonly Gen<string> Paths = Gen.Elements(
+        "G1 X{0}. Y{1}.",
+        "G1 X{0}. Y{1}.",
+        "G1 X{0}.0001 Y{1}.",
+        "G1 X{0}.00005 Y{1}.",
+        "G1 X{0}.0000496 Y{1}.",
+        "G0 X{0}. Y{1}.",
+        "G3 X{0}. Y{1}. R9.",
+        "G1 Z{0}.",
+        "G55",
+        "G41 G1 X{0}. Y{1}.",
+        "G40 G1 X{0}. Y{1}.")
+        .Zip(Gen.Choose(0, 3).Two()).Select(
+            p => p.Item1.Replace(
+                "{0}",
+                p.Item2.Item1.ToString(CultureInfo.InvariantCulture),
+                StringComparison.Ordinal).Replace("{1}", p.Item2.Item2.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal))
         .ArrayOf().Select(l => "G90 G17 G21 G54\nG0 X0 Y0 Z0\n" + string.Join('\n', l));
 
     [Fact]
@@ -25,8 +40,10 @@ public sealed class LongProgramTests
                 var from = (i * 7) % motions.Length;
                 same &= walking.FirstEndingAt(motions[i].Start, i + 1, i) == sorted.FirstEndingAt(motions[i].Start, i + 1, i);
                 same &= walking.LastStartingAt(motions[i].End, i - 1, i) == sorted.LastStartingAt(motions[i].End, i - 1, i);
-                same &= walking.FirstEndingAt(motions[i].Start + new Vector3(4e-7, 0, 0), from, i) == sorted.FirstEndingAt(motions[i].Start + new Vector3(4e-7, 0, 0), from, i);
-                same &= walking.LastStartingAt(motions[i].End + new Vector3(0, 5e-5, 0), from, i) == sorted.LastStartingAt(motions[i].End + new Vector3(0, 5e-5, 0), from, i);
+                same &= walking.FirstEndingAt(motions[i].Start + new Vector3(4e-7, 0, 0), from, i)
+                    == sorted.FirstEndingAt(motions[i].Start + new Vector3(4e-7, 0, 0), from, i);
+                same &= walking.LastStartingAt(motions[i].End + new Vector3(0, 5e-5, 0), from, i)
+                    == sorted.LastStartingAt(motions[i].End + new Vector3(0, 5e-5, 0), from, i);
             }
 
             return same;
@@ -41,7 +58,8 @@ public sealed class LongProgramTests
         // As many blocks as are read before they are edited, and so many that the first stand for all.
         string Displaced(int blocks)
         {
-            var lines = Enumerable.Range(0, blocks).Select(i => i == 5000 ? "G1 " + odd : string.Create(CultureInfo.InvariantCulture, $"G1 X{i % 7}. Y0.{1 + (i % 2)}"));
+            var lines = Enumerable.Range(0, blocks).Select(
+                i => i == 5000 ? "G1 " + odd : string.Create(CultureInfo.InvariantCulture, $"G1 X{i % 7}. Y0.{1 + (i % 2)}"));
             var path = Bench.Read("G90 G17 G21 G54\nG0 X0 Y0 Z0\n" + string.Join('\n', lines) + "\n");
             var wish = DisplacementWish.EndsBy(path, [.. Enumerable.Range(2, blocks)], new(0.1, 0.00012, 0));
             return Encoding.UTF8.GetString(Rewriter.Apply(path, wish.Value!).Value!.Program.Bytes.Span);
@@ -60,13 +78,17 @@ public sealed class LongProgramTests
 
     [Fact]
     public void Runs_of_motions_answer_as_a_list_of_them_does() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000), Prop.ForAll(Gen.Choose(0, 60).ListOf().Zip(Gen.Choose(-2, 62).ListOf()).ToArbitrary(), p =>
+        Check.One(
+            Config.QuickThrowOnFailure.WithMaxTest(2000),
+            Prop.ForAll(Gen.Choose(0, 60).ListOf().Zip(Gen.Choose(-2, 62).ListOf()).ToArbitrary(), p =>
         {
             List<int> named = [.. p.Item1.Distinct().Order()];
             var runs = new MotionRuns();
             named.ForEach(runs.Add);
             return p.Item2.All(m => runs.IndexOf(m) == Math.Max(-1, named.IndexOf(m)))
-                && Enumerable.Range(0, runs.Count).SelectMany(r => Enumerable.Range(runs[r].First, runs[r].Last - runs[r].First + 1)).SequenceEqual(named);
+                && Enumerable.Range(0, runs.Count)
+                    .SelectMany(r => Enumerable.Range(runs[r].First, runs[r].Last - runs[r].First + 1))
+                    .SequenceEqual(named);
         }));
 
     [Fact]
@@ -75,13 +97,15 @@ public sealed class LongProgramTests
         {
             var contour = new RandomContour(seed);
             var path = Bench.Read(contour.Spell());
-            int[] motions = [.. Enumerable.Range(0, path.Motions.Length).Where(i => path.Motions[i] is { IsCut: true, MovesInPlane: true })];
+            int[] motions = [
+                .. Enumerable.Range(0, path.Motions.Length).Where(i => path.Motions[i] is { IsCut: true, MovesInPlane: true })];
             var tree = new PathTree(path, motions);
             var place = new Point2(contour.Uniform(-60, 60), contour.Uniform(-60, 60));
             var all = motions.Select(m => new PathFoot(0, m, 0) with { DistanceMm = Distance(path.Motions[m], place) }).ToArray();
             var feet = new List<PathFoot>();
             tree.Collect(place, 20, feet);
-            return tree.NearestTo(place).Motion == all.MinBy(f => f.DistanceMm).Motion && feet.Select(f => f.Motion).SequenceEqual(all.Where(f => f.DistanceMm <= 20).Select(f => f.Motion));
+            return tree.NearestTo(place).Motion == all.MinBy(f => f.DistanceMm).Motion
+                && feet.Select(f => f.Motion).SequenceEqual(all.Where(f => f.DistanceMm <= 20).Select(f => f.Motion));
         }));
 
     [Fact]
@@ -102,7 +126,8 @@ public sealed class LongProgramTests
         Assert.Equal(rewrite.Patches.OrderBy(p => p.Start), rewrite.Patches);
         for (var first = 1; first < 12_000; first += 3000)
         {
-            var part = Bench.Rewritten(path, Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, $"N{first}..N{first + 2999}"), 0.05)));
+            var part = Bench.Rewritten(
+                path, Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, $"N{first}..N{first + 2999}"), 0.05)));
             for (var block = first + 10; block < first + 2980; block++)
             {
                 Assert.Equal(part.Program.TextOf(part.Program[block]), rewrite.Program.TextOf(rewrite.Program[block]));
@@ -122,7 +147,14 @@ public sealed class LongProgramTests
         var path = Bench.Read(text.ToString());
         var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N100..N110"), 0.05));
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
-        foreach (var (was, now) in new[] { ("N1 X", "N1  X"), ("N15000 X", "N15001 X"), ("N19999 X3999.800", "N19999 X3999.801"), ("N19999 X3999.800", "N19999 X3999.80"), ("N8000 X1600.000", "N8000 X1600.000 M8") })
+        foreach (var (was, now) in new[]
+        {
+            ("N1 X", "N1  X"),
+            ("N15000 X", "N15001 X"),
+            ("N19999 X3999.800", "N19999 X3999.801"),
+            ("N19999 X3999.800", "N19999 X3999.80"),
+            ("N8000 X1600.000", "N8000 X1600.000 M8")
+        })
         {
             Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds, now);
         }

@@ -25,7 +25,9 @@ public sealed class MacroFlowTests
 
     [Fact]
     public void Loops_stand_in_one_another() =>
-        Runs("#1=1\nWHILE[#1LE2]DO1\n#2=1\nWHILE[#2LE2]DO2\nN1 X[#1*10+#2]\n#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30", "N1=11 N1=12 N1=21 N1=22 10");
+        Runs(
+            "#1=1\nWHILE[#1LE2]DO1\n#2=1\nWHILE[#2LE2]DO2\nN1 X[#1*10+#2]\n#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30",
+            "N1=11 N1=12 N1=21 N1=22 10");
 
     [Fact]
     public void One_number_serves_two_loops_in_turn() =>
@@ -60,7 +62,8 @@ public sealed class MacroFlowTests
     [Fact]
     public void A_macro_has_local_variables_of_its_own()
     {
-        var run = Runs("O1\n#1=5\n#100=1\nG65 P2 A7.5 B#1 X[#1*2]\nN1 X#1\nM30\nO2\nN2 X[#1+#2+#24]\n#1=99\n#100=#3\nM99\n", "4=10 N2=22.5 11 N1=5 6");
+        var run = Runs(
+            "O1\n#1=5\n#100=1\nG65 P2 A7.5 B#1 X[#1*2]\nN1 X#1\nM30\nO2\nN2 X[#1+#2+#24]\n#1=99\n#100=#3\nM99\n", "4=10 N2=22.5 11 N1=5 6");
         Assert.Equal("vacant", run.Number(100));
     }
 
@@ -80,7 +83,8 @@ public sealed class MacroFlowTests
     public void Further_centers_are_the_second_kind_of_arguments()
     {
         // B-64604EN: A1. B2. I-3. I4. D5. gives #1=1, #2=2, #4=-3, #7=5 (I4. goes to #7 first, then D5.).
-        var run = FlowRun.Of(NcSyntax.Iso, "O1\nG65 P1000 A1. B2. I-3. I4. D5. J8.\nM30\nO1000\n#501=#1\n#502=#2\n#504=#4\n#507=#7\n#508=#8\nM99\n");
+        var run = FlowRun.Of(
+            NcSyntax.Iso, "O1\nG65 P1000 A1. B2. I-3. I4. D5. J8.\nM30\nO1000\n#501=#1\n#502=#2\n#504=#4\n#507=#7\n#508=#8\nM99\n");
         Assert.Equal(["1", "2", "-3", "5", "8"], new[] { 501, 502, 504, 507, 508 }.Select(run.Number));
     }
 

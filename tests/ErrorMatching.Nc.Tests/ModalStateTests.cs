@@ -26,7 +26,9 @@ public class ModalStateTests
         int value => value + 1,
         double value => value + 1,
         Point3 value => new Point3(value.X, value.Y, value.Z + 1),
-        Enum value => Enum.GetValues(field.FieldType).Cast<Enum>().First(v => Convert.ToInt64(v, CultureInfo.InvariantCulture) != Convert.ToInt64(value, CultureInfo.InvariantCulture)),
+        Enum value => Enum.GetValues(field.FieldType)
+            .Cast<Enum>()
+            .First(v => Convert.ToInt64(v, CultureInfo.InvariantCulture) != Convert.ToInt64(value, CultureInfo.InvariantCulture)),
         var value => throw new InvalidOperationException($"{field.Name} is {value}: say here what differs from it."),
     };
 }

@@ -12,13 +12,16 @@ public class MotionComparisonTests
     public void A_program_does_not_differ_from_itself() => Assert.Empty(Compare(Program, Program));
 
     [Fact]
-    public void Another_spelling_is_no_difference() => Assert.Empty(Compare(Program, Program.Replace("X10 F100", "X+10.000 F100.", StringComparison.Ordinal)));
+    public void Another_spelling_is_no_difference() =>
+        Assert.Empty(Compare(Program, Program.Replace("X10 F100", "X+10.000 F100.", StringComparison.Ordinal)));
 
     [Fact]
     public void Programs_of_one_length_are_aligned_by_order()
     {
         var differences = Compare(Program, "N10 G0 X0 Y0 Z5\nN20 G1 X10.02 Y-0.5 F100\nN30 G2 X20 Y10 I0 J10\nN40 G1 Y20 F90\n");
-        Assert.Equal([(MotionChange.Moved, 1, 1), (MotionChange.Moved, 2, 2), (MotionChange.Feed, 3, 3)], differences.Select(d => (d.Change, d.Before, d.After)));
+        Assert.Equal(
+            [(MotionChange.Moved, 1, 1), (MotionChange.Moved, 2, 2), (MotionChange.Feed, 3, 3)],
+            differences.Select(d => (d.Change, d.Before, d.After)));
         Assert.Equal(0.02, differences[0].Displacement.X, 1e-12);
         Assert.Equal(-0.5, differences[0].Displacement.Y, 1e-12);
 
@@ -29,21 +32,30 @@ public class MotionComparisonTests
 
     [Fact]
     public void Another_kind_of_motion_replaces_the_first() =>
-        Assert.Equal([MotionChange.Replaced], Compare(Program, Program.Replace("G1 Y20", "G0 Y20", StringComparison.Ordinal)).Select(d => d.Change));
+        Assert.Equal(
+            [MotionChange.Replaced], Compare(Program, Program.Replace("G1 Y20", "G0 Y20", StringComparison.Ordinal)).Select(d => d.Change));
 
     [Fact]
     public void An_inserted_motion_leaves_the_others_aligned()
     {
-        Assert.Equal([(MotionChange.Inserted, -1, 2)], Compare(Program, Program.Replace("N30", "X10 Y0.001\nY0\nN30", StringComparison.Ordinal).Replace("Y0\nN30", "N30", StringComparison.Ordinal)
+        Assert.Equal(
+            [(MotionChange.Inserted, -1, 2)],
+            Compare(
+                Program,
+                Program.Replace("N30", "X10 Y0.001\nY0\nN30", StringComparison.Ordinal).Replace("Y0\nN30", "N30", StringComparison.Ordinal)
             .Replace("I0 J10", "I0 J9.999", StringComparison.Ordinal)).Select(d => (d.Change, d.Before, d.After)));
-        Assert.Equal([(MotionChange.Removed, 3, -1)], Compare(Program, Program.Replace("N40 G1 Y20\n", "", StringComparison.Ordinal)).Select(d => (d.Change, d.Before, d.After)));
+        Assert.Equal(
+            [(MotionChange.Removed, 3, -1)],
+            Compare(Program, Program.Replace("N40 G1 Y20\n", "", StringComparison.Ordinal)).Select(d => (d.Change, d.Before, d.After)));
     }
 
     [Fact]
     public void Moved_motions_are_found_again_by_their_block_numbers()
     {
         var differences = Compare(Program, "N10 G0 X0 Y0 Z5\nN20 G1 X10 Y1 F100\nG1 X11 Y1\nN30 G2 X20 Y12 I0 J10\nN40 G1 Y20\n");
-        Assert.Equal([(MotionChange.Moved, 1, 1), (MotionChange.Inserted, -1, 2), (MotionChange.Moved, 2, 3)], differences.Select(d => (d.Change, d.Before, d.After)));
+        Assert.Equal(
+            [(MotionChange.Moved, 1, 1), (MotionChange.Inserted, -1, 2), (MotionChange.Moved, 2, 3)],
+            differences.Select(d => (d.Change, d.Before, d.After)));
     }
 
     [Fact]
@@ -86,7 +98,9 @@ public class MotionComparisonTests
         Assert.NotEqual(difference.Functions!.Before, difference.Functions.After);
 
         static string Replaced(string text, string was, string now, string word) =>
-            text.Contains(was, StringComparison.Ordinal) ? text.Replace(was, now, StringComparison.Ordinal) : text.Replace(word, now.TrimEnd(), StringComparison.Ordinal);
+            text.Contains(was, StringComparison.Ordinal)
+                ? text.Replace(was, now, StringComparison.Ordinal)
+                : text.Replace(word, now.TrimEnd(), StringComparison.Ordinal);
     }
 
     [Theory]
@@ -128,7 +142,12 @@ public class MotionComparisonTests
         moved.Insert(at, FormattableString.Invariant($"G1 X{(at * 2) - 1} Y30"));
         var differences = Compare(string.Join('\n', lines), string.Join('\n', moved));
         Assert.Equal([at], differences.Where(d => d.Change == MotionChange.Inserted).Select(d => d.After));
-        Assert.Equal(100, differences.Count(d => d.Change == MotionChange.Moved && Math.Abs(d.Displacement.X - 0.05) < 1e-9 && Math.Abs(d.Displacement.Y - 0.02) < 1e-9));
+        Assert.Equal(
+            100,
+            differences.Count(
+                d => d.Change == MotionChange.Moved
+                    && Math.Abs(d.Displacement.X - 0.05) < 1e-9
+                    && Math.Abs(d.Displacement.Y - 0.02) < 1e-9));
     }
 
     [Fact]
@@ -166,9 +185,12 @@ public class MotionComparisonTests
     [Fact]
     public void Side_by_side_every_block_stands_once_and_changed_words_are_marked()
     {
-        var comparison = MotionComparison.Of(Run("(A)\nN10 G1 X1 Y1\nM8\nN20 X2\nN30 X3\n"), Run("(A)\nN10 G1 X1.0 Y2\nN15 M9\nX2\nX2.5\nN40 X3\n"));
+        var comparison = MotionComparison.Of(
+            Run("(A)\nN10 G1 X1 Y1\nM8\nN20 X2\nN30 X3\n"), Run("(A)\nN10 G1 X1.0 Y2\nN15 M9\nX2\nX2.5\nN40 X3\n"));
         var rows = SideBySide.Of(comparison);
-        Assert.Equal([(0, 0, true), (1, 1, false), (2, 2, false), (3, 3, true), (-1, 4, false), (4, 5, true)], rows.Select(r => (r.Before, r.After, r.IsSame)));
+        Assert.Equal(
+            [(0, 0, true), (1, 1, false), (2, 2, false), (3, 3, true), (-1, 4, false), (4, 5, true)],
+            rows.Select(r => (r.Before, r.After, r.IsSame)));
         var (before, after) = (comparison.Before.Program, comparison.After.Program);
         var words = SideBySide.Words(before, before[1], after, after[1]);
         Assert.Equal(["Y1"], words.Before.Select(r => "N10 G1 X1 Y1"[r]));
@@ -182,7 +204,8 @@ public class MotionComparisonTests
     public void A_census_counts_words_and_copies_every_byte(string text, int blocks, int words) =>
         Assert.Equal(new NcCensus(blocks, words, true), NcCensus.Of(NcProgram.FromText(text)));
 
-    private static IReadOnlyList<MotionDifference> Compare(string before, string after) => MotionComparison.Of(Run(before), Run(after)).Differences;
+    private static IReadOnlyList<MotionDifference> Compare(string before, string after) =>
+        MotionComparison.Of(Run(before), Run(after)).Differences;
 
     private static NcPath Run(string text) => NcInterpreter.Run(NcProgram.FromText(text), NcDialects.Generic);
 }

@@ -4,13 +4,14 @@ using System.Text;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Shows motions as short text, one after the other: R rapid, L line, CW and CCW arcs with their center behind @ and turns behind a plus, P probe, C cycle, M reference or machine move, S spline;
-/// then the end as x,y,z with a question mark for what is not known.
+/// Shows motions as short text, one after the other: R rapid, L line, CW and CCW arcs with their center behind @ and turns behind a plus, P
+/// probe, C cycle, M reference or machine move, S spline; then the end as x,y,z with a question mark for what is not known.
 /// </summary>
 internal static class Moves
 {
     /// <summary>The motions of a program behind a first block that goes to the origin.</summary>
-    public static string Of(string dialect, string program) => Of(Bench.Read("G90 G17 G40 G0 X0 Y0 Z0\n" + program + "\n", NcDialects.Named(dialect)), 1);
+    public static string Of(string dialect, string program) =>
+        Of(Bench.Read("G90 G17 G40 G0 X0 Y0 Z0\n" + program + "\n", NcDialects.Named(dialect)), 1);
 
     public static string Of(NcPath path, int first = 0)
     {
@@ -18,10 +19,20 @@ internal static class Moves
         for (var i = first; i < path.Motions.Length; i++)
         {
             var m = path.Motions[i];
-            text.Append(text.Length > 0 ? " " : "").Append(Kind(m.Kind)).Append(Number(m.End.X, m.UnknownEnd, AxisSet.X)).Append(',').Append(Number(m.End.Y, m.UnknownEnd, AxisSet.Y)).Append(',').Append(Number(m.End.Z, m.UnknownEnd, AxisSet.Z));
+            text.Append(text.Length > 0 ? " " : "")
+                .Append(Kind(m.Kind))
+                .Append(Number(m.End.X, m.UnknownEnd, AxisSet.X))
+                .Append(',')
+                .Append(Number(m.End.Y, m.UnknownEnd, AxisSet.Y))
+                .Append(',')
+                .Append(Number(m.End.Z, m.UnknownEnd, AxisSet.Z));
             if (m.IsArc)
             {
-                text.Append('@').Append(Number(m.Center.X)).Append(',').Append(Number(m.Center.Y)).Append(m.Turns > 0 ? "+" + m.Turns.ToString(CultureInfo.InvariantCulture) : "");
+                text.Append('@')
+                    .Append(Number(m.Center.X))
+                    .Append(',')
+                    .Append(Number(m.Center.Y))
+                    .Append(m.Turns > 0 ? "+" + m.Turns.ToString(CultureInfo.InvariantCulture) : "");
             }
         }
 

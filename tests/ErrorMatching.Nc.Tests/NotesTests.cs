@@ -20,7 +20,8 @@ public class NotesTests
     public void A_note_about_a_program_in_another_file_stands_at_the_block_that_called_it()
     {
         var program = NcProgram.FromText("G90 G21\nG0 X0.\nM98 P7\nM30\n");
-        var path = NcInterpreter.Run(program, NcDialects.Generic, _ => NcProgram.FromText("O7\nG1 X1. F100\nX2.\nX3.\nX4.\nX5.\n"), CancellationToken.None);
+        var path = NcInterpreter.Run(
+            program, NcDialects.Generic, _ => NcProgram.FromText("O7\nG1 X1. F100\nX2.\nX3.\nX4.\nX5.\n"), CancellationToken.None);
         Assert.Equal(("no-return", 2), (Assert.Single(path.Notes).Code, path.Notes[0].Block));
     }
 
@@ -28,7 +29,11 @@ public class NotesTests
     public void A_refusal_in_another_file_names_the_block_that_called_and_the_place_there()
     {
         var program = NcProgram.FromText("G90 G21\nN20 M98 P7\nM30\n");
-        var path = NcInterpreter.Run(program, NcDialects.Generic, n => n == "O0007" ? NcProgram.FromText("O7\nX1.\nX2.\nN40 M98 P8\nM99\n") : null, CancellationToken.None);
+        var path = NcInterpreter.Run(
+            program,
+            NcDialects.Generic,
+            n => n == "O0007" ? NcProgram.FromText("O7\nX1.\nX2.\nN40 M98 P8\nM99\n") : null,
+            CancellationToken.None);
         Assert.Equal(("missing-program", "N20", 2), (path.Refusal!.Code, path.Refusal.Block, path.Refusal.Line));
         Assert.Contains("in O0007, N40: ", path.Refusal.Message, StringComparison.Ordinal);
     }

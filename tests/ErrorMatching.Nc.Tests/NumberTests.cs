@@ -8,20 +8,29 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>Exact decimals and the hand that wrote them; <see cref="decimal"/> is the judge.</summary>
 public sealed class NumberTests
 {
-    private static readonly Gen<NcNumber> Numbers = Gen.Choose(-999_999_999, 999_999_999).Zip(Gen.Choose(0, 8)).Select(p => new NcNumber(p.Item1, p.Item2));
+    private static readonly Gen<NcNumber> Numbers = Gen.Choose(-999_999_999, 999_999_999)
+        .Zip(Gen.Choose(0, 8))
+        .Select(p => new NcNumber(p.Item1, p.Item2));
 
     [Fact]
     public void Sums_differences_and_texts_are_exact() =>
         Law(Numbers.Two(), p =>
         {
             var (a, b) = (Decimal(p.Item1), Decimal(p.Item2));
-            return Decimal(p.Item1 + p.Item2) == a + b && Decimal(p.Item1 - p.Item2) == a - b && decimal.Parse(p.Item1.ToString(), CultureInfo.InvariantCulture) == a
+            return Decimal(p.Item1 + p.Item2) == a + b
+                && Decimal(p.Item1 - p.Item2) == a - b
+                && decimal.Parse(p.Item1.ToString(), CultureInfo.InvariantCulture) == a
                 && p.Item1.Value == (double)a && p.Item1.SameValue(p.Item2) == (a == b);
         });
 
     [Fact]
     public void Trimming_and_padding_keep_the_value() =>
-        Law(Numbers, n => Decimal(n.Trim()) == Decimal(n) && n.WithDecimals(8).Decimals == 8 && Decimal(n.WithDecimals(8)) == Decimal(n) && (n.Trim().Decimals == 0 || n.Trim().Digits % 10 != 0));
+        Law(
+            Numbers,
+            n => Decimal(n.Trim()) == Decimal(n)
+                && n.WithDecimals(8).Decimals == 8
+                && Decimal(n.WithDecimals(8)) == Decimal(n)
+                && (n.Trim().Decimals == 0 || n.Trim().Digits % 10 != 0));
 
     [Fact]
     public void Rounding_a_double_finds_its_decimal_again() => Law(Numbers, n => NcNumber.Round(n.Value, n.Decimals) == n);
@@ -31,7 +40,8 @@ public sealed class NumberTests
     {
         Assert.Equal(NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => NcNumber.Round(1e18, 0)).Code);
         Assert.Equal(NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => NcNumber.Round(double.NaN, 3)).Code);
-        Assert.Equal(NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
+        Assert.Equal(
+            NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
     }
 
     [Theory]
@@ -53,7 +63,8 @@ public sealed class NumberTests
     [InlineData("00.500", -5125, "-05.125")]
     [InlineData(".5", 0, "0.")]
     [InlineData("10.123", 5100, "5.1")]
-    public void Each_style_keeps_its_hand(string written, int thousandths, string expected) => Assert.Equal(expected, Written(written, thousandths, programIsFixed: false));
+    public void Each_style_keeps_its_hand(string written, int thousandths, string expected) =>
+        Assert.Equal(expected, Written(written, thousandths, programIsFixed: false));
 
     [Fact]
     public void A_program_that_pads_elsewhere_pads_here_too() => Assert.Equal("5.100", Written("10.123", 5100, programIsFixed: true));
@@ -77,5 +88,6 @@ public sealed class NumberTests
 
     private static decimal Decimal(NcNumber n) => n.Digits * new decimal(1, 0, 0, false, (byte)n.Decimals);
 
-    private static void Law<T>(Gen<T> gen, Func<T, bool> law) => Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000), Prop.ForAll(gen.ToArbitrary(), law));
+    private static void Law<T>(Gen<T> gen, Func<T, bool> law) =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000), Prop.ForAll(gen.ToArbitrary(), law));
 }

@@ -9,7 +9,10 @@ public sealed class OWordFlowTests
 
     [Fact]
     public void A_call_has_its_own_first_thirty_parameters_and_gives_a_value_back() =>
-        Runs("o100 sub\nx[#1+#30]\n#1=77\n#31=[#31+1]\no100 endsub [5]\n#1=3 #30=9\no100 call [1] [2]\nx#1\nx#<_value>\nx#<_value_returned>\nx#31\nm2", "6 2=1 3 4 8=3 9=5 10=1 11=1 12");
+        Runs(
+            "o100 sub\nx[#1+#30]\n#1=77\n#31=[#31+1]\no100 endsub [5]\n#1=3 #30=9\no100 call [1] "
+                + "[2]\nx#1\nx#<_value>\nx#<_value_returned>\nx#31\nm2",
+            "6 2=1 3 4 8=3 9=5 10=1 11=1 12");
 
     [Fact]
     public void A_call_without_a_value_gives_zero_back() =>
@@ -17,7 +20,8 @@ public sealed class OWordFlowTests
 
     [Fact]
     public void A_subroutine_may_stand_behind_its_call_and_return_early() =>
-        Runs("o<bore> call [4]\nx#<_value>\nm2\no<Bore> sub\no1 if [#1 gt 3]\no<bore> return [#1*2]\no1 endif\nx1\no<bore> endsub", "2=8 3");
+        Runs(
+            "o<bore> call [4]\nx#<_value>\nm2\no<Bore> sub\no1 if [#1 gt 3]\no<bore> return [#1*2]\no1 endif\nx1\no<bore> endsub", "2=8 3");
 
     [Fact]
     public void A_computed_label_calls() =>
@@ -28,15 +32,21 @@ public sealed class OWordFlowTests
     [InlineData(2, "1 5=20 9")]
     [InlineData(3, "1 7=30 9")]
     public void One_branch_runs(int choice, string trace) =>
-        Runs(FormattableString.Invariant($"#1={choice}\no1 if [#1 eq 1]\nx[10]\no1 elseif [#1 eq 2]\nx[20]\no1 else\nx[30]\no1 endif\nm2"), trace);
+        Runs(
+            FormattableString.Invariant($"#1={choice}\no1 if [#1 eq 1]\nx[10]\no1 elseif [#1 eq 2]\nx[20]\no1 else\nx[30]\no1 endif\nm2"),
+            trace);
 
     [Fact]
     public void While_and_repeat_count() =>
-        Runs("o1 while [#1 lt 2]\nx#1\n#1=[#1+1]\no1 endwhile\no2 repeat [2.6]\nx[#5]\n#5=[#5+1]\no2 endrepeat\no3 repeat [0]\nx9\no3 endrepeat\nm2", "2=0 3 2=1 3 6=0 7 6=1 7 6=2 7 12");
+        Runs(
+            "o1 while [#1 lt 2]\nx#1\n#1=[#1+1]\no1 endwhile\no2 repeat [2.6]\nx[#5]\n#5=[#5+1]\no2 endrepeat\no3 repeat [0]\nx9\no3 "
+                + "endrepeat\nm2",
+            "2=0 3 2=1 3 6=0 7 6=1 7 6=2 7 12");
 
     [Fact]
     public void Continue_goes_to_the_condition_of_do() =>
-        Runs("#<x>=3\no3 do\n#<x>=[#<x>-1]\no4 if [#<x> eq 1]\no3 continue\no4 endif\nx#<x>\no3 while [#<x> gt 0]\nm2", "1 3 7=2 3 3 7=0 9");
+        Runs(
+            "#<x>=3\no3 do\n#<x>=[#<x>-1]\no4 if [#<x> eq 1]\no3 continue\no4 endif\nx#<x>\no3 while [#<x> gt 0]\nm2", "1 3 7=2 3 3 7=0 9");
 
     [Fact]
     public void Break_leaves_the_loop() =>

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Work offsets, shifts and reference points; expected ends are worked out by hand. Each program begins at the origin of G54.</summary>
+/// <summary>Work offsets, shifts and reference points; expected ends are worked out by hand.
+/// Each program begins at the origin of G54.</summary>
 public sealed class OffsetMotionTests
 {
     [Theory]

@@ -7,7 +7,8 @@ namespace ErrorMatching.Nc.Tests;
 internal static class OwnDialect
 {
     /// <summary>A dialect that continues Fanuc, with further members, each with a comma in front.</summary>
-    public static NcDialect Of(string members, string like = "fanuc") => Parse($$"""{ "name": "our-mill", "like": "{{like}}", "description": "Ours."{{members}} }""");
+    public static NcDialect Of(string members, string like = "fanuc") =>
+        Parse($$"""{ "name": "our-mill", "like": "{{like}}", "description": "Ours."{{members}} }""");
 
     /// <summary>The dialect in a text.</summary>
     public static NcDialect Parse(string text) => NcDialects.Parse(Encoding.UTF8.GetBytes(text), "shop/our-mill.json");

@@ -39,7 +39,8 @@ public sealed class PointByPointTests
         var wish = DisplacementWish.OfPoints([new(2, new(0, 0, -0.02))]);
         var good = Encoding.UTF8.GetString(Rewriter.Apply(path, wish).Value!.Program.Bytes.Span);
 
-        foreach (var (from, to) in (ReadOnlySpan<(string, string)>)[("N40 X20.", "N40 X20.01"), ("Z10.\nN60", "Z10.01\nN60"), ("X50.", "X50.001"), ("Z0.98", "Z0.979")])
+        foreach (var (from, to) in (ReadOnlySpan<(string, string)>)[
+            ("N40 X20.", "N40 X20.01"), ("Z10.\nN60", "Z10.01\nN60"), ("X50.", "X50.001"), ("Z0.98", "Z0.979")])
         {
             Assert.Contains(from, good, StringComparison.Ordinal);
             Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(from, to, StringComparison.Ordinal)), wish, 0.001).Holds);
@@ -61,7 +62,8 @@ public sealed class PointByPointTests
         var wish = DisplacementWish.OfPoints([new(1, new(0.01, 0, 0)), new(2, new(-0.01, 0, 0))]);
         var rewrite = Rewriter.Apply(path, wish).Value!;
 
-        Assert.EndsWith("X10.01 F300\nN30 X9.98\nN40 X10.01\n", Encoding.UTF8.GetString(rewrite.Program.Bytes.Span), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "X10.01 F300\nN30 X9.98\nN40 X10.01\n", Encoding.UTF8.GetString(rewrite.Program.Bytes.Span), StringComparison.Ordinal);
         Assert.True(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Holds);
     }
 

@@ -9,7 +9,8 @@ public class PointwiseWishTests
     [Fact]
     public void Between_two_points_the_displacement_is_linear_over_the_length_and_beyond_them_it_stays()
     {
-        // Points 5 and 25 mm along a path of 30 mm: at 0 and 5 mm 0.1, at 10 mm a quarter of the way, at 20 mm three quarters, at 30 mm 0.5.
+        // Points 5 and 25 mm along a path of 30 mm: at 0 and 5 mm 0.1, at 10 mm a quarter of the way, at 20 mm three quarters,
+        // at 30 mm 0.5.
         var wish = Usable(Square, ["N10..N30"], new DisplacedPoint(new(5, 0), new(0.1, 0)), new DisplacedPoint(new(20, 5), new(0.5, 0)));
         Assert.Equal([0.1, 0.1, 0.2], Xs(wish.Wish.Elements[0]), Within);
         Assert.Equal([0.2, 0.3, 0.4], Xs(wish.Wish.Elements[1]), Within);
@@ -35,9 +36,15 @@ public class PointwiseWishTests
     [Fact]
     public void On_an_arc_the_length_is_the_arc_s()
     {
-        // A quarter of radius 10 about the origin from 0 to 90 degrees: 30 degrees is a third of the length, so its middle has half of what 0 to 90 adds.
+        // A quarter of radius 10 about the origin from 0 to 90 degrees:
+        // 30 degrees is a third of the length, so its middle has half of what 0 to 90 adds.
         var at30 = new Point2(10 * Math.Cos(Math.PI / 6), 5);
-        var wish = Usable("G90 G17 G21\nG0 X10 Y0\nN10 G3 X0 Y10 I-10 J0 F100\n", ["N10"], new DisplacedPoint(new(10, 0), default), new(at30, new(0.1, 0)), new DisplacedPoint(new(0, 10), new(0.3, 0)));
+        var wish = Usable(
+            "G90 G17 G21\nG0 X10 Y0\nN10 G3 X0 Y10 I-10 J0 F100\n",
+            ["N10"],
+            new DisplacedPoint(new(10, 0), default),
+            new(at30, new(0.1, 0)),
+            new DisplacedPoint(new(0, 10), new(0.3, 0)));
         Assert.Equal([0, 0.15, 0.3], Xs(wish.Wish.Elements[0]), Within);
         Assert.Equal(0, wish.LargestMisfitMm, 1e-12);
     }
@@ -78,7 +85,8 @@ public class PointwiseWishTests
     [Fact]
     public void Two_wishes_at_one_place_are_refused()
     {
-        var refusal = Of(Square, ["N10"], new DisplacedPoint(new(5, 0.1), new(0.1, 0)), new DisplacedPoint(new(5, -0.1), new(0.2, 0))).Refusal;
+        var refusal = Of(
+            Square, ["N10"], new DisplacedPoint(new(5, 0.1), new(0.1, 0)), new DisplacedPoint(new(5, -0.1), new(0.2, 0))).Refusal;
         Assert.Equal(NcRefusalCodes.PointsCoincide, refusal?.Code);
     }
 

@@ -4,8 +4,9 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// The proof has its own eyes: it takes the wish from the rewriter and nothing else. What both use is how a program is read (its text, its motions)
-/// and lines and circles; an error in what one of them concludes from that is no error of the other.
+/// The proof has its own eyes: it takes the wish from the rewriter and nothing else.
+/// What both use is how a program is read (its text, its motions) and lines and circles;
+/// an error in what one of them concludes from that is no error of the other.
 /// </summary>
 public sealed class ProofApartTests
 {

@@ -30,7 +30,8 @@ public sealed class ProofTests
         %
         """;
 
-    /// <summary>The result for 0.1 mm to the left, by hand: the lead-in slides along (4, 1), the fillet keeps its center, N130 ends on the line of N140.</summary>
+    /// <summary>The result for 0.1 mm to the left, by hand: the lead-in slides along (4, 1), the fillet keeps its center,
+    /// N130 ends on the line of N140.</summary>
     private static readonly string Good = Before
         .Replace("X0. Y0. F500", "X0.4 Y0.1 F500", StringComparison.Ordinal)
         .Replace("X10. Y0.", "X10. Y0.1", StringComparison.Ordinal)
@@ -121,7 +122,9 @@ public sealed class ProofTests
     [Fact]
     public void A_loop_around_a_single_motion_is_changed_once_or_refused()
     {
-        var path = Bench.Read("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F300\n#1=0\no1 while [#1 LT 5]\nN10 Y1\n#1=[#1+1]\no1 endwhile\nN20 X30\nG0 Z5\n", NcDialects.LinuxCnc);
+        var path = Bench.Read(
+            "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F300\n#1=0\no1 while [#1 LT 5]\nN10 Y1\n#1=[#1+1]\no1 endwhile\nN20 X30\nG0 Z5\n",
+            NcDialects.LinuxCnc);
         var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), 0.1));
         if (Rewriter.Apply(path, wish) is { IsUsable: true, Value: var rewrite })
         {
@@ -200,8 +203,11 @@ public sealed class ProofTests
         Assert.False(Marked("O0001 (COUNTERPART)\r\n" + Marker + "\n").Holds);
         Assert.False(Marked("O0001 (COUNTERPART)\r\n" + Marker + " M0\r\n").Holds);
         Assert.False(Marked("O0001 (COUNTERPART)\r\n" + Marker.Replace('0', '1') + "\r\n").Holds);
-        Assert.False(Prove(good.Replace("O0001 (COUNTERPART)\r\n", "O0001 (COUNTERPART)\r\n" + Marker + "\r\n", StringComparison.Ordinal), 0.1).Holds);
-        Assert.False(Prove(good.Replace("O0001 (COUNTERPART)\r\n", "O0001 (COUNTERPART)\r\nM0\r\n", StringComparison.Ordinal), 0.1, "M0").Holds);
+        Assert.False(
+            Prove(
+                good.Replace("O0001 (COUNTERPART)\r\n", "O0001 (COUNTERPART)\r\n" + Marker + "\r\n", StringComparison.Ordinal), 0.1).Holds);
+        Assert.False(
+            Prove(good.Replace("O0001 (COUNTERPART)\r\n", "O0001 (COUNTERPART)\r\nM0\r\n", StringComparison.Ordinal), 0.1, "M0").Holds);
 
         NcProof Marked(string head) => Prove(good.Replace("O0001 (COUNTERPART)\r\n", head, StringComparison.Ordinal), 0.1, Marker);
     }
@@ -258,7 +264,8 @@ public sealed class ProofTests
     [InlineData("G0 X0. Y0.1", "G0 X0. Y0.")]
     public void Contour_that_no_longer_closes_does_not_hold(string was, string now)
     {
-        var path = Bench.Read("G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\nX50. Y50.\n");
+        var path = Bench.Read(
+            "G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\nX50. Y50.\n");
         var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Value!;
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         Assert.True(good.Contains(was, StringComparison.Ordinal), good);
@@ -293,11 +300,14 @@ public sealed class ProofTests
     [InlineData("CR=4.9", "CR=4.9 ;")]
     public void Tampered_addresses_of_several_letters_do_not_hold(string was, string now)
     {
-        var path = Bench.Read("G90 G17 G71\nG0 X0. Y-10. Z5.\nN9 G1 Y0. F100\nN10 X=IC(10.) Y0.\nN20 G3 X=AC(15.) Y=AC(5.) CR=5.\nN30 G1 Y15.\nG0 Z5.\n", NcDialects.Siemens840D);
+        var path = Bench.Read(
+            "G90 G17 G71\nG0 X0. Y-10. Z5.\nN9 G1 Y0. F100\nN10 X=IC(10.) Y0.\nN20 G3 X=AC(15.) Y=AC(5.) CR=5.\nN30 G1 Y15.\nG0 Z5.\n",
+            NcDialects.Siemens840D);
         var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N9..N30"), 0.1));
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         Assert.True(good.Contains(was, StringComparison.Ordinal), good);
-        Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal), NcSyntax.Siemens), wish, 0.001).Holds);
+        Assert.False(
+            Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal), NcSyntax.Siemens), wish, 0.001).Holds);
     }
 
     private static NcProof Prove(string result, double left, string? marker = null)

@@ -41,11 +41,15 @@ public sealed class ReadMeTests
         var lines = File.ReadAllLines(ThisFile()).ToList();
         var (first, last) = (lines.FindIndex(l => l.Trim() == "// example"), lines.FindLastIndex(l => l.Trim() == "// example"));
         var example = string.Join('\n', lines[(first + 1)..last].Select(l => l.Length > 8 ? l[8..] : l));
-        Assert.Contains("```csharp\n" + example + "\n```", File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Nc", "README.md")), StringComparison.Ordinal);
+        Assert.Contains(
+            "```csharp\n" + example + "\n```",
+            File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Nc", "README.md")),
+            StringComparison.Ordinal);
     }
 
     [Fact]
     public void Public_surface_is_the_one_in_the_snapshot() => PublicApi.MatchesSnapshot(typeof(NcProgram).Assembly);
 
-    private static string ThisFile([CallerFilePath] string path = "") => File.Exists(path) ? path : Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "ReadMeTests.cs");
+    private static string ThisFile([CallerFilePath] string path = "") =>
+        File.Exists(path) ? path : Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "ReadMeTests.cs");
 }

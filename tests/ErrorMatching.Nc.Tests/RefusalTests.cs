@@ -72,44 +72,62 @@ public sealed class RefusalTests
 
     [Theory]
     [MemberData(nameof(Normals))]
-    public void Displaced_elements_are_refused(string code, string program, string named, int line, string block) => AssertRefusal(code, line, block, Bench.RefusedNormal(Head + program, 0.5, named));
+    public void Displaced_elements_are_refused(string code, string program, string named, int line, string block) =>
+        AssertRefusal(code, line, block, Bench.RefusedNormal(Head + program, 0.5, named));
 
     [Theory]
     [MemberData(nameof(SiemensNormals))]
     public void Displaced_elements_of_Siemens_are_refused(string code, string program, string named, int line, string block) =>
-        AssertRefusal(code, line, block, Bench.RefusedNormal("G90 G17 G71 G40\nG0 X0 Y0 Z0\n" + program, 0.5, named, NcDialects.Siemens840D));
+        AssertRefusal(
+            code, line, block, Bench.RefusedNormal("G90 G17 G71 G40\nG0 X0 Y0 Z0\n" + program, 0.5, named, NcDialects.Siemens840D));
 
     [Theory]
     [MemberData(nameof(EndPoints))]
-    public void Moved_end_points_are_refused(string code, string program, string named, int line, string block) => AssertRefusal(code, line, block, Bench.RefusedBy(Head + program, new Vector3(0.5, 0.25, 0), named));
+    public void Moved_end_points_are_refused(string code, string program, string named, int line, string block) =>
+        AssertRefusal(code, line, block, Bench.RefusedBy(Head + program, new Vector3(0.5, 0.25, 0), named));
 
     [Fact]
     public void Tangent_elements_that_move_differently_are_refused_with_both_amounts()
     {
         var path = Bench.Read(Head + "N10 G1 X10. Y0. F100\nN20 X20. Y0.\n");
-        var refusal = Bench.Refused(Rewriter.Apply(path, DisplacementWish.OfElements([ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 2, 0.2, 0.2, 0.2)])));
+        var refusal = Bench.Refused(Rewriter.Apply(
+            path,
+            DisplacementWish.OfElements(
+                [ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 2, 0.2, 0.2, 0.2)])));
         AssertRefusal(NcRefusalCodes.NoIntersection, 4, "N20", refusal);
         Assert.Contains("0.100 and 0.200 mm", refusal.Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void Nothing_named_is_refused() => Assert.Equal(NcRefusalCodes.NoMotion, Bench.Refused(DisplacementWish.Normal(Bench.Read(Head), [], 1)).Code);
+    public void Nothing_named_is_refused() =>
+        Assert.Equal(NcRefusalCodes.NoMotion, Bench.Refused(DisplacementWish.Normal(Bench.Read(Head), [], 1)).Code);
 
     [Fact]
     public void Two_wishes_for_one_motion_are_an_error() =>
-        Assert.Throws<ArgumentException>(() => DisplacementWish.OfElements([new(1, default, default, default), new(1, default, default, default)]));
+        Assert.Throws<ArgumentException>(() => DisplacementWish.OfElements(
+            [new(1, default, default, default), new(1, default, default, default)]));
 
     [Fact]
     public void Every_code_has_a_test_here_or_with_selectors_points_flow_or_the_proof()
     {
         string[] elsewhere =
         [
-            NcRefusalCodes.BlockNotFound, NcRefusalCodes.BlockAmbiguous, NcRefusalCodes.PointOffPath, NcRefusalCodes.RunWithoutPoint, NcRefusalCodes.PointsCoincide, NcRefusalCodes.ProofFailed,
-            NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition, NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
+            NcRefusalCodes.BlockNotFound, NcRefusalCodes.BlockAmbiguous, NcRefusalCodes.PointOffPath, NcRefusalCodes.RunWithoutPoint,
+            NcRefusalCodes.PointsCoincide, NcRefusalCodes.ProofFailed,
+            NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition,
+            NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
             NcRefusalCodes.BlockSkip,
         ];
-        var codes = typeof(NcRefusalCodes).GetFields(BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
-        Assert.Equal(codes.Order(StringComparer.Ordinal), Normals.Concat(SiemensNormals).Select(r => r.Data.Item1).Concat(EndPoints.Select(r => r.Data.Item1)).Concat(elsewhere).Distinct().Order(StringComparer.Ordinal));
+        var codes = typeof(NcRefusalCodes).GetFields(
+            BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
+        Assert.Equal(
+            codes.Order(StringComparer.Ordinal),
+            Normals.Concat(SiemensNormals)
+                .Select(r => r.Data.Item1)
+                .Concat(EndPoints.Select(r => r.Data.Item1))
+                .Concat(elsewhere)
+                .Distinct()
+                .Order(StringComparer.Ordinal));
     }
 
     private static void AssertRefusal(string code, int line, string block, NcRefusal refusal)

@@ -23,7 +23,11 @@ public sealed partial class SelectorTests
 
     [Fact]
     public void Several_selectors_give_each_block_once_in_order() =>
-        Assert.Equal([1, 2, 3], BlockSelector.Select(NcProgram.FromText(Program), [BlockSelector.Parse("N20..N30"), BlockSelector.Parse("N10"), BlockSelector.Parse("/N20/")]).Value!);
+        Assert.Equal(
+            [1, 2, 3],
+            BlockSelector.Select(
+                NcProgram.FromText(Program),
+                [BlockSelector.Parse("N20..N30"), BlockSelector.Parse("N10"), BlockSelector.Parse("/N20/")]).Value!);
 
     [Theory]
     [InlineData("N999", NcRefusalCodes.BlockNotFound, "N999", 0)]
@@ -92,5 +96,6 @@ public sealed partial class SelectorTests
         Timeout.Infinite)]
     private static partial Regex LimitByTheClock();
 
-    private static NcOutcome<int[]> Selected(string selector) => BlockSelector.Select(NcProgram.FromText(Program), [BlockSelector.Parse(selector)]);
+    private static NcOutcome<int[]> Selected(string selector) =>
+        BlockSelector.Select(NcProgram.FromText(Program), [BlockSelector.Parse(selector)]);
 }

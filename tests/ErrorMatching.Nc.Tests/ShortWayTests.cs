@@ -3,30 +3,50 @@ using FsCheck.Fluent;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Nearly all blocks are read in one pass and run on a short way. A comment behind a block makes it take the long one: both must come to the same.</summary>
+/// <summary>Nearly all blocks are read in one pass and run on a short way. A comment behind a block makes it take the long one:
+/// both must come to the same.</summary>
 public sealed class ShortWayTests
 {
     private static readonly string[] Words =
     [
-        "G0", "G1", "G01", "g1", "G2", "G3", "G17", "G18", "G20", "G21", "G40", "G41", "G42", "G54", "G55", "G80", "G81", "G90", "G91", "G92", "G52", "G68", "G69", "G90.1", "G91.1", "G38.2", "G4", "G53", "G28", "G999",
-        "X0", "X1.", "X-2.5", "X+10.", "x.5", "X007", "X 3", "Y0", "Y-.25", "Y10", "Y1 .5", "Z0", "Z5.", "Z-1.000", "Z-0", "I1.", "J-5.", "K1.", "R5.", "F100", "F.5", "F0", "N7", "N007", "S500", "T1", "M3", "M8", "P2", "Q1.", "A5.", "E1",
+        "G0", "G1", "G01", "g1", "G2", "G3", "G17", "G18", "G20", "G21", "G40", "G41", "G42", "G54", "G55", "G80", "G81", "G90", "G91",
+        "G92", "G52", "G68", "G69", "G90.1", "G91.1", "G38.2", "G4", "G53", "G28", "G999",
+        "X0", "X1.", "X-2.5", "X+10.", "x.5", "X007", "X 3", "Y0", "Y-.25", "Y10", "Y1 .5", "Z0", "Z5.", "Z-1.000", "Z-0", "I1.", "J-5.",
+        "K1.", "R5.", "F100", "F.5", "F0", "N7", "N007", "S500", "T1", "M3", "M8", "P2", "Q1.", "A5.", "E1",
         "X1Y2", "X123456789012345.", "Y1234567890123456", "X", "X--1", "X1.2.3",
     ];
 
     private static readonly Gen<string[]> Programs = Gen.Frequency(
         (2, Gen.Elements(Words).ListOf(3).Select(w => string.Join(' ', w))),
         (1, Gen.Elements(Words).ListOf(3).Select(string.Concat)),
-        (5, Gen.Elements("X1.5 Y2.", "G1 X{0}", "N10 X{0} Y{1} Z-.5", "Y{1} F200.", "G0 X{0}", "Z{1}", "G91 X{0}", "G90", "X{0}Y{1}").Zip(Gen.Choose(-9, 9).Two())
-            .Select(p => p.Item1.Replace("{0}", p.Item2.Item1 + ".", StringComparison.Ordinal).Replace("{1}", p.Item2.Item2 + ".5", StringComparison.Ordinal)))).ArrayOf();
+        (
+            5,
+            Gen.Elements(
+                "X1.5 Y2.",
+                "G1 X{0}",
+                "N10 X{0} Y{1} Z-.5",
+                "Y{1} F200.",
+                "G0 X{0}",
+                "Z{1}",
+                "G91 X{0}",
+                "G90",
+                "X{0}Y{1}").Zip(Gen.Choose(-9, 9).Two())
+            .Select(
+                p => p.Item1.Replace("{0}", p.Item2.Item1 + ".", StringComparison.Ordinal).Replace(
+                    "{1}", p.Item2.Item2 + ".5", StringComparison.Ordinal)))).ArrayOf();
 
     [Fact]
     public void Plain_blocks_come_to_the_same_by_their_words_and_by_their_tokens() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40), Prop.ForAll(Programs.Zip(Gen.Choose(0, NcDialects.Names.Count - 1)).ToArbitrary(), p =>
+        Check.One(
+            Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40),
+            Prop.ForAll(Programs.Zip(Gen.Choose(0, NcDialects.Names.Count - 1)).ToArbitrary(), p =>
         {
             var dialect = NcDialects.All[p.Item2];
-            var (shortWay, longWay) = (Bench.Read(string.Join('\n', p.Item1), dialect), Bench.Read(string.Join('\n', p.Item1.Select(l => l + " ;C")), dialect));
+            var (shortWay, longWay) = (
+                Bench.Read(string.Join('\n', p.Item1), dialect), Bench.Read(string.Join('\n', p.Item1.Select(l => l + " ;C")), dialect));
             return shortWay.Motions.SequenceEqual(longWay.Motions)
-                && shortWay.Motions.Select((_, i) => shortWay.Motions.AssumedEnd(i)).SequenceEqual(longWay.Motions.Select((_, i) => longWay.Motions.AssumedEnd(i)))
+                && shortWay.Motions.Select((_, i) => shortWay.Motions.AssumedEnd(i)).SequenceEqual(
+                    longWay.Motions.Select((_, i) => longWay.Motions.AssumedEnd(i)))
                 && shortWay.Problems.SequenceEqual(longWay.Problems)
                 && shortWay.PlaceDependents.SequenceEqual(longWay.PlaceDependents)
                 && shortWay.Refusal == longWay.Refusal;

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>Siemens 840D: which blocks run, and with which values. Expected traces are worked out by hand.</summary>
@@ -30,7 +32,10 @@ public sealed class SiemensFlowTests
 
     [Fact]
     public void While_for_loop_and_repeat_run() =>
-        Runs("DEF INT I\nFOR I=1 TO 2\nN1 X=I\nENDFOR\nWHILE I<5\nN2 X=I\nI=I+1\nENDWHILE\nREPEAT\nN3 X=I\nI=I-1\nUNTIL I<4\nLOOP\nI=I+1\nIF I>4 GOTOF ENDE\nENDLOOP\nENDE: N4 X=I\nM30", "N1=1 N1=2 N2=3 N2=4 N3=5 N3=4 17=5 18");
+        Runs(
+            "DEF INT I\nFOR I=1 TO 2\nN1 X=I\nENDFOR\nWHILE I<5\nN2 X=I\nI=I+1\nENDWHILE\nREPEAT\nN3 X=I\nI=I-1\nUNTIL "
+                + "I<4\nLOOP\nI=I+1\nIF I>4 GOTOF ENDE\nENDLOOP\nENDE: N4 X=I\nM30",
+            "N1=1 N1=2 N2=3 N2=4 N3=5 N3=4 17=5 18");
 
     [Fact]
     public void A_section_is_repeated()
@@ -46,11 +51,17 @@ public sealed class SiemensFlowTests
     [InlineData(2, "4 5")]
     [InlineData(7, "5")]
     public void Case_jumps_by_value(int value, string trace) =>
-        Runs(FormattableString.Invariant($"R1={value}\nCASE (R1) OF 1 GOTOF EINS 2 GOTOF ZWEI DEFAULT GOTOF ENDE\nEINS: X1\nZWEI: X2\nENDE: M30"), trace);
+        Runs(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"R1={value}\nCASE (R1) OF 1 GOTOF EINS 2 GOTOF ZWEI DEFAULT GOTOF ENDE\nEINS: X1\nZWEI: X2\nENDE: M30"),
+            trace);
 
     [Fact]
     public void Subprograms_of_an_archive_are_called_by_name() =>
-        Runs("%_N_HAUPT_MPF\nN1 X1\nTASCHE P2\nL10\nCALL \"TASCHE\"\nM30\n%_N_TASCHE_SPF\nN5 X5\nM17\n%_N_L10_SPF\nN6 X6\nRET\n", "N1 N5 9 N5 9 N6 N5 9 6");
+        Runs(
+            "%_N_HAUPT_MPF\nN1 X1\nTASCHE P2\nL10\nCALL \"TASCHE\"\nM30\n%_N_TASCHE_SPF\nN5 X5\nM17\n%_N_L10_SPF\nN6 X6\nRET\n",
+            "N1 N5 9 N5 9 N6 N5 9 6");
 
     [Fact]
     public void The_main_program_of_an_archive_runs_first() =>
@@ -59,13 +70,19 @@ public sealed class SiemensFlowTests
     [Fact]
     public void Arguments_go_to_the_parameters_of_a_procedure()
     {
-        var run = Runs("%_N_HAUPT_MPF\nDEF REAL ERG=1, A=100\nUP(2,1.6,ERG)\nN1 X=ERG\nN2 X=A\nM30\n%_N_UP_SPF\nPROC UP(REAL A, INT B, VAR REAL C, REAL D=10) SAVE\nC=A+B+D\nA=0\nRET\n", "N1=14 N2=100 6");
+        var run = Runs(
+            "%_N_HAUPT_MPF\nDEF REAL ERG=1, A=100\nUP(2,1.6,ERG)\nN1 X=ERG\nN2 X=A\nM30\n%_N_UP_SPF\nPROC UP(REAL A, INT B, VAR REAL C, "
+                + "REAL D=10) SAVE\nC=A+B+D\nA=0\nRET\n",
+            "N1=14 N2=100 6");
         Assert.Equal("14", run.Named("ERG"));
     }
 
     [Fact]
     public void Arrays_hold_what_is_put_into_them() =>
-        Runs("DEF REAL F[2,3]=SET(1,2,3,4,5,6), G[4]\nN1 X=F[1,0]\nG[0]=SET(7,8)\nG[2]=REP(9)\nN2 X=G[1]\nN3 X=G[3]\nF[1,2]=F[0,1]*10\nN4 X=F[1,2]\nM30", "N1=4 N2=8 N3=9 N4=20 9");
+        Runs(
+            "DEF REAL F[2,3]=SET(1,2,3,4,5,6), G[4]\nN1 X=F[1,0]\nG[0]=SET(7,8)\nG[2]=REP(9)\nN2 X=G[1]\nN3 X=G[3]\nF[1,2]=F[0,1]*10\nN4 "
+                + "X=F[1,2]\nM30",
+            "N1=4 N2=8 N3=9 N4=20 9");
 
     [Fact]
     public void Variables_keep_to_their_type() =>

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Shows tokens as short text: <c>X=10</c> a word, <c>X=a10</c> and <c>X=i10</c> AC and IC, <c>X?R1</c> a computed word, <c>,R=5</c> a corner word; other kinds by a sign in front.</summary>
+/// <summary>Shows tokens as short text: <c>X=10</c> a word, <c>X=a10</c> and <c>X=i10</c> AC and IC, <c>X?R1</c> a computed word,
+/// <c>,R=5</c> a corner word; other kinds by a sign in front.</summary>
 internal static class Spelled
 {
     public static NcSyntax Of(string syntax) => Enum.Parse<NcSyntax>(syntax);
@@ -32,7 +33,8 @@ internal static class Spelled
         {
             NcTokenKind.Word => $"{NcAddress.NameOf(token.Letter)}={distance}{token.Number}",
             NcTokenKind.ExpressionWord => $"{NcAddress.NameOf(token.Letter)}?{distance}{value}",
-            NcTokenKind.CommaWord when token.Number == default && value.AsSpan().ContainsAnyExcept("+-0. ") => $",{(char)token.Letter}?{value}",
+            NcTokenKind.CommaWord when token.Number == default && value.AsSpan().ContainsAnyExcept("+-0. ") =>
+                $",{(char)token.Letter}?{value}",
             NcTokenKind.CommaWord => $",{(char)token.Letter}={token.Number}",
             NcTokenKind.Assignment => ":= " + text,
             NcTokenKind.Keyword => "# " + text,

@@ -56,9 +56,13 @@ public sealed class TamperingTests
         ["absolute"] = Absolute,
         ["incremental"] = Incremental,
         ["radius"] = Absolute.Replace("I0. J5.", "R5.", StringComparison.Ordinal).Replace("I0. J-10.", "R10.", StringComparison.Ordinal),
-        ["helix"] = Absolute.Replace("I0. J5.", "Z-3. I0. J5.", StringComparison.Ordinal).Replace("I0. J-10.", "Z-4. I0. J-10.", StringComparison.Ordinal),
+        ["helix"] = Absolute.Replace("I0. J5.", "Z-3. I0. J5.", StringComparison.Ordinal).Replace(
+            "I0. J-10.", "Z-4. I0. J-10.", StringComparison.Ordinal),
         ["no spaces"] = Absolute.Replace(" ", "", StringComparison.Ordinal).ToLowerInvariant(),
-        ["latin-1"] = Absolute.Replace("lead in", "LEAD IN \u00e4\u00df\u00b0", StringComparison.Ordinal).Replace("Y0.\n", "Y0. (\u00fcber)\n", StringComparison.Ordinal),
+        ["latin-1"] = Absolute.Replace(
+            "lead in",
+            "LEAD IN \u00e4\u00df\u00b0",
+            StringComparison.Ordinal).Replace("Y0.\n", "Y0. (\u00fcber)\n", StringComparison.Ordinal),
     };
 
     public static TheoryData<string, bool> Cases => [.. Programs.Keys.SelectMany(p => new[] { (p, true), (p, false) })];
@@ -69,7 +73,8 @@ public sealed class TamperingTests
     {
         var path = NcInterpreter.Run(NcProgram.Read(Bytes(Programs[program].ReplaceLineEndings("\r\n"))), NcDialects.Generic);
         var blocks = Bench.Blocks(path, "N110..N130");
-        var wish = Bench.Usable(isElements ? DisplacementWish.Normal(path, blocks, 0.1) : DisplacementWish.EndsBy(path, blocks, new(0.1, 0.2, 0)));
+        var wish = Bench.Usable(
+            isElements ? DisplacementWish.Normal(path, blocks, 0.1) : DisplacementWish.EndsBy(path, blocks, new(0.1, 0.2, 0)));
         var good = Bench.Rewritten(path, wish).Program;
         var lines = Bench.Text(good).Split("\r\n");
         var (done, missed) = (0, new List<string>());

@@ -28,7 +28,8 @@ public sealed class TextTests
         "(a (b) c\nX1",
         "/1 N10 G1 X1\n/N20 X2\nN30 /X3",
         "X123456789012.345 Y-123456789012345678 Z1234567890123456789",
-        "#100=#101+[2*3] (note)\nX#100 Y-[#1+1] Z=R1+5\nIF [#1 EQ 1] GOTO 100\nCYCLE81(1,2,(3)) CR=5\no<name> call [1]\n\"text\" ,R5. ,C ,\n");
+        "#100=#101+[2*3] (note)\nX#100 Y-[#1+1] Z=R1+5\nIF [#1 EQ 1] GOTO 100\nCYCLE81(1,2,(3)) CR=5\no<name> call [1]\n\"text\" ,R5. ,C "
+            + ",\n");
 
     [Theory]
     [MemberData(nameof(Programs))]
@@ -37,7 +38,9 @@ public sealed class TextTests
     [Fact]
     public void Any_bytes_survive_as_they_are()
     {
-        var bytes = Gen.Frequency((3, Gen.Elements(Encoding.ASCII.GetBytes("GXYZNIJKRF0123456789.-+ \t\r\n()[]%/#;,=\""))), (1, Gen.Choose(0, 255).Select(n => (byte)n)));
+        var bytes = Gen.Frequency(
+            (3, Gen.Elements(Encoding.ASCII.GetBytes("GXYZNIJKRF0123456789.-+ \t\r\n()[]%/#;,=\""))),
+            (1, Gen.Choose(0, 255).Select(n => (byte)n)));
         Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000), Prop.ForAll(bytes.ArrayOf().ToArbitrary(), b =>
         {
             AssertLossless(b);

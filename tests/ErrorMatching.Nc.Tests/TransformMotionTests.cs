@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Rotation, scale, mirror, polar coordinates and programmable frames; expected ends and centers are worked out by hand. Each program begins at the origin.</summary>
+/// <summary>Rotation, scale, mirror, polar coordinates and programmable frames; expected ends and centers are worked out by hand. Each
+/// program begins at the origin.</summary>
 public sealed class TransformMotionTests
 {
     [Theory]
@@ -60,7 +61,8 @@ public sealed class TransformMotionTests
     [Fact]
     public void Scale_that_differs_along_the_axes_makes_a_bad_arc_of_an_arc()
     {
-        var path = Bench.Read("G90 G17 G0 X0 Y0 Z0\nG51 X0 Y0 Z0 I2000 J1000 K1000\nG1 X0 Y0 F100\nG2 X10. Y0 I5. J0\n", NcDialects.FanucMill);
+        var path = Bench.Read(
+            "G90 G17 G0 X0 Y0 Z0\nG51 X0 Y0 Z0 I2000 J1000 K1000\nG1 X0 Y0 F100\nG2 X10. Y0 I5. J0\n", NcDialects.FanucMill);
         Assert.Equal("bad-arc", Assert.Single(path.Problems).Code);
         Assert.True(path.Motions[^1].Has(MotionFlags.BadArc));
     }

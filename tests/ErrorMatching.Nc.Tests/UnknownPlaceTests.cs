@@ -7,7 +7,8 @@ public class UnknownPlaceTests
     [Fact]
     public void What_may_have_moved_the_tool_unseen_keeps_the_increments_behind_it()
     {
-        var path = NcInterpreter.Run(NcProgram.FromText("G17 G40 G90 G71\nG0 X0 Y0 Z0\nG91\nN40 G1 X5 F100\nNOBODY=1\nG0 Z5\n"), NcDialects.Siemens840D);
+        var path = NcInterpreter.Run(
+            NcProgram.FromText("G17 G40 G90 G71\nG0 X0 Y0 Z0\nG91\nN40 G1 X5 F100\nNOBODY=1\nG0 Z5\n"), NcDialects.Siemens840D);
         var wish = DisplacementWish.EndsBy(path, [3], new(0.1, 0.2, 0.3));
         var refusal = Rewriter.Apply(path, wish.Value!).Refusal;
         Assert.Equal((NcRefusalCodes.UnknownState, 6), (refusal!.Code, refusal.Line));

@@ -16,7 +16,8 @@ public sealed partial class WishFileTests
     public void Every_bit_of_a_wish_survives_the_file() => Prop.ForAll<NormalFloat[]>(numbers =>
     {
         var v = numbers.Select(n => Math.IEEERemainder(n.Get, 1000)).Concat(Enumerable.Repeat(1.0 / 3, 12)).ToArray();
-        var wish = DisplacementWish.OfElements([new(1, new(v[0], v[1]), new(v[2], v[3]), new(v[4], v[5])), new(2, new(v[6], v[7]), new(v[8], v[9]), new(v[6], v[7]), true)]);
+        var wish = DisplacementWish.OfElements(
+            [new(1, new(v[0], v[1]), new(v[2], v[3]), new(v[4], v[5])), new(2, new(v[6], v[7]), new(v[8], v[9]), new(v[6], v[7]), true)]);
         var again = Again(Bench.Read(Program), wish, "(MARK \"\u00e9\")");
         Assert.Equal(wish.Elements, again.Wish.Elements);
         Assert.Equal("(MARK \"\u00e9\")", again.Marker);
@@ -31,7 +32,10 @@ public sealed partial class WishFileTests
     public void A_wish_is_one_line_a_motion_with_its_block_for_people()
     {
         var path = Bench.Read(Program);
-        var lines = Text(path, DisplacementWish.OfElements([new(3, new(0.1, 0), new(0.1, 0), new(0.1, 0)), new(1, new(0, 0.1), new(0, 0.2), new(0, 0.3))])).Split('\n');
+        var lines = Text(
+            path,
+            DisplacementWish.OfElements([new(3, new(0.1, 0), new(0.1, 0), new(0.1, 0)), new(1, new(0, 0.1), new(0, 0.2), new(0, 0.3))]))
+            .Split('\n');
         Assert.Equal("{", lines[0]);
         Assert.Equal("    {\"block\":\"N20\",\"line\":2,\"motion\":1,\"start\":[0,0.1],\"middle\":[0,0.2],\"end\":[0,0.3]},", lines[7]);
         Assert.Equal("    {\"block\":\"\",\"line\":4,\"motion\":3,\"start\":[0.1,0]}", lines[8]);
@@ -138,7 +142,9 @@ public sealed partial class WishFileTests
     private static string TwoElements()
     {
         var path = Bench.Read(Program);
-        return Text(path, DisplacementWish.OfElements([new(1, new(0, 0.1), new(0, 0.1), new(0, 0.1)), new(2, new(0, 0.4), new(0, 0.2), new(0, 0.3))]));
+        return Text(
+            path,
+            DisplacementWish.OfElements([new(1, new(0, 0.1), new(0, 0.1), new(0, 0.1)), new(2, new(0, 0.4), new(0, 0.2), new(0, 0.3))]));
     }
 
     private static WishFile Again(NcPath path, DisplacementWish wish, string? marker) => Read(Text(path, wish, marker));

@@ -46,7 +46,14 @@ public sealed class ConsoleMotionTests
 
     private static void Compare(PeerMotion peer, int index, string[] cells)
     {
-        var kind = peer.Kind switch { MotionKind.Rapid => "rapid", MotionKind.Line => "line", MotionKind.ArcClockwise => "arc-cw", MotionKind.ArcCounterClockwise => "arc-ccw", _ => "probe" };
+        var kind = peer.Kind switch
+        {
+            MotionKind.Rapid => "rapid",
+            MotionKind.Line => "line",
+            MotionKind.ArcClockwise => "arc-cw",
+            MotionKind.ArcCounterClockwise => "arc-ccw",
+            _ => "probe"
+        };
         string[] wanted = [Text(index), Text(peer.Line!.Value), "N" + Text(peer.Line.Value), kind, peer.Plane.ToString(), Text(peer.Turns)];
         Assert.Equal(wanted, new[] { cells[0], cells[1], cells[2], cells[3], cells[10], cells[11] });
         var tolerance = (0.5 * peer.ResolutionMm) + 1e-7;

@@ -5,8 +5,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// A closed ring of lines and arcs around the origin, convex and concave, in one of LinuxCNC's spellings. It begins with a lead-in block and ends with a lead-out, so that all its named
-/// elements have displaced neighbors but for the two at the ends, which run far enough to be cut by them.
+/// A closed ring of lines and arcs around the origin, convex and concave, in one of LinuxCNC's spellings. It begins with a lead-in block
+/// and ends with a lead-out, so that all its named elements have displaced neighbors but for the two at the ends,
+/// which run far enough to be cut by them.
 /// </summary>
 internal sealed class DisplacedContour
 {
@@ -40,15 +41,21 @@ internal sealed class DisplacedContour
     {
         var text = new StringBuilder();
         var first = _elements[0].Start;
-        text.Append(CultureInfo.InvariantCulture, $"N1 {(_unit == 1 ? "G21" : "G20")} G17 G40 G90 {(absoluteCenters ? "G90.1" : "G91.1")} G94\nN2 G0 X{Number(first.X)} Y{Number(first.Y)} Z5\nN3 G1 Z-1 F100\n{(incremental ? "N4 G91\n" : "")}");
+        text.Append(
+            CultureInfo.InvariantCulture,
+            $"N1 {(_unit == 1 ? "G21" : "G20")} G17 G40 G90 {(absoluteCenters ? "G90.1" : "G91.1")} G94\nN2 G0 X{Number(first.X)} "
+                + $"Y{Number(first.Y)} Z5\nN3 G1 Z-1 F100\n{(incremental ? "N4 G91\n" : "")}");
         for (var i = 0; i < _elements.Count; i++)
         {
             var e = _elements[i];
             var (x, y) = incremental ? (e.End.X - e.Start.X, e.End.Y - e.Start.Y) : (e.End.X, e.End.Y);
-            text.Append(CultureInfo.InvariantCulture, $"N{101 + i} {(e.IsArc ? e.CounterClockwise ? "G3" : "G2" : "G1")} X{Number(x)} Y{Number(y)}");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"N{101 + i} {(e.IsArc ? e.CounterClockwise ? "G3" : "G2" : "G1")} X{Number(x)} Y{Number(y)}");
             if (e.IsArc && byRadius)
             {
-                text.Append(CultureInfo.InvariantCulture, $" R{Number(Math.Ceiling(e.Start.DistanceTo(e.Center) / _unit * 1e4) / 1e4 * _unit)}");
+                text.Append(
+                    CultureInfo.InvariantCulture, $" R{Number(Math.Ceiling(e.Start.DistanceTo(e.Center) / _unit * 1e4) / 1e4 * _unit)}");
             }
             else if (e.IsArc)
             {

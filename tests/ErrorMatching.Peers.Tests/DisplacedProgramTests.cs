@@ -5,8 +5,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// LinuxCNC's own interpreter as the referee of displaced programs: it must accept the result, and the motions that it reads from it must be the wanted ones, measured against lines and circles
-/// that this test builds from the motions it read before.
+/// LinuxCNC's own interpreter as the referee of displaced programs: it must accept the result, and the motions that it reads from it must
+/// be the wanted ones, measured against lines and circles that this test builds from the motions it read before.
 /// </summary>
 public sealed class DisplacedProgramTests
 {
@@ -43,12 +43,16 @@ public sealed class DisplacedProgramTests
 
                 Assert.True(a.Kind == b.Kind, $"seed {seed}, N{b.Line}: {b.Kind} became {a.Kind}\n{result}");
                 var off = b.Kind == MotionKind.Line
-                    ? Math.Max(Math.Abs(Beside(before[i - 1].End, b.End, after[i - 1].End) - left), Math.Abs(Beside(before[i - 1].End, b.End, a.End) - left))
+                    ? Math.Max(
+                        Math.Abs(Beside(before[i - 1].End, b.End, after[i - 1].End) - left),
+                        Math.Abs(Beside(before[i - 1].End, b.End, a.End) - left))
                     : OffCircle(before[i - 1], b, after[i - 1], a, left);
                 Assert.True(off <= worst, $"seed {seed}, N{b.Line}: {off} mm off the wanted place\n{text}\n{result}");
             }
 
-            Assert.True((after[^1].End - before[^1].End).Length <= 0.5 * before[^1].ResolutionMm, $"seed {seed}: the program ends elsewhere\n{result}");
+            Assert.True(
+                (after[^1].End - before[^1].End).Length <= 0.5 * before[^1].ResolutionMm,
+                $"seed {seed}: the program ends elsewhere\n{result}");
         }
     }
 
@@ -71,12 +75,17 @@ public sealed class DisplacedProgramTests
             foreach (var (b, a) in before.Zip(after))
             {
                 var wanted = b.Line is > 100 and < 902 ? by : Vector3.Zero;
-                Assert.True((a.End - b.End - wanted).Length <= Tolerance(inch, byRadius: false), $"seed {seed}, N{b.Line}: ends at {a.End}, was {b.End}\n{text}\n{result}");
+                Assert.True(
+                    (a.End - b.End - wanted).Length <= Tolerance(inch, byRadius: false),
+                    $"seed {seed}, N{b.Line}: ends at {a.End}, was {b.End}\n{text}\n{result}");
             }
         }
     }
 
-    private static (IReadOnlyList<PeerMotion> Before, IReadOnlyList<PeerMotion> After, string Result) Displace(string text, int count, Func<NcPath, int[], NcOutcome<DisplacementWish>> wanted)
+    private static (
+        IReadOnlyList<PeerMotion> Before,
+        IReadOnlyList<PeerMotion> After,
+        string Result) Displace(string text, int count, Func<NcPath, int[], NcOutcome<DisplacementWish>> wanted)
     {
         var path = NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc);
         var blocks = BlockSelector.Select(path.Program, [BlockSelector.Parse($"N101..N{100 + count}")]);
@@ -97,13 +106,16 @@ public sealed class DisplacedProgramTests
     private static double Tolerance(bool inch, bool byRadius) => (inch ? 0.0040 : 0.0005) + (byRadius ? 0.002 : 0);
 
     // Distance of a point to the left of the line through two others.
-    private static double Beside(Point3 from, Point3 to, Point3 point) => Cross(Plane(to) - Plane(from), Plane(point) - Plane(from)) / (Plane(to) - Plane(from)).Length;
+    private static double Beside(Point3 from, Point3 to, Point3 point) =>
+        Cross(Plane(to) - Plane(from), Plane(point) - Plane(from)) / (Plane(to) - Plane(from)).Length;
 
     // A displaced arc lies on the circle about the old center whose radius grew or shrank.
     private static double OffCircle(PeerMotion beforeStart, PeerMotion before, PeerMotion afterStart, PeerMotion after, double left)
     {
         var radius = Plane(beforeStart.End).DistanceTo(before.Center) + (before.Kind == MotionKind.ArcCounterClockwise ? -left : left);
-        return Math.Max(Math.Abs(Plane(afterStart.End).DistanceTo(before.Center) - radius), Math.Abs(Plane(after.End).DistanceTo(before.Center) - radius));
+        return Math.Max(
+            Math.Abs(Plane(afterStart.End).DistanceTo(before.Center) - radius),
+            Math.Abs(Plane(after.End).DistanceTo(before.Center) - radius));
     }
 
     private static Point2 Plane(Point3 p) => new(p.X, p.Y);

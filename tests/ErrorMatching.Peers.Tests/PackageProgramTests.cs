@@ -5,12 +5,14 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>The programs that come with LinuxCNC, motion by motion against its own interpreter, up to the block that this refuses, if it does.</summary>
+/// <summary>The programs that come with LinuxCNC, motion by motion against its own interpreter, up to the block that this refuses,
+/// if it does.</summary>
 public sealed partial class PackageProgramTests
 {
     private const int FewestPrograms = 40;
 
-    private static readonly string[] Folders = ["/usr/share/linuxcnc/ncfiles", "/usr/share/doc/linuxcnc/examples", "/usr/share/axis/images"];
+    private static readonly string[] Folders = [
+        "/usr/share/linuxcnc/ncfiles", "/usr/share/doc/linuxcnc/examples", "/usr/share/axis/images"];
 
     // Programs that are not compared, each with the reason.
     private static readonly Dictionary<string, string> Excluded = new(StringComparer.Ordinal)
@@ -63,7 +65,8 @@ public sealed partial class PackageProgramTests
         return File.Exists(file) ? NcProgram.Read(File.ReadAllBytes(file), NcDialects.LinuxCnc.Syntax) : null;
     }
 
-    // The peer prints the N word of a motion's block: each block gets its line as one. Compensation is blanked, since ours is the programmed path.
+    // The peer prints the N word of a motion's block: each block gets its line as one.
+    // Compensation is blanked, since ours is the programmed path.
     private static string Numbered(string text)
     {
         var lines = text.Split('\n');
@@ -76,9 +79,13 @@ public sealed partial class PackageProgramTests
         return string.Join('\n', lines);
     }
 
-    [GeneratedRegex(@"G\s*4[12](\.1)?(?![0-9])(\s*D\s*(\[[^\]]*\]|#<[^>]*>|[#0-9.]+))?", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        @"G\s*4[12](\.1)?(?![0-9])(\s*D\s*(\[[^\]]*\]|#<[^>]*>|[#0-9.]+))?", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Compensation();
 
-    [GeneratedRegex(@"^\s*(N\s*[0-9]+)?\s*(?<rest>[A-MP-Z].*)$", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.Singleline, 1000)]
+    [GeneratedRegex(
+        @"^\s*(N\s*[0-9]+)?\s*(?<rest>[A-MP-Z].*)$",
+        RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture | RegexOptions.Singleline,
+        1000)]
     private static partial Regex Begin();
 }

@@ -5,7 +5,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// Random programs, motion by motion against LinuxCNC's own interpreter. <c>ERRORMATCH_PEER_PROGRAMS</c> sets how many of each topic (12 if not set), <c>ERRORMATCH_PEER_SEED</c> the first seed.
+/// Random programs, motion by motion against LinuxCNC's own interpreter. <c>ERRORMATCH_PEER_PROGRAMS</c> sets how many of each topic (12 if
+/// not set), <c>ERRORMATCH_PEER_SEED</c> the first seed.
 /// </summary>
 public sealed class RandomProgramTests
 {
@@ -68,5 +69,6 @@ public sealed class RandomProgramTests
     private static string WithoutCompensation(string text) =>
         Regex.Replace(text, @"G4[12](\.1)? D[0-9.]+", "G40", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(1));
 
-    private static int Setting(string name, int otherwise) => Environment.GetEnvironmentVariable(name) is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : otherwise;
+    private static int Setting(string name, int otherwise) =>
+        Environment.GetEnvironmentVariable(name) is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : otherwise;
 }

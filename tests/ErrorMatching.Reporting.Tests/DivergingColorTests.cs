@@ -34,14 +34,18 @@ public sealed class DivergingColorTests
         Assert.All(steps, s => Assert.InRange(s / steps.Average(), 0.75, 1.25));
     }
 
-    // What people see who lack one kind of cone: G. Machado et al., "A physiologically-based model for simulation of color vision deficiency", 2009, severity 1.
+    // What people see who lack one kind of cone: G. Machado et al., "A physiologically-based model for simulation of color vision
+    // deficiency", 2009, severity 1.
     [Theory]
     [InlineData(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998)]
     [InlineData(0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881)]
-    public void Signs_are_told_apart_without_red_or_green(double rr, double rg, double rb, double gr, double gg, double gb, double br, double bg, double bb)
+    public void Signs_are_told_apart_without_red_or_green(
+        double rr, double rg, double rb, double gr, double gg, double gb, double br, double bg, double bb)
     {
         var seen = Enumerable.Range(0, DivergingColors.Count).Select(i => Linear(Rgb(i)))
-            .Select(c => Lab(((rr * c.R) + (rg * c.G) + (rb * c.B), (gr * c.R) + (gg * c.G) + (gb * c.B), (br * c.R) + (bg * c.G) + (bb * c.B)))).ToArray();
+            .Select(c => Lab(
+                ((rr * c.R) + (rg * c.G) + (rb * c.B), (gr * c.R) + (gg * c.G) + (gb * c.B), (br * c.R) + (bg * c.G) + (bb * c.B))))
+                .ToArray();
         for (var i = 0; i < DivergingColors.Count / 2; i++)
         {
             var away = (DivergingColors.Count / 2) - i;
@@ -74,7 +78,8 @@ public sealed class DivergingColorTests
         static double F(double t) => t > 216.0 / 24389 ? Math.Cbrt(t) : ((24389.0 / 27 * t) + 16) / 116;
     }
 
-    private static double Linear(int value) => value / 255.0 <= 0.04045 ? value / 255.0 / 12.92 : Math.Pow(((value / 255.0) + 0.055) / 1.055, 2.4);
+    private static double Linear(int value) =>
+        value / 255.0 <= 0.04045 ? value / 255.0 / 12.92 : Math.Pow(((value / 255.0) + 0.055) / 1.055, 2.4);
 
     private static (int R, int G, int B) Rgb(int index)
     {

@@ -12,7 +12,8 @@ internal static class ArrivalKey
     /// <param name="name">The file's name.</param>
     /// <param name="changed">Its modification time in ticks.</param>
     /// <param name="sha256">Its content.</param>
-    public static string Of(string gauge, string name, long changed, string sha256) => Hash(gauge, name, changed.ToString(CultureInfo.InvariantCulture), sha256);
+    public static string Of(string gauge, string name, long changed, string sha256) =>
+        Hash(gauge, name, changed.ToString(CultureInfo.InvariantCulture), sha256);
 
     /// <summary>The key of a log at a machine. It has no reliable time, so only its content distinguishes it.</summary>
     public static string Of(string gauge, string name, string sha256) => Hash(gauge, name, sha256);
@@ -22,8 +23,10 @@ internal static class ArrivalKey
     /// <param name="gauge">The gauge.</param>
     /// <param name="name">The file's name.</param>
     /// <param name="correction">Number of the correction that it replaces.</param>
-    public static string OfAgain(string gauge, string name, long correction) => Hash(gauge, name, "again", correction.ToString(CultureInfo.InvariantCulture));
+    public static string OfAgain(string gauge, string name, long correction) =>
+        Hash(gauge, name, "again", correction.ToString(CultureInfo.InvariantCulture));
 
     // No part contains a zero, so no two lists of parts give the same text.
-    private static string Hash(params string[] parts) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\0', parts))));
+    private static string Hash(params string[] parts) =>
+        Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\0', parts))));
 }

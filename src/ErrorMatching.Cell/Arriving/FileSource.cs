@@ -18,7 +18,8 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
 
     private const string NotRemoved = "it is archived and cannot be removed: some program still has it open.";
     private const string NotMoved =
-        $"it is finished and cannot be moved aside: some program still has it open, this user must not move it, or {ClaimFolder.Name} has something else of its name. It is taken as soon as it can be.";
+        $"it is finished and cannot be moved aside: some program still has it open, this user must not move it, or {ClaimFolder.Name} "
+            + $"has something else of its name. It is taken as soon as it can be.";
 
     private readonly string _folder = gauge.Incoming ?? throw new ArgumentException("The gauge has no folder.", nameof(gauge));
     private readonly FinishedFiles _finished = new(gauge, clock);
@@ -66,7 +67,8 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
             _mayHaveClaims = _held.Count > 0;
         }
 
-        if (!Guarded(() => Directory.Exists(_folder) ? _hint.IsWorthALook() : throw new DirectoryNotFoundException("there is no such folder")))
+        if (!Guarded(
+            () => Directory.Exists(_folder) ? _hint.IsWorthALook() : throw new DirectoryNotFoundException("there is no such folder")))
         {
             return taken;
         }
@@ -125,7 +127,10 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         if (gauge.Finished is FinishedByMarker { Suffix: var suffix })
         {
             var names = files.Select(f => f.Name).ToHashSet(StringComparer.Ordinal);
-            foreach (var marker in names.Where(n => n.EndsWith(suffix, StringComparison.Ordinal) && _finished.IsOurs(n[..^suffix.Length]) && !names.Contains(n[..^suffix.Length])))
+            foreach (var marker in names.Where(
+                n => n.EndsWith(suffix, StringComparison.Ordinal)
+                    && _finished.IsOurs(n[..^suffix.Length])
+                    && !names.Contains(n[..^suffix.Length])))
             {
                 var name = marker[..^suffix.Length];
                 if (!File.Exists(Path.Combine(_folder, name)))
@@ -149,7 +154,9 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
     // The marker first: from then on, nothing written under the file's name counts as finished. While another file of this name is still
     // claimed, the marker would be taken for that file's.
     private FileInfo? Claim(string name) =>
-        gauge.Finished is FinishedByMarker marker && (_claims.Has(name) || _claims.Claim(name + marker.Suffix) is null) ? null : _claims.Claim(name);
+        gauge.Finished is FinishedByMarker marker && (_claims.Has(name) || _claims.Claim(name + marker.Suffix) is null)
+            ? null
+            : _claims.Claim(name);
 
     private bool Hand(FileInfo file, Action<Arrival> archive, Action<UnreadArrival> archiveUnread, CancellationToken cancellation)
     {
@@ -176,7 +183,14 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
 
                 if (FileReading.Hash(file, cancellation) is { } hash)
                 {
-                    archiveUnread(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, hash), hash, length, TooLarge, Reason(length)));
+                    archiveUnread(new(
+                        gauge.Name,
+                        ShownName.Of(file.Name),
+                        ArrivalKey.Of(gauge.Name, file.Name, changed, hash),
+                        hash,
+                        length,
+                        TooLarge,
+                        Reason(length)));
                     if (!RemoveMarker(file.Name))
                     {
                         return Hold(file, NotRemoved);
@@ -223,7 +237,10 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             _hint.Forget();
-            throw new SourceException($"The folder {_folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is the share mounted, and may this user write to it?", e);
+            throw new SourceException(
+                $"The folder {_folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is "
+                    + $"the share mounted, and may this user write to it?",
+                e);
         }
     }
 }

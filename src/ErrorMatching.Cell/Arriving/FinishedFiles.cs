@@ -19,7 +19,9 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         var finished = new List<FileInfo>();
         var left = new List<LeftFile>();
         var seen = new Dictionary<string, (long, DateTime, long, bool)>(StringComparer.Ordinal);
-        FileSystemInfo[] items = [.. folder.EnumerateFileSystemInfos("*", new EnumerationOptions { AttributesToSkip = FileAttributes.None, IgnoreInaccessible = false })];
+        FileSystemInfo[] items = [
+            .. folder.EnumerateFileSystemInfos(
+                "*", new EnumerationOptions { AttributesToSkip = FileAttributes.None, IgnoreInaccessible = false })];
         var names = gauge.Finished is FinishedByMarker ? items.Select(i => i.Name).ToHashSet(StringComparer.Ordinal) : [];
         IsWaiting = false;
         foreach (var item in items.Where(i => IsOurs(i.Name)))
@@ -34,7 +36,8 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
             }
             else if (PlainFile.Defect(item) is { } defect)
             {
-                left.Add(new(ShownName.Of(item.Name), $"{defect}, and only plain files are taken. Remove it, or put the file itself there."));
+                left.Add(new(
+                    ShownName.Of(item.Name), $"{defect}, and only plain files are taken. Remove it, or put the file itself there."));
             }
             else if (item is FileInfo file && IsFinished(file, names, seen))
             {
@@ -57,7 +60,8 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         && (name[0] != '.' || gauge.Files[0] == '.')
         && !(gauge.Finished is FinishedByMarker marker && name.EndsWith(marker.Suffix, StringComparison.OrdinalIgnoreCase));
 
-    private bool IsFinished(FileInfo file, HashSet<string> names, Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> seen)
+    private bool IsFinished(
+        FileInfo file, HashSet<string> names, Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> seen)
     {
         switch (gauge.Finished)
         {

@@ -24,7 +24,10 @@ internal sealed class FolderHint : IDisposable
     public bool IsWorthALook()
     {
         var changed = Directory.GetLastWriteTimeUtc(_folder);
-        var same = changed == _changed && _looked is { } looked && _clock.GetElapsedTime(looked) < Longest && (_clock.GetUtcNow().UtcDateTime - changed).Duration() > Step;
+        var same = changed == _changed
+            && _looked is { } looked
+            && _clock.GetElapsedTime(looked) < Longest
+            && (_clock.GetUtcNow().UtcDateTime - changed).Duration() > Step;
         if (!same)
         {
             (_changed, _looked) = (changed, _clock.GetTimestamp());

@@ -37,7 +37,8 @@ internal sealed class JobPatterns
         _column is { } column ? Recorded.LikeColumn.With(column.Name, column.Pattern) : null,
     }.OfType<string>().DefaultIfEmpty("").Aggregate((first, second) => Recorded.LikeAll.With(first, second));
 
-    private static (string, Regex)? Named((string Name, string Pattern)? rule) => rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;
+    private static (string, Regex)? Named((string Name, string Pattern)? rule) =>
+        rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;
 
     // A column repeats the same value in its rows; each distinct value is matched once.
     private static bool Matches(Regex pattern, IReadOnlyList<string> texts, FoundWords found)

@@ -33,27 +33,37 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
         var taken = 0;
 
         // Logs that an earlier run renamed are finished and come first: the name must be free for the next one.
-        var renamed = names.Where(n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])).ToArray();
+        var renamed = names.Where(
+            n => n.EndsWith(Suffix, StringComparison.Ordinal) && FileNamePattern.Fits(gauge.Files, n[..^Suffix.Length])).ToArray();
         var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n) && !n.EndsWith(Suffix, StringComparison.Ordinal)).ToArray();
         foreach (var name in renamed.Concat(ours))
         {
             if (!ProgramNames.IsPlain(name + Suffix))
             {
-                left.Add(new(ShownName.Of(name), "its name is too long or has characters that transfers do not carry. Rename it at the machine."));
+                left.Add(new(
+                    ShownName.Of(name), "its name is too long or has characters that transfers do not carry. Rename it at the machine."));
                 continue;
             }
 
             try
             {
-                taken += await (name.EndsWith(Suffix, StringComparison.Ordinal) ? FinishAsync(name[..^Suffix.Length], archive, cancellation) : TakeAsync(name, archive, cancellation)).ConfigureAwait(false);
+                taken += await (
+                    name.EndsWith(Suffix, StringComparison.Ordinal)
+                        ? FinishAsync(name[..^Suffix.Length], archive, cancellation)
+                        : TakeAsync(name, archive, cancellation)).ConfigureAwait(false);
             }
             catch (TransportException e) when (e.Error == TransportError.TooLarge)
             {
-                left.Add(new(ShownName.Of(name), $"it is larger than the {gauge.MostBytes} bytes that \"{gauge.Name}\" takes. Delete it at the machine, or raise mostMB of the gauge."));
+                left.Add(new(
+                    ShownName.Of(name),
+                    $"it is larger than the {gauge.MostBytes} bytes that \"{gauge.Name}\" takes. Delete it at the machine, or raise "
+                        + $"mostMB of the gauge."));
             }
             catch (TransportException e) when (e.Error == TransportError.NotAFile)
             {
-                left.Add(new(ShownName.Of(name), "it is a link, a pipe, a device or a folder at the machine, and only plain files are taken. Remove it there."));
+                left.Add(new(
+                    ShownName.Of(name),
+                    "it is a link, a pipe, a device or a folder at the machine, and only plain files are taken. Remove it there."));
             }
         }
 
@@ -113,7 +123,8 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
     }
 
     // What the control wrote between the reading and the renaming is also archived before the log is deleted.
-    private async Task<int> FinishAsync(string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
+    private async Task<int> FinishAsync(
+        string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
     {
         var taken = 0;
         if (renamed is { Length: > 0 } && Sha256(renamed) is var sha256 && sha256 != archived)
@@ -128,9 +139,15 @@ public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, Ti
     }
 
     private async Task<int> FinishAsync(string name, Action<Arrival> archive, CancellationToken cancellation) =>
-        await FinishAsync(name, await folder.ReadAsync(name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false), null, archive, cancellation).ConfigureAwait(false);
+        await FinishAsync(
+            name,
+            await folder.ReadAsync(name + Suffix, gauge.MostBytes, cancellation).ConfigureAwait(false),
+            null,
+            archive,
+            cancellation).ConfigureAwait(false);
 
-    private Arrival Arrival(string name, byte[] bytes, string sha256) => new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
+    private Arrival Arrival(string name, byte[] bytes, string sha256) =>
+        new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
 
     private static string Sha256(byte[] bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 }

@@ -34,7 +34,8 @@ internal static class ProbingLogHeader
 
     private static void Add(List<HeaderField> fields, string line, int number)
     {
-        if (line.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var first, var second, var third, var plan, ..] && FirstWords.SequenceEqual([first, second, third]))
+        if (line.Split(' ', StringSplitOptions.RemoveEmptyEntries) is [var first, var second, var third, var plan, ..]
+            && FirstWords.SequenceEqual([first, second, third]))
         {
             fields.Add(new(Plan, plan, number));
         }

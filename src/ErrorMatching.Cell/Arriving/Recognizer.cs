@@ -29,12 +29,18 @@ public sealed class Recognizer
         var content = new LookInside(fileName, bytes, source?.Format);
         try
         {
-            var takers = _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).Select(p => (p.Job, Found: p.Match(content))).Where(m => m.Found is not null).ToArray();
+            var takers = _patterns
+                .Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal))
+                .Select(p => (p.Job, Found: p.Match(content)))
+                .Where(m => m.Found is not null)
+                .ToArray();
             return takers switch
             {
                 [] => Recognition.Refused(Recognition.UnknownPiece, Recorded.UnknownPiece.With(Shown(fileName), gauge, Asked(gauge))),
                 [var (job, found)] => Of(job, found!, fileName, bytes),
-                _ => Recognition.Refused(Recognition.AmbiguousPiece, Recorded.AmbiguousPiece.With(Shown(fileName), string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\"")))),
+                _ => Recognition.Refused(
+                    Recognition.AmbiguousPiece,
+                    Recorded.AmbiguousPiece.With(Shown(fileName), string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\"")))),
             };
         }
         catch (MeasurementException e)
@@ -66,11 +72,23 @@ public sealed class Recognizer
     // The job reads the file itself, because its rules may need columns of its own format.
     private static string Decide(CellJobSettings job, string fileName, ReadOnlyMemory<byte> bytes) => NamedJob.Read(job.File).Mating switch
     {
-        { Recognition: { } rules } mating => rules.Decide(MeasurementReader.Read(bytes, fileName, mating.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart",
-        _ => throw new JsonDocumentException(job.File, [new("recognition-missing", "$.recognition", new(1, 1), "no rules", "the rules that were there when the cell started", "the job's rules of recognition are gone")]),
+        { Recognition: { } rules } mating =>
+            rules.Decide(MeasurementReader.Read(bytes, fileName, mating.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart",
+        _ =>
+            throw new JsonDocumentException(
+                job.File,
+                [
+                    new(
+                        "recognition-missing",
+                        "$.recognition",
+                        new(1, 1),
+                        "no rules",
+                        "the rules that were there when the cell started",
+                        "the job's rules of recognition are gone")]),
     };
 
-    private string Asked(string gauge) => _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
+    private string Asked(string gauge) =>
+        _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
         ? string.Join("; ", asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p)))
         : Recorded.AskedNobody.With();
 

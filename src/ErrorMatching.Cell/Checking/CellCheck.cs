@@ -6,7 +6,8 @@ namespace ErrorMatching.Cell;
 /// <param name="Machines">Its machines, each after a login and a listing.</param>
 /// <param name="Store">Its store.</param>
 /// <param name="Jobs">Its jobs.</param>
-public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList<CheckedMachine> Machines, CheckedStore Store, IReadOnlyList<CheckedJob> Jobs)
+public sealed record CellCheck(
+    IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList<CheckedMachine> Machines, CheckedStore Store, IReadOnlyList<CheckedJob> Jobs)
 {
     /// <summary>Errors in what the configuration names: the jobs' files and programs.</summary>
     public IEnumerable<CheckProblem> Wrong => Jobs.Select(j => j.Problem).OfType<CheckProblem>();
@@ -15,7 +16,8 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
     public IEnumerable<string> Untried => Machines.Select(m => m.Untried).OfType<string>();
 
     /// <summary>What cannot be reached: folders, machines, the store.</summary>
-    public IEnumerable<CheckProblem> Away => Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>().Distinct();
+    public IEnumerable<CheckProblem> Away =>
+        Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>().Distinct();
 
     /// <summary>Checks everything that a configuration names. All machines are queried concurrently.</summary>
     /// <param name="settings">The configuration.</param>
@@ -37,7 +39,11 @@ public sealed record CellCheck(IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList
         var store = Looked(StoreCheck.Of(settings.Store));
         var machines = await new MachineCheck(settings, store).OfAllAsync(m => Looked(m), cancellation).ConfigureAwait(false);
         var gauges = new GaugeCheck(settings, machines);
-        return new([.. settings.Gauges.Select(g => Looked(gauges.Of(g, cancellation)))], machines, store, [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))]);
+        return new(
+            [.. settings.Gauges.Select(g => Looked(gauges.Of(g, cancellation)))],
+            machines,
+            store,
+            [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))]);
 
         T Looked<T>(T part)
         {

@@ -6,4 +6,5 @@ namespace ErrorMatching.Cell;
 /// <param name="More">How many more match.</param>
 /// <param name="Left">Matching files that the cell would leave where they are.</param>
 /// <param name="Problem">Why the source cannot be checked; null if nothing is wrong.</param>
-public sealed record CheckedGauge(GaugeSettings Gauge, IReadOnlyList<CheckedFile> Files, int More, IReadOnlyList<LeftFile> Left, CheckProblem? Problem);
+public sealed record CheckedGauge(
+    GaugeSettings Gauge, IReadOnlyList<CheckedFile> Files, int More, IReadOnlyList<LeftFile> Left, CheckProblem? Problem);

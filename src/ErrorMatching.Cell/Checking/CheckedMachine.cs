@@ -7,4 +7,5 @@ namespace ErrorMatching.Cell;
 /// <param name="Untried">A sentence on what could not be tested without changing something at the machine; null if it could not be
 /// listed.</param>
 /// <param name="Problem">Why it could not be listed; null if it was.</param>
-public sealed record CheckedMachine(MachineSettings Machine, IReadOnlyList<string>? Names, bool NeedsPassword, string? Untried, CheckProblem? Problem);
+public sealed record CheckedMachine(
+    MachineSettings Machine, IReadOnlyList<string>? Names, bool NeedsPassword, string? Untried, CheckProblem? Problem);

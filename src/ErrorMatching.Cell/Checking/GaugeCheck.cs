@@ -6,7 +6,8 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
     private const int MostLookedAt = 50;
     private readonly Recognizer _recognizer = new(settings);
 
-    public CheckedGauge Of(GaugeSettings gauge, CancellationToken cancellation) => gauge.Incoming is { } folder ? OfFolder(gauge, folder, cancellation) : OfMachine(gauge);
+    public CheckedGauge Of(GaugeSettings gauge, CancellationToken cancellation) =>
+        gauge.Incoming is { } folder ? OfFolder(gauge, folder, cancellation) : OfMachine(gauge);
 
     // The logs are not fetched: they may be long, and the control may be writing them.
     private CheckedGauge OfMachine(GaugeSettings gauge)
@@ -18,7 +19,12 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         }
 
         var ours = names.Where(n => FileNamePattern.Fits(gauge.Files, n)).Order(StringComparer.Ordinal).ToArray();
-        return new(gauge, [.. ours.Take(MostLookedAt).Select(n => new CheckedFile(ShownName.Of(n), null, null))], Math.Max(0, ours.Length - MostLookedAt), [], null);
+        return new(
+            gauge,
+            [.. ours.Take(MostLookedAt).Select(n => new CheckedFile(ShownName.Of(n), null, null))],
+            Math.Max(0, ours.Length - MostLookedAt),
+            [],
+            null);
     }
 
     private CheckedGauge OfFolder(GaugeSettings gauge, string folder, CancellationToken cancellation)
@@ -28,12 +34,19 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
             var listing = new FinishedFiles(gauge with { Finished = new FinishedByRename() }, TimeProvider.System);
             var markers = new FinishedFiles(gauge, TimeProvider.System);
             var files = listing.Of(new(folder)).Where(f => markers.IsOurs(f.Name)).ToArray();
-            return new(gauge, [.. files.Take(MostLookedAt).Select(f => Of(gauge, f, cancellation))], Math.Max(0, files.Length - MostLookedAt), listing.Left, Denied(gauge, folder));
+            return new(
+                gauge,
+                [.. files.Take(MostLookedAt).Select(f => Of(gauge, f, cancellation))],
+                Math.Max(0, files.Length - MostLookedAt),
+                listing.Left,
+                Denied(gauge, folder));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             return new(gauge, [], 0, [], CheckProblem.Of(
-                CellCodes.GaugeAway, $"The folder {folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is the share mounted, and may this user read it?"));
+                CellCodes.GaugeAway,
+                $"The folder {folder} of the gauge \"{gauge.Name}\" cannot be looked into: {e.Message.TrimEnd('.')}. Is it there, is the "
+                    + $"share mounted, and may this user read it?"));
         }
     }
 
@@ -58,7 +71,9 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             return CheckProblem.Of(
-                CellCodes.GaugeDenied, $"Files cannot be taken out of the folder of the gauge \"{gauge.Name}\": in {tried} nothing can be made and removed again: {e.Message.TrimEnd('.')}. Give it to the user that the cell runs as.");
+                CellCodes.GaugeDenied,
+                $"Files cannot be taken out of the folder of the gauge \"{gauge.Name}\": in {tried} nothing can be made and removed "
+                    + $"again: {e.Message.TrimEnd('.')}. Give it to the user that the cell runs as.");
         }
     }
 
@@ -74,7 +89,9 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         cancellation.ThrowIfCancellationRequested();
         var name = ShownName.Of(file.Name);
         var found = file.Length > gauge.MostBytes
-            ? Recognition.Refused(FileSource.TooLarge, FormattableString.Invariant($"It has {file.Length} bytes; \"{gauge.Name}\" takes at most {gauge.MostBytes}."))
+            ? Recognition.Refused(
+                FileSource.TooLarge,
+                FormattableString.Invariant($"It has {file.Length} bytes; \"{gauge.Name}\" takes at most {gauge.MostBytes}."))
             : FileReading.Whole(file) is { } bytes ? _recognizer.Recognize(gauge.Name, name, bytes)
             : Recognition.Refused(CellCodes.FileLeft, "It changes, or cannot be opened: it would be taken as soon as it can be read.");
         return new(name, file.Length, found);

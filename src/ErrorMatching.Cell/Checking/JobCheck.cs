@@ -30,8 +30,11 @@ internal static class JobCheck
                 return new(job, null, null, null);
             }
 
-            var path = NcInterpreter.Run(NcProgram.Read(InputFile.Program(program)), dialect, new ProgramFolder(program).Find, cancellation);
-            return path.Refusal is { } refusal ? new(job, program, null, new(ErrorItems.Of([refusal], program))) : new(job, program, path.Motions.Length, null);
+            var path = NcInterpreter.Run(
+                NcProgram.Read(InputFile.Program(program)), dialect, new ProgramFolder(program).Find, cancellation);
+            return path.Refusal is { } refusal
+                ? new(job, program, null, new(ErrorItems.Of([refusal], program)))
+                : new(job, program, path.Motions.Length, null);
         }
         catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
         {

@@ -9,7 +9,9 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
     public async Task<IReadOnlyList<CheckedMachine>> OfAllAsync(Action<CheckedMachine> looked, CancellationToken cancellation)
     {
         // Opening a store with an earlier schema version would change it.
-        using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(m => m.NeedsPassword) ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false) : null;
+        using var opened = store.IsThere && store.Form == store.Latest && settings.Machines.Any(m => m.NeedsPassword)
+            ? CellStore.Open(settings.Store, TimeProvider.System, inspect: false)
+            : null;
         return await Task.WhenAll(settings.Machines.Select(Ask)).ConfigureAwait(false);
 
         async Task<CheckedMachine> Ask(MachineSettings machine)
@@ -31,13 +33,18 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
                 if (secret is null)
                 {
                     var why = opened is null ? "the store, which keeps it, is not there yet or has another form" : "none is kept";
-                    return Problem(SecretMissing, $"{machine.Name}: its password is missing, for {why}. Set it: errormatch cell secret {settings.File} {machine.Name} --user NAME.");
+                    return Problem(
+                        SecretMissing,
+                        $"{machine.Name}: its password is missing, for {why}. Set it: errormatch cell secret {settings.File} "
+                            + $"{machine.Name} --user NAME.");
                 }
             }
 
             if (machine.Transport.SignInKey is { } key && !File.Exists(key))
             {
-                return Problem(KeyMissing, $"{machine.Name}: there is no key {key} to sign in with. Name the private key whose public half the server knows.");
+                return Problem(
+                    KeyMissing,
+                    $"{machine.Name}: there is no key {key} to sign in with. Name the private key whose public half the server knows.");
             }
 
             var names = await MachineFolders.Open(machine, () => secret).ListAsync(cancellation).ConfigureAwait(false);
@@ -52,12 +59,16 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
             return Problem(SecretMissing, $"{machine.Name}: {e.Message}");
         }
 
-        CheckedMachine Problem(string code, string message) => new(machine, null, machine.NeedsPassword, null, CheckProblem.Of(code, message));
+        CheckedMachine Problem(string code, string message) =>
+            new(machine, null, machine.NeedsPassword, null, CheckProblem.Of(code, message));
     }
 
     private string Untried(MachineSettings machine)
     {
-        var logs = settings.Gauges.Any(g => g.Machine == machine.Name && !g.KeepsFile) ? ", nor whether logs may be renamed and deleted" : "";
-        return $"{machine.Name}: whether programs may be written, renamed and deleted there was not tried, for that changes something{logs}. The first program shows it; until then the control keeps what it has.";
+        var logs = settings.Gauges.Any(g => g.Machine == machine.Name && !g.KeepsFile)
+            ? ", nor whether logs may be renamed and deleted"
+            : "";
+        return $"{machine.Name}: whether programs may be written, renamed and deleted there was not tried, for that changes "
+            + $"something{logs}. The first program shows it; until then the control keeps what it has.";
     }
 }

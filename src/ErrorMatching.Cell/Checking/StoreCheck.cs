@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Data.Common;
 using Dapper;
 using Microsoft.Data.Sqlite;
@@ -21,7 +22,13 @@ internal static class StoreCheck
                 PostgresSettings postgres => FormOnServer(postgres),
                 _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
             };
-            var problem = form > latest ? CheckProblem.Of(CellCodes.Of(StoreError.TooNew), FormattableString.Invariant($"The store has form {form} and this program knows forms up to {latest}. Use the newer program that made it.")) : null;
+            var problem = form > latest
+                ? CheckProblem.Of(
+                    CellCodes.Of(StoreError.TooNew),
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"The store has form {form} and this program knows forms up to {latest}. Use the newer program that made it."))
+                : null;
             return new(form is not null, form ?? 0, latest, problem);
         }
         catch (StoreException e)
@@ -30,15 +37,24 @@ internal static class StoreCheck
         }
         catch (DbException e)
         {
-            var error = settings is PostgresSettings ? StoreError.Away : e is SqliteException { SqliteErrorCode: 11 or 26 } ? StoreError.Damaged : StoreError.Denied;
-            return new(false, 0, latest, CheckProblem.Of(CellCodes.Of(error), $"{Place(settings)} cannot be looked at: {e.Message.TrimEnd('.')}."));
+            var error = settings is PostgresSettings
+                ? StoreError.Away
+                : e is SqliteException { SqliteErrorCode: 11 or 26 }
+                ? StoreError.Damaged
+                : StoreError.Denied;
+            return new(
+                false,
+                0,
+                latest,
+                CheckProblem.Of(CellCodes.Of(error), $"{Place(settings)} cannot be looked at: {e.Message.TrimEnd('.')}."));
         }
     }
 
     private static long? FormOfFile(string file)
     {
         SQLitePCL.Batteries_V2.Init();
-        using var connection = new SqliteConnection(new SqliteConnectionStringBuilder { DataSource = file, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString);
+        using var connection = new SqliteConnection(
+            new SqliteConnectionStringBuilder { DataSource = file, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString);
         connection.Open();
         return connection.QuerySingle<int>("PRAGMA application_id") == SqliteDatabase.ApplicationId
             ? connection.QuerySingle<long?>(FormOf) ?? 0
@@ -49,7 +65,9 @@ internal static class StoreCheck
     {
         using var connection = new NpgsqlConnection(PostgresDatabase.Connection(settings).ConnectionString);
         connection.Open();
-        return connection.QuerySingle<string?>("SELECT to_regclass('migration')::text") is null ? null : connection.QuerySingle<long?>(FormOf);
+        return connection.QuerySingle<string?>("SELECT to_regclass('migration')::text") is null
+            ? null
+            : connection.QuerySingle<long?>(FormOf);
     }
 
     private static string Place(StoreSettings settings) => settings switch

@@ -7,4 +7,5 @@ namespace ErrorMatching.Cell;
 /// <param name="BaseSha256">The base program; null if the program is generated.</param>
 /// <param name="Base">Its content; null if the program is generated.</param>
 /// <param name="WorkOrder">The work order that the job names; null if there is none.</param>
-public sealed record CorrectionBasis(string Identity, string JobSha256, ReadOnlyMemory<byte> Job, string? BaseSha256, ReadOnlyMemory<byte>? Base, string? WorkOrder);
+public sealed record CorrectionBasis(
+    string Identity, string JobSha256, ReadOnlyMemory<byte> Job, string? BaseSha256, ReadOnlyMemory<byte>? Base, string? WorkOrder);

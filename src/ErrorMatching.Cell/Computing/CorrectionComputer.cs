@@ -46,9 +46,17 @@ public sealed class CorrectionComputer(PolicySettings policy)
             var job = InputFile.Bytes(request.Job.File, JsonLimits.Default.MaxBytes);
             var computation = request.Piece switch
             {
-                "part" or "counterpart" => isAll ? new MatingCorrection(request, holds, job).Compute(cancellation) : new MatingCorrection(request, holds, job).Identify(),
-                "surface" => isAll ? new SurfaceCorrection(request, holds, job).Compute(cancellation) : new SurfaceCorrection(request, holds, job).Identify(),
-                _ => throw new ArgumentException($"Found the piece {request.Piece}; expected part, counterpart or surface.", nameof(request)),
+                "part" or "counterpart" =>
+                    isAll
+                        ? new MatingCorrection(request, holds, job).Compute(cancellation)
+                        : new MatingCorrection(request, holds, job).Identify(),
+                "surface" =>
+                    isAll
+                        ? new SurfaceCorrection(request, holds, job).Compute(cancellation)
+                        : new SurfaceCorrection(request, holds, job).Identify(),
+                _ =>
+                    throw new ArgumentException(
+                        $"Found the piece {request.Piece}; expected part, counterpart or surface.", nameof(request)),
             };
             return request.Identity is { } known && IdentityOf(computation) is { } now && known != now
                 ? new RefusedComputation(CorrectionCodes.JobChanged, Recorded.JobChanged.With(request.Job.Name))
@@ -63,7 +71,8 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// <summary>A refusal for a list of errors: the first code, and the reasons in order.</summary>
     internal static RefusedComputation Refused(IReadOnlyList<ErrorItem> items) => new(
         items[0].Code,
-        string.Join(' ', items.Take(MostReasons).Select(i => i.Message)) + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))
+        string.Join(' ', items.Take(MostReasons).Select(i => i.Message))
+            + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))
     {
         Block = items[0].Block,
         MayPass = items[0].Code == MeasurementError.FileUnreadable,

@@ -89,15 +89,22 @@ public sealed class CorrectionSums
                 ? None.Plus([.. root.GetProperty("points").EnumerateArray().Select(PointOf)])
                 : throw new InvalidDataException($"Found a document of another kind; expected {Schema}.");
         }
-        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
+        catch (Exception e) when (
+            e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
         {
             throw new InvalidDataException($"The sums of corrections cannot be read: {e.Message}", e);
         }
     }
 
     private static PointCorrection PointOf(JsonElement item) =>
-        new(item.GetProperty("point").GetString() ?? throw new FormatException("A point has no name."), Number(item, "x"), Number(item, "y"), Number(item, "z"));
+        new(
+            item.GetProperty("point").GetString() ?? throw new FormatException("A point has no name."),
+            Number(item, "x"),
+            Number(item, "y"),
+            Number(item, "z"));
 
     private static double Number(JsonElement item, string name) =>
-        item.GetProperty(name).GetDouble() is var value && double.IsFinite(value) ? value : throw new FormatException($"{name} is not finite.");
+        item.GetProperty(name).GetDouble() is var value && double.IsFinite(value)
+            ? value
+            : throw new FormatException($"{name} is not finite.");
 }

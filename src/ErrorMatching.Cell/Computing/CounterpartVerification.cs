@@ -27,7 +27,11 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
         {
             var (program, bytes) = files.Program(null);
             var before = files.Job.Counterpart.Measured is { } cut ? files.Counterpart(new(files.Job.PathOf(cut))) : null;
-            var input = new VerifyInput(files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes) { OwnDialect = files.OwnDialect() };
+            var input = new VerifyInput(
+                files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes)
+            {
+                OwnDialect = files.OwnDialect()
+            };
             return VerifyRun.Report(input, out var refusals) is { } report ? new(report, "") : Failed(refusals[0].Message);
         }
         catch (GeometryException e)

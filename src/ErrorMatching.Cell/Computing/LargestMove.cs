@@ -24,7 +24,9 @@ public sealed record LargestMove(double Mm, string At, string? Block)
         foreach (var point in matched.Report.KeyPoints)
         {
             var mm = new PointCorrection(point.Point, point.Correction.X, point.Correction.Y, 0).LengthMm;
-            largest = mm > largest.Mm ? new(mm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null) : largest;
+            largest = mm > largest.Mm
+                ? new(mm, Recorded.AtPointOf.With(point.Point, point.Feature), point.Blocks.Count > 0 ? point.Blocks[0] : null)
+                : largest;
         }
 
         // Between and next to the points a block may have to move further than they do. Rounding alone does not count.

@@ -40,7 +40,11 @@ internal sealed class MatingCorrection
         }
 
         var (theoretical, program, dialect) = (_files.Theoretical(), _files.Program(Base).Bytes, _files.OwnDialect());
-        return new Identified(Basis([new("theoretical", theoretical.File, theoretical.Sha256), .. dialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []], program));
+        return new Identified(Basis(
+            [
+                new("theoretical", theoretical.File, theoretical.Sha256),
+                .. dialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []],
+            program));
     }
 
     /// <summary>Computes it.</summary>
@@ -76,7 +80,11 @@ internal sealed class MatingCorrection
             ? new NothingToSend(basis, CorrectionCodes.PartRecorded, Recorded.PartRecorded.With())
             : CounterpartVerification.Of(_files, _request.Part, measured) switch
             {
-                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With()) { Report = VerifyReportJson.Write(report), Page = VerifyReportHtml.Write(report) },
+                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With())
+                {
+                    Report = VerifyReportJson.Write(report),
+                    Page = VerifyReportHtml.Write(report)
+                },
                 var none => new(basis, CorrectionCodes.FirstArticle, $"{Recorded.FirstArticle.With()} {none.Otherwise}"),
             };
     }
@@ -134,17 +142,30 @@ internal sealed class MatingCorrection
     private CorrectionBasis Basis(IReadOnlyList<ReportInput> inputs, ReadOnlyMemory<byte> program)
     {
         var baseSha256 = new KeptFile("", program).Sha256;
-        string[] measurements = MakesProgram && IsFeedback ? [_request.Measurement.Sha256, _request.Part!.Sha256] : [_request.Measurement.Sha256];
-        return new(CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program, _files.Job.WorkOrder);
+        string[] measurements = MakesProgram && IsFeedback
+            ? [_request.Measurement.Sha256, _request.Part!.Sha256]
+            : [_request.Measurement.Sha256];
+        return new(
+            CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain),
+            _files.Job.Sha256,
+            _job,
+            baseSha256,
+            program,
+            _files.Job.WorkOrder);
     }
 
     // Corrections below half an increment change no word, and what is not in the program is not added to a sum.
     private static PointCorrection[] Steps(MatchedProgram matched) =>
-        [.. matched.Report.KeyPoints.Select(p => matched.Match.Rewrite is null ? new PointCorrection(p.Point, 0, 0, 0) : new(p.Point, p.Correction.X, p.Correction.Y, 0))];
+        [
+            .. matched.Report.KeyPoints.Select(
+                p => matched.Match.Rewrite is null
+                    ? new PointCorrection(p.Point, 0, 0, 0)
+                    : new(p.Point, p.Correction.X, p.Correction.Y, 0))];
 
     // The largest distance from the original program: of the sums at the points, or between or next to them as measured on the program
     // itself. Null if the two programs cannot be compared.
-    private (double Mm, string At, string? Block)? SinceOriginal(MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
+    private (double Mm, string At, string? Block)? SinceOriginal(
+        MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
     {
         if (!_request.Job.Accumulates || _request.Base is null)
         {
@@ -152,7 +173,8 @@ internal sealed class MatingCorrection
         }
 
         var match = matched.Match;
-        if (DistanceFromOriginal.Largest((match.Input with { Program = _files.Program(null).Bytes }).Interpret(), match.After, match.Maps) is not { } elsewhere)
+        if (DistanceFromOriginal.Largest(
+            (match.Input with { Program = _files.Program(null).Bytes }).Interpret(), match.After, match.Maps) is not { } elsewhere)
         {
             return null;
         }
@@ -167,5 +189,6 @@ internal sealed class MatingCorrection
         return (elsewhere.Mm, Recorded.AtBlock.With(name), name);
     }
 
-    internal static double LeastIncrement(MatchResult match) => match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
+    internal static double LeastIncrement(MatchResult match) =>
+        match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
 }

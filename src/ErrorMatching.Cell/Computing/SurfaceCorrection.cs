@@ -49,8 +49,15 @@ internal sealed class SurfaceCorrection
 
         // A piece that still has stock has not been cut by a finishing program.
         var job = _files.Job;
-        var cutBy = job.Stock.Of(job.Measuring.After) > 0 || _request.LastSent is not { } sent ? null : new GivenFile(sent.Name, sent.Bytes);
-        var measured = new SurfaceRequest { Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)], CutBy = cutBy, Gain = _policy.Gain };
+        var cutBy = job.Stock.Of(job.Measuring.After) > 0 || _request.LastSent is not { } sent
+            ? null
+            : new GivenFile(sent.Name, sent.Bytes);
+        var measured = new SurfaceRequest
+        {
+            Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)],
+            CutBy = cutBy,
+            Gain = _policy.Gain
+        };
         return _request.Job.Program is { } program ? Displace(measured, program, cancellation) : Compensate(measured, cancellation);
     }
 
@@ -113,17 +120,26 @@ internal sealed class SurfaceCorrection
         });
     }
 
-    private Computation Within(CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, Computed> computed)
+    private Computation Within(
+        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, Computed> computed)
     {
         var worst = steps.MaxBy(s => s.LengthMm)!;
         var at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
-        return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null) ?? (Computation)computed(steps, at);
+        return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null)
+            ?? (Computation)computed(steps, at);
     }
 
     private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
     {
         var baseSha256 = program is { } bytes ? new KeptFile("", bytes).Sha256 : null;
-        return new(CorrectionIdentity.Of([_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain), _files.Job.Sha256, _job, baseSha256, program, _files.Job.WorkOrder);
+        return new(
+            CorrectionIdentity.Of(
+                [_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain),
+            _files.Job.Sha256,
+            _job,
+            baseSha256,
+            program,
+            _files.Job.WorkOrder);
     }
 
     private static PointCorrection[] Steps(CompensationResult result) => [.. result.Samples.Select(s =>

@@ -11,13 +11,15 @@ internal sealed class CellJobReader(
     IReadOnlyList<(JsonItem Item, GaugeSettings Settings)> gauges,
     IReadOnlyList<(JsonItem Item, MachineSettings Settings)> machines)
 {
-    public IReadOnlyList<(JsonItem Item, CellJobSettings Settings, NamedJob? Job)> Read(PolicySettings cell, Func<JsonItem, PolicySettings> policy)
+    public IReadOnlyList<(JsonItem Item, CellJobSettings Settings, NamedJob? Job)> Read(
+        PolicySettings cell, Func<JsonItem, PolicySettings> policy)
     {
         Names.RefuseTwins(list.Items, "name", "duplicate-name", "job", problems);
         return [.. list.Items.Select(i => Read(i, cell, policy))];
     }
 
-    private (JsonItem Item, CellJobSettings Settings, NamedJob? Job) Read(JsonItem item, PolicySettings cell, Func<JsonItem, PolicySettings> policy)
+    private (JsonItem Item, CellJobSettings Settings, NamedJob? Job) Read(
+        JsonItem item, PolicySettings cell, Func<JsonItem, PolicySettings> policy)
     {
         var file = paths.Of(item["job"]);
         var job = ReadJob(item["job"], file);
@@ -27,7 +29,8 @@ internal sealed class CellJobReader(
             Name = item["name"].Text,
             File = file,
             IsFreeform = job?.Freeform is not null,
-            Piece = item.Find("piece")?.Text ?? (job is null || job.Decides ? null : job.Freeform is not null ? "surface" : job.IsFeedback ? "counterpart" : "part"),
+            Piece = item.Find("piece")?.Text
+                ?? (job is null || job.Decides ? null : job.Freeform is not null ? "surface" : job.IsFeedback ? "counterpart" : "part"),
             Gauges = [.. item["gauges"].Items.Select(g => g.Text).Distinct(StringComparer.Ordinal)],
             Recognize = patterns.Read(),
             Machine = item["machine"].Text,
@@ -40,7 +43,11 @@ internal sealed class CellJobReader(
         CheckNames(item);
         if (settings.InOrderOfSerial && !patterns.HasSerial)
         {
-            problems.Refuse(item["order"], "serial-missing", "pieces in order of serial numbers that no pattern reads", "a group (?<serial>...) in one of the patterns, or \"arrival\"");
+            problems.Refuse(
+                item["order"],
+                "serial-missing",
+                "pieces in order of serial numbers that no pattern reads",
+                "a group (?<serial>...) in one of the patterns, or \"arrival\"");
         }
 
         if (job is not null)
@@ -80,11 +87,16 @@ internal sealed class CellJobReader(
         var (machineName, slot) = (item["machine"], item["slot"]);
         if (machines.FirstOrDefault(m => m.Settings.Name == machineName.Text).Settings is not { } machine)
         {
-            problems.Refuse(machineName, "unknown-machine", $"the machine \"{machineName.Text}\"", Names.Of(machines.Select(m => m.Settings.Name)));
+            problems.Refuse(
+                machineName, "unknown-machine", $"the machine \"{machineName.Text}\"", Names.Of(machines.Select(m => m.Settings.Name)));
         }
         else if (machine.Slots.All(s => s.Name != slot.Text))
         {
-            problems.Refuse(slot, "unknown-slot", $"the slot \"{slot.Text}\"", $"a slot of {machine.Name}: {Names.Of(machine.Slots.Select(s => s.Name))}");
+            problems.Refuse(
+                slot,
+                "unknown-slot",
+                $"the slot \"{slot.Text}\"",
+                $"a slot of {machine.Name}: {Names.Of(machine.Slots.Select(s => s.Name))}");
         }
     }
 
@@ -93,7 +105,11 @@ internal sealed class CellJobReader(
         var machine = machines.FirstOrDefault(m => m.Settings.Name == settings.Machine).Settings;
         if (machine is not null && IsKnown(machine.Dialect) && !CellPaths.AreSame(machine.Dialect, job.Dialect))
         {
-            problems.Refuse(item["job"], "other-dialect", $"a job for the dialect {job.Dialect}", $"one for {machine.Dialect}, which {machine.Name} has");
+            problems.Refuse(
+                item["job"],
+                "other-dialect",
+                $"a job for the dialect {job.Dialect}",
+                $"one for {machine.Dialect}, which {machine.Name} has");
         }
 
         if (item.Find("piece") is { } piece)
@@ -101,23 +117,30 @@ internal sealed class CellJobReader(
             CheckPiece(piece, job);
         }
 
-        foreach (var (name, gauge) in item["gauges"].Items.Select(n => (n, gauges.FirstOrDefault(g => g.Settings.Name == n.Text).Settings)).Where(g => g.Settings is not null))
+        foreach (var (name, gauge) in item["gauges"].Items.Select(
+            n => (n, gauges.FirstOrDefault(g => g.Settings.Name == n.Text).Settings)).Where(g => g.Settings is not null))
         {
             if (job.Mating is not null && gauge.Format is null)
             {
-                problems.Refuse(name, "log-for-mating", $"the probing logs of \"{gauge.Name}\" for a mating job", "a gauge whose files are tables");
+                problems.Refuse(
+                    name, "log-for-mating", $"the probing logs of \"{gauge.Name}\" for a mating job", "a gauge whose files are tables");
             }
 
             CheckPatterns(item["recognize"], gauge);
             if (gauge.Machine is not null && gauge.Machine != settings.Machine)
             {
-                problems.Warn(name, "other-machine", $"a log of {gauge.Machine} for a program of {settings.Machine}", "a piece that stays on the machine that measured it, unless it is moved on purpose");
+                problems.Warn(
+                    name,
+                    "other-machine",
+                    $"a log of {gauge.Machine} for a program of {settings.Machine}",
+                    "a piece that stays on the machine that measured it, unless it is moved on purpose");
             }
         }
 
         if (item.Find("program") is { } program && job.Mating is not null)
         {
-            problems.Refuse(program, "program-for-mating", "a program for a mating job", "no such key: a mating job names its program itself");
+            problems.Refuse(
+                program, "program-for-mating", "a program for a mating job", "no such key: a mating job names its program itself");
         }
     }
 
@@ -129,12 +152,17 @@ internal sealed class CellJobReader(
     {
         if (recognize.Find("column") is { } column && gauge.Format is null)
         {
-            problems.Refuse(column, "column-of-log", $"a column of the probing logs of \"{gauge.Name}\"", "\"headerField\": a log has no columns");
+            problems.Refuse(
+                column, "column-of-log", $"a column of the probing logs of \"{gauge.Name}\"", "\"headerField\": a log has no columns");
         }
 
         if (recognize.Find("headerField") is { } field && gauge.Format is { SkipLines: 0 })
         {
-            problems.Refuse(field, "no-header-fields", $"a header field of \"{gauge.Name}\", whose format has no lines above the table", "a format with \"skipLines\"");
+            problems.Refuse(
+                field,
+                "no-header-fields",
+                $"a header field of \"{gauge.Name}\", whose format has no lines above the table",
+                "a format with \"skipLines\"");
         }
     }
 
@@ -143,11 +171,18 @@ internal sealed class CellJobReader(
         if (piece.Text == "surface" != job.Freeform is not null)
         {
             problems.Refuse(
-                piece, "piece-of-other-kind", $"\"{piece.Text}\" for a {(job.Freeform is not null ? "free-form" : "mating")} job", job.Freeform is not null ? "\"surface\"" : "\"part\" or \"counterpart\"");
+                piece,
+                "piece-of-other-kind",
+                $"\"{piece.Text}\" for a {(job.Freeform is not null ? "free-form" : "mating")} job",
+                job.Freeform is not null ? "\"surface\"" : "\"part\" or \"counterpart\"");
         }
         else if (job.Decides)
         {
-            problems.Refuse(piece, "piece-decided-twice", "a piece beside the job's own rules, which say whose each file is", "no such key, or a job without the key \"recognition\"");
+            problems.Refuse(
+                piece,
+                "piece-decided-twice",
+                "a piece beside the job's own rules, which say whose each file is",
+                "no such key, or a job without the key \"recognition\"");
         }
     }
 
@@ -160,11 +195,19 @@ internal sealed class CellJobReader(
 
         if (!job.IsFeedback)
         {
-            problems.Refuse(item["accumulates"], "accumulates-without-feedback", "corrections that add up in a job without feedback", "a mating job whose compensation comes from the counterpart, or false");
+            problems.Refuse(
+                item["accumulates"],
+                "accumulates-without-feedback",
+                "corrections that add up in a job without feedback",
+                "a mating job whose compensation comes from the counterpart, or false");
         }
         else if (policy.SumLimitMm is null)
         {
-            problems.Refuse(item["accumulates"], "sum-limit-missing", "corrections that add up without a limit", "\"sumLimitMm\" in the policy of the job or of the cell");
+            problems.Refuse(
+                item["accumulates"],
+                "sum-limit-missing",
+                "corrections that add up without a limit",
+                "\"sumLimitMm\" in the policy of the job or of the cell");
         }
     }
 }

@@ -5,7 +5,9 @@ namespace ErrorMatching.Cell;
 /// <summary>Paths in a configuration: relative paths start at its folder.</summary>
 internal sealed class CellPaths(string file)
 {
-    private static readonly StringComparison Comparison = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
+    private static readonly StringComparison Comparison = OperatingSystem.IsWindows()
+        ? StringComparison.OrdinalIgnoreCase
+        : StringComparison.Ordinal;
     private readonly string _folder = Path.GetDirectoryName(Path.GetFullPath(file)) ?? Path.GetFullPath(file);
 
     /// <summary>The absolute path for a text.</summary>
@@ -19,5 +21,6 @@ internal sealed class CellPaths(string file)
 
     /// <summary>True if a path is the folder itself or anywhere inside it.</summary>
     public static bool IsInside(string path, string folder) =>
-        AreSame(path, folder) || path.StartsWith(Path.EndsInDirectorySeparator(folder) ? folder : folder + Path.DirectorySeparatorChar, Comparison);
+        AreSame(path, folder)
+            || path.StartsWith(Path.EndsInDirectorySeparator(folder) ? folder : folder + Path.DirectorySeparatorChar, Comparison);
 }

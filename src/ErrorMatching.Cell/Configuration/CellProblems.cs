@@ -16,9 +16,11 @@ internal sealed class CellProblems
 
     public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems.ToArray());
 
-    public void Refuse(JsonItem item, string code, string found, string expected) => _problems.Add(JsonProblem.At(item, code, found, expected));
+    public void Refuse(JsonItem item, string code, string found, string expected) =>
+        _problems.Add(JsonProblem.At(item, code, found, expected));
 
-    public void Warn(JsonItem item, string code, string found, string expected) => _warnings.Add(JsonProblem.At(item, code, found, expected));
+    public void Warn(JsonItem item, string code, string found, string expected) =>
+        _warnings.Add(JsonProblem.At(item, code, found, expected));
 
     /// <summary>Rejects texts with control characters, which no setter types: they would reach command lines and logs.</summary>
     public void RefuseControlCharacters(JsonItem item)
@@ -43,5 +45,6 @@ internal sealed class CellProblems
         }
     }
 
-    private static JsonProblem[] InOrder(IEnumerable<JsonProblem> problems) => [.. problems.Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)];
+    private static JsonProblem[] InOrder(IEnumerable<JsonProblem> problems) =>
+        [.. problems.Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)];
 }

@@ -52,7 +52,8 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             problems.Refuse(
                 limit,
                 "sum-limit-too-small",
-                FormattableString.Invariant($"a limit of the sum of {policy.SumLimitMm} mm, less than the {policy.LimitMm} mm of one correction"),
+                FormattableString.Invariant(
+                    $"a limit of the sum of {policy.SumLimitMm} mm, less than the {policy.LimitMm} mm of one correction"),
                 "at least the limit of one correction");
         }
 
@@ -65,11 +66,13 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
         var heard = jobs.SelectMany(j => j["gauges"].Items).Select(g => g.Text).ToHashSet(StringComparer.Ordinal);
         foreach (var name in root["gauges"].Items.Select(g => g["name"]).Where(n => !heard.Contains(n.Text)))
         {
-            problems.Warn(name, "unused-gauge", $"the gauge \"{name.Text}\", whose files no job takes", "a job that names it among its gauges");
+            problems.Warn(
+                name, "unused-gauge", $"the gauge \"{name.Text}\", whose files no job takes", "a job that names it among its gauges");
         }
 
         var taken = jobs.Select(j => (j["machine"].Text, j["slot"].Text)).ToHashSet();
-        foreach (var (machine, name) in root["machines"].Items.SelectMany(m => m["slots"].Items.Select(s => (m["name"].Text, s["name"]))).Where(s => !taken.Contains((s.Item1, s.Item2.Text))))
+        foreach (var (machine, name) in root["machines"].Items.SelectMany(m => m["slots"].Items.Select(
+            s => (m["name"].Text, s["name"]))).Where(s => !taken.Contains((s.Item1, s.Item2.Text))))
         {
             problems.Warn(name, "unused-slot", $"the slot \"{name.Text}\" of {machine}, which no job uses", "a job that names it");
         }

@@ -7,7 +7,8 @@ namespace ErrorMatching.Cell;
 /// <summary>Reads the configuration of a cell and checks everything that can be checked without a machine, a store or a folder.</summary>
 public static class CellSettingsReader
 {
-    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(CellTemplate.Schema), "cell.schema.json"));
+    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
+        Encoding.UTF8.GetBytes(CellTemplate.Schema), "cell.schema.json"));
 
     /// <summary>Reads the configuration from a file.</summary>
     /// <param name="file">The file.</param>

@@ -4,7 +4,8 @@ namespace ErrorMatching.Cell;
 internal static class FileNamePattern
 {
     /// <summary>True if a name matches the pattern. Time grows at most with the product of both lengths.</summary>
-    public static bool Fits(string pattern, string name) => System.IO.Enumeration.FileSystemName.MatchesSimpleExpression(Literal(pattern), name, ignoreCase: true);
+    public static bool Fits(string pattern, string name) =>
+        System.IO.Enumeration.FileSystemName.MatchesSimpleExpression(Literal(pattern), name, ignoreCase: true);
 
     /// <summary>True if any name can match both patterns.</summary>
     public static bool Overlap(string a, string b)

@@ -29,16 +29,22 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
     }
 
     private IEnumerable<(JsonItem Item, MachineSettings Machine, string Folder)> MachineFolders =>
-        settings.Machines.Select((m, i) => (Item: root["machines"].Items[i], Machine: m, Folder: m.Transport.LocalFolder)).Where(m => m.Folder is not null)!;
+        settings.Machines.Select(
+            (m, i) => (Item: root["machines"].Items[i], Machine: m, Folder: m.Transport.LocalFolder)).Where(m => m.Folder is not null)!;
 
     private void CheckGauges()
     {
         for (var i = 0; i < settings.Gauges.Count; i++)
         {
             var (item, gauge) = (root["gauges"].Items[i], settings.Gauges[i]);
-            if (settings.Gauges.Take(i).FirstOrDefault(g => IsSameSource(g, gauge) && FileNamePattern.Overlap(g.Files, gauge.Files)) is { } other)
+            if (settings.Gauges.Take(i).FirstOrDefault(
+                g => IsSameSource(g, gauge) && FileNamePattern.Overlap(g.Files, gauge.Files)) is { } other)
             {
-                problems.Refuse(item["files"], "overlapping-files", $"\"{gauge.Files}\" beside \"{other.Files}\" of \"{other.Name}\" in one folder", "patterns that no file's name fits both");
+                problems.Refuse(
+                    item["files"],
+                    "overlapping-files",
+                    $"\"{gauge.Files}\" beside \"{other.Files}\" of \"{other.Name}\" in one folder",
+                    "patterns that no file's name fits both");
             }
 
             if (gauge.Machine is not null)
@@ -52,11 +58,17 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
     {
         if (settings.Machines.FirstOrDefault(m => m.Name == gauge.Machine) is not { } machine)
         {
-            problems.Refuse(item["machine"], "unknown-machine", $"the machine \"{gauge.Machine}\"", Names.Of(settings.Machines.Select(m => m.Name)));
+            problems.Refuse(
+                item["machine"], "unknown-machine", $"the machine \"{gauge.Machine}\"", Names.Of(settings.Machines.Select(m => m.Name)));
         }
-        else if (machine.Slots.SelectMany(s => new[] { s.Program, s.ReadyFile }.OfType<string>()).FirstOrDefault(n => FileNamePattern.Fits(gauge.Files, n)) is { } taken)
+        else if (machine.Slots.SelectMany(
+            s => new[] { s.Program, s.ReadyFile }.OfType<string>()).FirstOrDefault(n => FileNamePattern.Fits(gauge.Files, n)) is { } taken)
         {
-            problems.Refuse(item["files"], "files-of-slot", $"\"{gauge.Files}\", which the slots' file {taken} fits", "a pattern that no slot's program or ready file fits");
+            problems.Refuse(
+                item["files"],
+                "files-of-slot",
+                $"\"{gauge.Files}\", which the slots' file {taken} fits",
+                "a pattern that no slot's program or ready file fits");
         }
     }
 
@@ -67,7 +79,11 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
             var machine = settings.Machines[i];
             if (settings.Machines.Take(i).FirstOrDefault(m => m.Transport.IsSamePlace(machine.Transport)) is { } other)
             {
-                problems.Refuse(root["machines"].Items[i]["transport"], "folder-of-two-machines", $"the folder of {other.Name} again", "a folder of this machine alone");
+                problems.Refuse(
+                    root["machines"].Items[i]["transport"],
+                    "folder-of-two-machines",
+                    $"the folder of {other.Name} again",
+                    "a folder of this machine alone");
             }
         }
 
@@ -75,9 +91,14 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         {
             for (var g = 0; g < settings.Gauges.Count; g++)
             {
-                if (settings.Gauges[g].Incoming is { } incoming && (CellPaths.IsInside(incoming, folder) || CellPaths.IsInside(folder, incoming)))
+                if (settings.Gauges[g].Incoming is { } incoming
+                    && (CellPaths.IsInside(incoming, folder) || CellPaths.IsInside(folder, incoming)))
                 {
-                    problems.Refuse(root["gauges"].Items[g]["incoming"], "incoming-at-machine", $"{incoming} beside {folder} of {machine.Name}", "two folders of which none lies in the other");
+                    problems.Refuse(
+                        root["gauges"].Items[g]["incoming"],
+                        "incoming-at-machine",
+                        $"{incoming} beside {folder} of {machine.Name}",
+                        "two folders of which none lies in the other");
                 }
             }
         }
@@ -86,12 +107,16 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
     private void CheckOwn()
     {
         Check(root["store"].Find("file") ?? root["store"], "the store", (settings.Store as SqliteSettings)?.File);
-        Check(root["store"].Find("passwordFile") ?? root["store"], "the password's file", (settings.Store as PostgresSettings)?.PasswordFile);
+        Check(
+            root["store"].Find("passwordFile") ?? root["store"], "the password's file", (settings.Store as PostgresSettings)?.PasswordFile);
         Check(root.Find("keys") ?? root, "the folder of keys", settings.KeysFolder);
         Check(root.Find("logs") ?? root, "the folder of logs", settings.LogFolder);
         for (var i = 0; i < settings.Machines.Count; i++)
         {
-            Check(root["machines"].Items[i]["transport"].Find("keyFile") ?? root, "the login's key", settings.Machines[i].Transport.SignInKey);
+            Check(
+                root["machines"].Items[i]["transport"].Find("keyFile") ?? root,
+                "the login's key",
+                settings.Machines[i].Transport.SignInKey);
         }
     }
 
@@ -104,7 +129,8 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
 
         if (settings.Gauges.FirstOrDefault(g => g.Incoming is { } incoming && CellPaths.IsInside(path, incoming)) is { } gauge)
         {
-            problems.Refuse(item, "inside-incoming", $"{what} in {gauge.Incoming}, where files of \"{gauge.Name}\" arrive", "a place outside of it");
+            problems.Refuse(
+                item, "inside-incoming", $"{what} in {gauge.Incoming}, where files of \"{gauge.Name}\" arrive", "a place outside of it");
         }
 
         if (MachineFolders.FirstOrDefault(m => CellPaths.IsInside(path, m.Folder)) is { Machine: { } machine, Folder: { } folder })
@@ -115,18 +141,31 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
 
     private void CheckTaken(JsonItem item, string what, string file)
     {
-        if (settings.Gauges.FirstOrDefault(g => g.Incoming is { } incoming && CellPaths.AreSame(incoming, Path.GetDirectoryName(file) ?? "") && FileNamePattern.Fits(g.Files, Path.GetFileName(file))) is { } gauge)
+        if (settings.Gauges.FirstOrDefault(
+            g => g.Incoming is { } incoming
+                && CellPaths.AreSame(incoming, Path.GetDirectoryName(file) ?? "")
+                && FileNamePattern.Fits(g.Files, Path.GetFileName(file))) is { } gauge)
         {
-            problems.Refuse(item, "input-taken", $"{what}, which \"{gauge.Name}\" would take as a measurement", "another folder, or a pattern of the gauge that its name does not fit");
+            problems.Refuse(
+                item,
+                "input-taken",
+                $"{what}, which \"{gauge.Name}\" would take as a measurement",
+                "another folder, or a pattern of the gauge that its name does not fit");
         }
     }
 
     private void CheckBase(JsonItem item, string? program)
     {
         if (program is not null
-            && MachineFolders.FirstOrDefault(m => CellPaths.AreSame(Path.GetDirectoryName(program) ?? "", m.Folder) && m.Machine.Slots.Any(s => s.Program.Equals(Path.GetFileName(program), NoCase))).Machine is { } machine)
+            && MachineFolders.FirstOrDefault(
+                m => CellPaths.AreSame(Path.GetDirectoryName(program) ?? "", m.Folder)
+                    && m.Machine.Slots.Any(s => s.Program.Equals(Path.GetFileName(program), NoCase))).Machine is { } machine)
         {
-            problems.Refuse(item, "original-at-machine", $"{program} as the original, which the cell would overwrite at {machine.Name}", "the original in a folder of its own: every correction starts from it");
+            problems.Refuse(
+                item,
+                "original-at-machine",
+                $"{program} as the original, which the cell would overwrite at {machine.Name}",
+                "the original in a folder of its own: every correction starts from it");
         }
     }
 

@@ -28,7 +28,11 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
 
         if (item.Find("keep") is { } keep && machine is null)
         {
-            problems.Refuse(keep, "keep-without-machine", "\"keep\" for a folder", "no such key: what arrives in a folder is always taken from it once it is archived");
+            problems.Refuse(
+                keep,
+                "keep-without-machine",
+                "\"keep\" for a folder",
+                "no such key: what arrives in a folder is always taken from it once it is archived");
         }
 
         var format = ReadFormat(item.Find("format"));
@@ -58,7 +62,11 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
         {
             if (isAtMachine)
             {
-                problems.Refuse(item, "finished-at-machine", "\"rename\" for a machine's log", "{ \"atRestS\": ... } or { \"endMark\": ... }: a control writes its log under the log's own name");
+                problems.Refuse(
+                    item,
+                    "finished-at-machine",
+                    "\"rename\" for a machine's log",
+                    "{ \"atRestS\": ... } or { \"endMark\": ... }: a control writes its log under the log's own name");
             }
 
             return new FinishedByRename();
@@ -66,7 +74,11 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
 
         if (item.Members.Count != 1)
         {
-            problems.Refuse(item, "finished-rules", item.Members.Count == 0 ? "no rule" : $"{item.Members.Count} rules", "one of \"marker\", \"atRestS\" and \"endMark\"");
+            problems.Refuse(
+                item,
+                "finished-rules",
+                item.Members.Count == 0 ? "no rule" : $"{item.Members.Count} rules",
+                "one of \"marker\", \"atRestS\" and \"endMark\"");
             return new FinishedByRename();
         }
 
@@ -78,7 +90,8 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
 
         if (name == "endMark" && value.Text.Trim() != value.Text)
         {
-            problems.Refuse(value, "end-mark-spaces", "a mark with spaces around it", "the mark alone: spaces around the last line do not count");
+            problems.Refuse(
+                value, "end-mark-spaces", "a mark with spaces around it", "the mark alone: spaces around the last line do not count");
         }
 
         return name switch
@@ -107,8 +120,11 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
         }
         catch (MeasurementException e)
         {
-            var expected = item.Kind == JsonItemKind.Text ? "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table" : e.Expected;
-            problems.AddRange([new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, expected, $"found {e.Found}; expected {expected}")]);
+            var expected = item.Kind == JsonItemKind.Text
+                ? "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table"
+                : e.Expected;
+            problems.AddRange(
+                [new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, expected, $"found {e.Found}; expected {expected}")]);
             return MeasurementFormat.Points;
         }
     }

@@ -28,7 +28,11 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         {
             if (!NcDialects.Names.Contains(item.Text, StringComparer.Ordinal))
             {
-                problems.Refuse(item, "unknown-dialect", $"the dialect \"{item.Text}\"", Names.Of(NcDialects.Names) + ", or a shop's own file that ends in .json");
+                problems.Refuse(
+                    item,
+                    "unknown-dialect",
+                    $"the dialect \"{item.Text}\"",
+                    Names.Of(NcDialects.Names) + ", or a shop's own file that ends in .json");
             }
 
             return item.Text;
@@ -68,7 +72,11 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
             RefuseBadName(ready);
             if (programs.Contains(ready.Text))
             {
-                problems.Refuse(ready, "ready-file-is-program", $"the program \"{ready.Text}\" as a ready file", "a name that no slot's program has: the cell deletes a ready file");
+                problems.Refuse(
+                    ready,
+                    "ready-file-is-program",
+                    $"the program \"{ready.Text}\" as a ready file",
+                    "a name that no slot's program has: the cell deletes a ready file");
             }
         }
 

@@ -37,7 +37,15 @@ internal sealed class NamedJob
 
     /// <summary>Absolute paths of the files that the job reads, except dialect files.</summary>
     public IReadOnlyList<string> Files => Mating is { } m
-        ? [.. new[] { m.File, m.Part.Theoretical, m.Part.Measured, m.Counterpart.Measured, m.Counterpart.Program }.OfType<string>().Select(Absolute)]
+        ? [
+            .. new[]
+            {
+                m.File,
+                m.Part.Theoretical,
+                m.Part.Measured,
+                m.Counterpart.Measured,
+                m.Counterpart.Program
+            }.OfType<string>().Select(Absolute)]
         : [.. new[] { Freeform!.File, Freeform.Surface.File, Freeform.Measuring.Template }.OfType<string>().Select(Absolute)];
 
     /// <summary>Reads the job from a file.</summary>
@@ -51,7 +59,9 @@ internal sealed class NamedJob
         var root = JsonInput.Read(bytes, file);
         try
         {
-            return root.Kind == JsonItemKind.Object && root.Find("kind")?.Text == "freeform" ? new(null, FreeformJob.Parse(bytes, file)) : new(MatingJob.Parse(bytes, file), null);
+            return root.Kind == JsonItemKind.Object && root.Find("kind")?.Text == "freeform"
+                ? new(null, FreeformJob.Parse(bytes, file))
+                : new(MatingJob.Parse(bytes, file), null);
         }
         catch (JobException e)
         {

@@ -21,5 +21,6 @@ internal static class Names
     }
 
     /// <summary>Lists the existing names for a message.</summary>
-    public static string Of(IEnumerable<string> names) => names.ToArray() is { Length: > 0 } all ? "one of " + string.Join(", ", all.Select(n => $"\"{n}\"")) : "none, for there is none";
+    public static string Of(IEnumerable<string> names) =>
+        names.ToArray() is { Length: > 0 } all ? "one of " + string.Join(", ", all.Select(n => $"\"{n}\"")) : "none, for there is none";
 }

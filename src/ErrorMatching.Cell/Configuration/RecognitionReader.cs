@@ -16,7 +16,11 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
     {
         if (item.Members.Count == 0)
         {
-            problems.Refuse(item, "recognition-missing", "no pattern", "at least one of \"fileName\", \"headerField\" and \"column\": else every file would be this job's");
+            problems.Refuse(
+                item,
+                "recognition-missing",
+                "no pattern",
+                "at least one of \"fileName\", \"headerField\" and \"column\": else every file would be this job's");
         }
 
         return new(item.Find("fileName") is { } name ? Pattern(name) : null, Named("headerField"), Named("column"));
@@ -28,7 +32,8 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
     public static Regex Expression(string pattern) =>
         new(pattern, RegexOptions.NonBacktracking | RegexOptions.CultureInvariant, Regex.InfiniteMatchTimeout);
 
-    private (string Name, string Pattern)? Named(string key) => item.Find(key) is { } named ? (named["name"].Text, Pattern(named["pattern"])) : null;
+    private (string Name, string Pattern)? Named(string key) =>
+        item.Find(key) is { } named ? (named["name"].Text, Pattern(named["pattern"])) : null;
 
     private string Pattern(JsonItem pattern)
     {
@@ -38,12 +43,17 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
             HasSerial |= groups.Contains(Serial);
             foreach (var group in groups.Where(g => g is not (Serial or WorkOrder)))
             {
-                problems.Refuse(pattern, "unknown-group", $"the group \"{group}\"", $"{Serial} or {WorkOrder}, or a group without a name: (...)");
+                problems.Refuse(
+                    pattern, "unknown-group", $"the group \"{group}\"", $"{Serial} or {WorkOrder}, or a group without a name: (...)");
             }
         }
         catch (Exception e) when (e is ArgumentException or NotSupportedException)
         {
-            problems.Refuse(pattern, "bad-pattern", $"the pattern \"{pattern.Text}\"", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
+            problems.Refuse(
+                pattern,
+                "bad-pattern",
+                $"the pattern \"{pattern.Text}\"",
+                "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'));
         }
 
         return pattern.Text;

@@ -5,4 +5,5 @@ namespace ErrorMatching.Cell;
 /// <param name="FileName">Pattern for the file name.</param>
 /// <param name="HeaderField">A header field and the pattern for its value.</param>
 /// <param name="Column">A column and the pattern for all its values.</param>
-public sealed record RecognitionSettings(string? FileName, (string Name, string Pattern)? HeaderField, (string Name, string Pattern)? Column);
+public sealed record RecognitionSettings(
+    string? FileName, (string Name, string Pattern)? HeaderField, (string Name, string Pattern)? Column);

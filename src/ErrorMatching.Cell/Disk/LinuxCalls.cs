@@ -59,7 +59,9 @@ internal static class LinuxCalls
     {
         var status = new byte[StatusLength];
         return StatX(CurrentFolder, Bytes(path), 0, NumberWanted, status) != 0 ? null : new(
-            BitConverter.ToUInt32(status, PlaceOfDevice), BitConverter.ToUInt32(status, PlaceOfDevice + 4), BitConverter.ToUInt64(status, PlaceOfNumber));
+            BitConverter.ToUInt32(status, PlaceOfDevice),
+            BitConverter.ToUInt32(status, PlaceOfDevice + 4),
+            BitConverter.ToUInt64(status, PlaceOfNumber));
     }
 
     /// <summary>Exchanges two names atomically.</summary>

@@ -187,6 +187,7 @@ public sealed partial class JobEdits
         });
     }
 
-    [GeneratedRegex("(^|, )(?<name>.+?) (?<hash>[0-9a-f]{64})", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, Timeout.Infinite)]
+    [GeneratedRegex(
+        "(^|, )(?<name>.+?) (?<hash>[0-9a-f]{64})", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, Timeout.Infinite)]
     private static partial Regex FileAndHash();
 }

@@ -5,12 +5,14 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Puts edited mating jobs in the place of those of a cell: all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
+/// <summary>Puts edited mating jobs in the place of those of a cell:
+/// all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
 /// <remarks>
 /// Every saved version is kept by content in the store, and so is what stood there before and was not saved here (<see cref="Versions"/>).
 /// A new job is saved beside the one that runs (<see cref="Prepare"/>) and is used once it is put in use (<see cref="PutInUse"/>).
 /// </remarks>
-/// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
+/// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose
+/// files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="users">The users.</param>
@@ -63,7 +65,10 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
 
         if (Sha256Of(job) != baseSha256)
         {
-            throw new JobEditException(JobEditException.ChangedMeanwhile, $"{job.File} was changed since it was opened. Note what you changed, discard your changes, and make them in the job as it is now.");
+            throw new JobEditException(
+                JobEditException.ChangedMeanwhile,
+                $"{job.File} was changed since it was opened. Note what you changed, discard your changes, and make them in the job as "
+                    + $"it is now.");
         }
 
         var files = FilesOf(job, draft);
@@ -110,7 +115,10 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         {
             if (draft.Counterpart.Program != Path.GetFileName(draft.Counterpart.Program))
             {
-                throw new JobEditException(JobEditException.Wrong, $"The imported program would be written to {draft.Counterpart.Program}, outside of the job's folder. Import it by its own name.");
+                throw new JobEditException(
+                    JobEditException.Wrong,
+                    $"The imported program would be written to {draft.Counterpart.Program}, outside of the job's folder. Import it by "
+                        + $"its own name.");
             }
 
             Add(draft.Counterpart.Program, program.Bytes);
@@ -153,7 +161,9 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
 
             if (files.Select(f => f.Path).FirstOrDefault(f => named.Any(n => CellPaths.AreSame(n, f))) is { } shared)
             {
-                throw new JobEditException(JobEditException.Shared, $"{shared} belongs to the job {other.Name} as well, which would change with it. Give each of the two its own file.");
+                throw new JobEditException(
+                    JobEditException.Shared,
+                    $"{shared} belongs to the job {other.Name} as well, which would change with it. Give each of the two its own file.");
             }
         }
     }
@@ -161,15 +171,25 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
     private IEnumerable<DraftProblem> Contradictions(CellJobSettings job, MatingJob edited)
     {
         var machine = settings.Machines.First(m => m.Name == job.Machine);
-        var dialect = Nc.NcDialects.IsFile(edited.Counterpart.Dialect) ? Path.GetFullPath(edited.PathOf(edited.Counterpart.Dialect)) : edited.Counterpart.Dialect;
+        var dialect = Nc.NcDialects.IsFile(edited.Counterpart.Dialect)
+            ? Path.GetFullPath(edited.PathOf(edited.Counterpart.Dialect))
+            : edited.Counterpart.Dialect;
         if (!CellPaths.AreSame(machine.Dialect, dialect))
         {
-            yield return new("$.counterpart.dialect", "other-dialect", edited.Counterpart.Dialect, $"a job for the dialect {edited.Counterpart.Dialect}; {machine.Name} has {machine.Dialect}");
+            yield return new(
+                "$.counterpart.dialect",
+                "other-dialect",
+                edited.Counterpart.Dialect,
+                $"a job for the dialect {edited.Counterpart.Dialect}; {machine.Name} has {machine.Dialect}");
         }
 
         if (StandingFrom(PlaceOf(job)) is { } from && from != edited.Compensation.From)
         {
-            yield return new("$.compensation.from", "from-fixed", "", "the cell decides by it when it starts whose measurements these are; change it in the job's file and start the cell again");
+            yield return new(
+                "$.compensation.from",
+                "from-fixed",
+                "",
+                "the cell decides by it when it starts whose measurements these are; change it in the job's file and start the cell again");
         }
     }
 

@@ -14,7 +14,8 @@ namespace ErrorMatching.Cell;
 /// <param name="Basis">The basis, in words.</param>
 /// <param name="Previous">Hash of the previous entry; 64 zeros for the first.</param>
 /// <param name="Hash">SHA-256 over all other fields, as 64 lowercase hexadecimal digits.</param>
-public sealed record AuditEntry(long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
+public sealed record AuditEntry(
+    long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
 {
     /// <summary>The previous hash of the first entry.</summary>
     public const string NoHash = "0000000000000000000000000000000000000000000000000000000000000000";

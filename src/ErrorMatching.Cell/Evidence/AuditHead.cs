@@ -13,11 +13,13 @@ public sealed record AuditHead(long Seq, DateTimeOffset At, string Hash, string?
 {
     /// <summary>The seal of a head by a key, as 64 lowercase hexadecimal digits.</summary>
     internal static string SealOf(ReadOnlySpan<byte> key, long seq, string hash) =>
-        Convert.ToHexStringLower(HMACSHA256.HashData(key, Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture, $"errormatch audit head 1\n{seq}\n{hash}"))));
+        Convert.ToHexStringLower(HMACSHA256.HashData(
+            key, Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture, $"errormatch audit head 1\n{seq}\n{hash}"))));
 
     /// <summary>True if the seal was made with the key.</summary>
     internal bool IsSealedBy(ReadOnlySpan<byte> key) =>
-        Seal is not null && CryptographicOperations.FixedTimeEquals(Encoding.UTF8.GetBytes(Seal), Encoding.UTF8.GetBytes(SealOf(key, Seq, Hash)));
+        Seal is not null
+            && CryptographicOperations.FixedTimeEquals(Encoding.UTF8.GetBytes(Seal), Encoding.UTF8.GetBytes(SealOf(key, Seq, Hash)));
 
     /// <summary>The head after one more entry. An invalid seal is not repaired by the next entry: it stays as it is, so the fault remains
     /// detectable.</summary>

@@ -26,7 +26,8 @@ public static class AuditKey
 
     /// <summary>The message that the key is missing.</summary>
     internal static string Missing(string keysFolder) =>
-        $"{Path.Combine(keysFolder, FileName)} is not there, and it sealed the audit trail: whether the trail's end was cut off, or all of it written again, cannot be said. Bring the folder of the keys back from a backup.";
+        $"{Path.Combine(keysFolder, FileName)} is not there, and it sealed the audit trail: whether the trail's end was cut off, or all "
+            + $"of it written again, cannot be said. Bring the folder of the keys back from a backup.";
 
     /// <summary>The key; created if there is none yet.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/> or

@@ -28,7 +28,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             var fault = AuditChain.Verify(meaning.Replay.Added(
                 Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries",
                 count, progress, cancellation)), head, key);
-            var seen = Rows.Query(connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
+            var seen = Rows.Query(
+                connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
             fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database, connection, transaction, key);
             return new AuditFinding(count, head.Hash, fault, key is not null);
         });
@@ -48,10 +49,13 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
         return KeysFault(key, witness, head, witness is { Seq: > 0 } ? store.AuditEntries(witness.Seq - 1, 1) : [], mayBeUnsealed: true)
             ?? (key is null || head.IsSealedBy(key) ? null : new(AuditFaultKind.Unsealed, head.Seq, string.Create(
-                CultureInfo.InvariantCulture, $"The end of the audit trail, entry {head.Seq}, is not sealed by the cell's key: the store was written to by something else, or the key is another one.")));
+                CultureInfo.InvariantCulture,
+                $"The end of the audit trail, entry {head.Seq}, is not sealed by the cell's key: the store was written to by something "
+                    + $"else, or the key is another one.")));
     }
 
-    private AuditFault? KeysFault(byte[]? key, AuditWitness? witness, AuditHead head, IReadOnlyList<AuditEntry> seen, bool mayBeUnsealed = false) =>
+    private AuditFault? KeysFault(
+        byte[]? key, AuditWitness? witness, AuditHead head, IReadOnlyList<AuditEntry> seen, bool mayBeUnsealed = false) =>
         key is null ? mayBeUnsealed && head.Seal is null ? null : new(AuditFaultKind.KeysMissing, head.Seq, AuditKey.Missing(keysFolder))
         : witness is null ? new(AuditFaultKind.WitnessMissing, head.Seq, AuditWitness.Missing(keysFolder))
         : witness.Fault(head, seen);
@@ -93,7 +97,10 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             return false;
         }
 
-        store.Audit(by, "trail-set-back", witness is null ? Recorded.WitnessBegun.With(basis) : Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
+        store.Audit(
+            by,
+            "trail-set-back",
+            witness is null ? Recorded.WitnessBegun.With(basis) : Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
         head = store.AuditHead();
         new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
         return true;
@@ -110,11 +117,17 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the export.</param>
     /// <returns>The number of entries.</returns>
-    public long Export(TextWriter writer, IProgress<CellProgress>? progress, CancellationToken cancellation) => store.Database.Snapshot((connection, transaction) =>
+    public long Export(TextWriter writer, IProgress<CellProgress>? progress, CancellationToken cancellation) =>
+        store.Database.Snapshot((connection, transaction) =>
     {
         SpreadsheetCsv.Write(writer, Columns);
         var count = 0L;
-        foreach (var e in Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction), "writing entries", Count(connection, transaction), progress, cancellation))
+        foreach (var e in Told(
+            Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, transaction),
+            "writing entries",
+            Count(connection, transaction),
+            progress,
+            cancellation))
         {
             SpreadsheetCsv.Write(
                 writer,
@@ -133,9 +146,11 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         return count;
     });
 
-    private static long Count(DbConnection connection, DbTransaction transaction) => Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
+    private static long Count(DbConnection connection, DbTransaction transaction) =>
+        Rows.Query(connection, "SELECT count(*) FROM audit", r => r.GetInt64(0), null, transaction)[0];
 
-    private static IEnumerable<AuditEntry> Told(IEnumerable<AuditEntry> entries, string doing, long of, IProgress<CellProgress>? progress, CancellationToken cancellation)
+    private static IEnumerable<AuditEntry> Told(
+        IEnumerable<AuditEntry> entries, string doing, long of, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         var (done, each) = (0L, Math.Max(1, of / 100));
         foreach (var entry in entries)
@@ -157,7 +172,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         {
             return AuditRow.Read(row);
         }
-        catch (Exception e) when (e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
+        catch (Exception e) when (
+            e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
         {
             return new(row.GetInt64(0), DateTimeOffset.UnixEpoch, "", "", null, "", "", "");
         }

@@ -22,18 +22,24 @@ internal sealed record AuditWitness(long Seq, string Hash)
         }
 
         var words = Encoding.UTF8.GetString(new KeyFolder(keysFolder).Read(FileName)).TrimEnd('\n').Split(' ');
-        return words is [var seq, { Length: 64 } hash] && long.TryParse(seq, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
+        return words is [var seq, { Length: 64 } hash]
+            && long.TryParse(seq, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
             ? new(number, hash)
-            : throw new PeopleException(PeopleError.KeysUnusable, $"{Path.Combine(keysFolder, FileName)} is not what the cell wrote there: a number and a hash. Bring it back from a backup.");
+            : throw new PeopleException(
+                PeopleError.KeysUnusable,
+                $"{Path.Combine(keysFolder, FileName)} is not what the cell wrote there: a number and a hash. Bring it back from a "
+                    + $"backup.");
     }
 
     /// <summary>Starts an empty record for a key that is being created. An existing record is kept.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
-    public static void Begin(string keysFolder) => new KeyFolder(keysFolder).Write(FileName, new AuditWitness(0, AuditEntry.NoHash).Bytes(), overwrite: false);
+    public static void Begin(string keysFolder) =>
+        new KeyFolder(keysFolder).Write(FileName, new AuditWitness(0, AuditEntry.NoHash).Bytes(), overwrite: false);
 
     /// <summary>The message that the record is missing.</summary>
     public static string Missing(string keysFolder) =>
-        $"{Path.Combine(keysFolder, FileName)} is not there: whether the store was set back to an earlier state cannot be said. Bring it back from a backup of the keys' folder, or, if you are sure of the store, begin it again: errormatch audit take-over.";
+        $"{Path.Combine(keysFolder, FileName)} is not there: whether the store was set back to an earlier state cannot be said. Bring it "
+            + $"back from a backup of the keys' folder, or, if you are sure of the store, begin it again: errormatch audit take-over.";
 
     /// <summary>The fault of a trail that is intact in itself; null if there is none.</summary>
     /// <param name="head">The end of the trail.</param>
@@ -41,9 +47,15 @@ internal sealed record AuditWitness(long Seq, string Hash)
     public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen) =>
         Seq == 0 ? null :
         head.Seq < Seq ? new(AuditFaultKind.Removed, head.Seq + 1, string.Create(
-            CultureInfo.InvariantCulture, $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at."))
+            CultureInfo.InvariantCulture,
+            $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at."))
         : seen is [var entry] && entry.Seq == Seq && entry.Hash == Hash ? null
-        : new(AuditFaultKind.Changed, Seq, string.Create(CultureInfo.InvariantCulture, $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
+        : new(
+            AuditFaultKind.Changed,
+            Seq,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
 
     /// <summary>Saves it.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>

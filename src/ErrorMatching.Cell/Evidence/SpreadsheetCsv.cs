@@ -44,7 +44,11 @@ internal static class SpreadsheetCsv
         return safe.ToString();
     }
 
-    private static bool IsSeparator(char c) => c is ';' or '\t' or '|' or '\r' or '\n' or '\v' or '\f' or '\u0085' or '\u2028' or '\u2029' or '\uff1b';
+    private static bool IsSeparator(char c) =>
+        c is ';' or '\t' or '|' or '\r' or '\n' or '\v' or '\f' or '\u0085' or '\u2028' or '\u2029' or '\uff1b';
 
-    private static bool IsPassedOver(char c) => char.IsWhiteSpace(c) || c is '"' or '\u201c' or '\u201d' or '\uff02' || char.GetUnicodeCategory(c) is System.Globalization.UnicodeCategory.Format or System.Globalization.UnicodeCategory.Control;
+    private static bool IsPassedOver(char c) =>
+        char.IsWhiteSpace(c)
+            || c is '"' or '\u201c' or '\u201d' or '\uff02'
+            || char.GetUnicodeCategory(c) is System.Globalization.UnicodeCategory.Format or System.Globalization.UnicodeCategory.Control;
 }

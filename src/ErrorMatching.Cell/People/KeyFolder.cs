@@ -8,7 +8,8 @@ namespace ErrorMatching.Cell;
 /// own repository would leave their permissions to the umask.</summary>
 internal sealed class KeyFolder : IXmlRepository
 {
-    private const UnixFileMode Others = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
+    private const UnixFileMode Others = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute
+        | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
 
     // ENOSPC on Linux; ERROR_DISK_FULL and ERROR_HANDLE_DISK_FULL on Windows.
     private const int NoSpace = 28;
@@ -26,7 +27,12 @@ internal sealed class KeyFolder : IXmlRepository
     }
 
     public IReadOnlyCollection<XElement> GetAllElements() =>
-        [.. Try("listed", _folder, () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray()).Select(f => Try("read", f, () => XElement.Load(f)))];
+        [
+            .. Try(
+                "listed",
+                _folder,
+                () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray())
+                .Select(f => Try("read", f, () => XElement.Load(f)))];
 
     public void StoreElement(XElement element, string friendlyName)
     {
@@ -85,7 +91,8 @@ internal sealed class KeyFolder : IXmlRepository
             {
                 throw new PeopleException(
                     PeopleError.KeysUnusable,
-                    $"Others than its owner can reach {path}, which guards the passwords of machines and the audit trail. If you are sure that nobody did: chmod go-rwx {path}. Else set the machines' passwords anew as well.");
+                    $"Others than its owner can reach {path}, which guards the passwords of machines and the audit trail. If you are "
+                        + $"sure that nobody did: chmod go-rwx {path}. Else set the machines' passwords anew as well.");
             }
         }
 

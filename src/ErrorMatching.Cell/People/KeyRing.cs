@@ -45,7 +45,11 @@ internal sealed class KeyRing
         }
         catch (CryptographicException e)
         {
-            throw OfFolder(e) ?? new PeopleException(PeopleError.KeysUnusable, $"The keys in {_folder} do not encrypt any more: somebody changed them. Bring them back from a backup.", e);
+            throw OfFolder(e)
+                ?? new PeopleException(
+                    PeopleError.KeysUnusable,
+                    $"The keys in {_folder} do not encrypt any more: somebody changed them. Bring them back from a backup.",
+                    e);
         }
     }
 
@@ -61,7 +65,10 @@ internal sealed class KeyRing
         catch (CryptographicException e)
         {
             throw OfFolder(e) ?? new PeopleException(
-                PeopleError.SecretUnreadable, $"{what} is not what the keys in {_folder} encrypted: they are the keys of another installation, or somebody changed them or the store. Bring back the keys that belong to the store, or set it again.", e);
+                PeopleError.SecretUnreadable,
+                $"{what} is not what the keys in {_folder} encrypted: they are the keys of another installation, or somebody changed "
+                    + $"them or the store. Bring back the keys that belong to the store, or set it again.",
+                e);
         }
     }
 

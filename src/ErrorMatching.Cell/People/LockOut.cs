@@ -11,7 +11,12 @@ internal static class LockOut
 
     /// <summary>How long the name is locked after the given number of failures: 30 s after the fifth, doubled with each further one, at
     /// most 1 h.</summary>
-    public static TimeSpan After(int failures) => failures <= FreeFailures ? TimeSpan.Zero : failures - FreeFailures - 1 > 7 ? Longest : Min(First * (1 << (failures - FreeFailures - 1)), Longest);
+    public static TimeSpan After(int failures) =>
+        failures <= FreeFailures
+            ? TimeSpan.Zero
+            : failures - FreeFailures - 1 > 7
+            ? Longest
+            : Min(First * (1 << (failures - FreeFailures - 1)), Longest);
 
     /// <summary>When the lock ends; null if the name is not locked. Setting the clock back does not make the lock longer.</summary>
     /// <param name="failures">Consecutive failures.</param>

@@ -20,13 +20,17 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
     {
         if (secret.Length is 0 or > MostCharacters || secret.Any(char.IsControl))
         {
-            throw new PeopleException(PeopleError.BadSecret, $"The password of a machine has 1 to {MostCharacters} characters, none of them a control character such as a tab.");
+            throw new PeopleException(
+                PeopleError.BadSecret,
+                $"The password of a machine has 1 to {MostCharacters} characters, none of them a control character such as a tab.");
         }
 
         var bytes = _keys.Value.Protect(PurposesOf(machine), secret);
         store.Write(t =>
         {
-            t.Execute("INSERT INTO machine_secret (machine, bytes) VALUES (@Machine, @Bytes) ON CONFLICT (machine) DO UPDATE SET bytes = @Bytes", new { Machine = machine, Bytes = bytes });
+            t.Execute(
+                "INSERT INTO machine_secret (machine, bytes) VALUES (@Machine, @Bytes) ON CONFLICT (machine) DO UPDATE SET bytes = @Bytes",
+                new { Machine = machine, Bytes = bytes });
             t.Audit(by, "secret-set", machine, "");
             return bytes;
         });
@@ -49,7 +53,10 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
     /// <exception cref="PeopleException">With <see cref="PeopleError.SecretUnreadable"/> or
     /// <see cref="PeopleError.KeysUnusable"/>.</exception>
     public string? Get(string machine) =>
-        store.Read("SELECT bytes FROM machine_secret WHERE machine = @Machine", r => (byte[])r.GetValue(0), new { Machine = machine }) is [var bytes]
+        store.Read(
+            "SELECT bytes FROM machine_secret WHERE machine = @Machine",
+            r => (byte[])r.GetValue(0),
+            new { Machine = machine }) is [var bytes]
             ? _keys.Value.Unprotect(PurposesOf(machine), bytes, $"The password of machine {machine}")
             : null;
 

@@ -13,7 +13,8 @@ internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIter
     /// each hash is renewed at its user's next sign-in.</summary>
     public const int CurrentIterations = 220_000;
 
-    private readonly PasswordHasher<PasswordHashes> _hasher = new(Options.Create(new PasswordHasherOptions { IterationCount = iterations }));
+    private readonly PasswordHasher<PasswordHashes> _hasher = new(Options.Create(
+        new PasswordHasherOptions { IterationCount = iterations }));
     /// <summary>A hash that matches no password and takes just as long to compare.</summary>
     public string Nobodys { get; } = NobodysAt(iterations);
 
@@ -34,7 +35,9 @@ internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIter
         // Longer than any valid password: it does not deserve more work than a short one.
         var typed = password.Length > PasswordRule.MostCharacters ? "" : password;
         var result = Verify(hash ?? Nobodys, typed);
-        return (hash is not null && typed.Length > 0 && result != PasswordVerificationResult.Failed, result == PasswordVerificationResult.SuccessRehashNeeded);
+        return (
+            hash is not null && typed.Length > 0 && result != PasswordVerificationResult.Failed,
+            result == PasswordVerificationResult.SuccessRehashNeeded);
     }
 
     private PasswordVerificationResult Verify(string hash, string password)

@@ -16,16 +16,21 @@ internal static class PasswordRule
     // The most common passwords, without surrounding digits and signs and with the usual substitutions undone.
     private static readonly HashSet<string> Common =
     [
-        "", "password", "passwort", "passphrase", "kennwort", "secret", "geheim", "letmein", "welcome", "willkommen", "changeme", "default", "iloveyou", "trustno", "monkey", "dragon", "master", "sunshine", "princess", "football",
-        "baseball", "superman", "starwars", "whatever", "computer", "internet", "abc", "abcd", "abcdef", "abcdefgh", "abcdefghijkl", "abcdefghijklm", "qwe", "qwer", "qwert", "qwertz", "qwerty", "qwertyuiop", "qwertzuiop",
-        "qwertyuiopasdf", "qwertzuiopasdf", "asdf", "asdfgh", "asdfghjkl", "zxcvbnm", "yxcvbnm", "qazwsx", "qazwsxedc", "qweasdzxc", "azerty", "azertyuiop", "admin", "administrator", "root", "user", "guest", "test", "testing",
-        "login", "service", "operator", "setter", "machine", "maschine", "fanuc", "siemens", "heidenhain", "sinumerik", "haas", "mazak", "error", "matching", "errormatching", "errormatch",
+        "", "password", "passwort", "passphrase", "kennwort", "secret", "geheim", "letmein", "welcome", "willkommen", "changeme", "default",
+        "iloveyou", "trustno", "monkey", "dragon", "master", "sunshine", "princess", "football",
+        "baseball", "superman", "starwars", "whatever", "computer", "internet", "abc", "abcd", "abcdef", "abcdefgh", "abcdefghijkl",
+        "abcdefghijklm", "qwe", "qwer", "qwert", "qwertz", "qwerty", "qwertyuiop", "qwertzuiop",
+        "qwertyuiopasdf", "qwertzuiopasdf", "asdf", "asdfgh", "asdfghjkl", "zxcvbnm", "yxcvbnm", "qazwsx", "qazwsxedc", "qweasdzxc",
+        "azerty", "azertyuiop", "admin", "administrator", "root", "user", "guest", "test", "testing",
+        "login", "service", "operator", "setter", "machine", "maschine", "fanuc", "siemens", "heidenhain", "sinumerik", "haas", "mazak",
+        "error", "matching", "errormatching", "errormatch",
     ];
 
     // Passwords that follow the calendar: a calendar word, a year and a sign are the first guess where passwords must be changed.
     private static readonly HashSet<string> Calendar =
     [
-        "spring", "summer", "autumn", "fall", "winter", "january", "february", "march", "april", "may", "june", "july", "august", "september",
+        "spring", "summer", "autumn", "fall", "winter", "january", "february", "march", "april", "may", "june", "july", "august",
+        "september",
         "october", "november", "december", "monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday", "fruehling",
         "frühling", "sommer", "herbst", "januar", "februar", "märz", "maerz", "mai", "juni", "juli", "oktober", "dezember", "montag",
         "dienstag", "mittwoch", "donnerstag", "freitag", "samstag", "sonntag", "christmas", "weihnachten",
@@ -40,7 +45,10 @@ internal static class PasswordRule
     {
         if (Problem(name, password) is { } problem)
         {
-            throw new PeopleException(PeopleError.WeakPassword, $"This password {problem}. Take {LeastCharacters} characters or more that nobody guesses, such as four words that have nothing to do with each other.");
+            throw new PeopleException(
+                PeopleError.WeakPassword,
+                $"This password {problem}. Take {LeastCharacters} characters or more that nobody guesses, such as four words that have "
+                    + $"nothing to do with each other.");
         }
     }
 
@@ -77,7 +85,9 @@ internal static class PasswordRule
             return "is made of a season, a month, a day, the name or a common word, with a year or signs beside it";
         }
 
-        return Common.Contains(letters) || Common.Contains(letters[..Period(letters)]) ? "is one of those that are tried first, or one of them with digits and signs around it" : null;
+        return Common.Contains(letters) || Common.Contains(letters[..Period(letters)])
+            ? "is one of those that are tried first, or one of them with digits and signs around it"
+            : null;
     }
 
     // True if it has few words and all are the name or in a list, regardless of digits and signs between and around them.
@@ -125,7 +135,16 @@ internal static class PasswordRule
         {
             for (var i = 0; i < from.Length; i++)
             {
-                to[i] = from[i] switch { '@' or '4' => 'a', '0' => 'o', '1' or '!' => 'i', '3' => 'e', '$' or '5' => 's', '7' => 't', var c => c };
+                to[i] = from[i] switch
+                {
+                    '@' or '4' => 'a',
+                    '0' => 'o',
+                    '1' or '!' => 'i',
+                    '3' => 'e',
+                    '$' or '5' => 's',
+                    '7' => 't',
+                    var c => c
+                };
             }
         });
     }

@@ -19,7 +19,9 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
     public static SignInFailures Of(StoreTransaction transaction, string name)
     {
         var rows = transaction.Query(
-            "SELECT failures, failed_at FROM sign_in_failure WHERE name_hash = @Hash", r => new SignInFailures(r.GetInt32(0), StoredTime.From(r.GetInt64(1))), new { Hash = UserName.Hash(name) });
+            "SELECT failures, failed_at FROM sign_in_failure WHERE name_hash = @Hash",
+            r => new SignInFailures(r.GetInt32(0), StoredTime.From(r.GetInt64(1))),
+            new { Hash = UserName.Hash(name) });
         return rows is [var row] ? row : new(0, transaction.Now);
     }
 
@@ -38,10 +40,15 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
     /// <summary>Removes unknown names, and counts those of the last hour.</summary>
     public static long ForgetStrangers(StoreTransaction transaction)
     {
-        transaction.Execute("DELETE FROM sign_in_failure WHERE is_user = 0 AND failed_at < @Before", new { Before = StoredTime.Of(transaction.Now - Memory) });
         transaction.Execute(
-            "DELETE FROM sign_in_failure WHERE is_user = 0 AND name_hash NOT IN (SELECT name_hash FROM sign_in_failure WHERE is_user = 0 ORDER BY failed_at DESC, name_hash LIMIT @Most)",
+            "DELETE FROM sign_in_failure WHERE is_user = 0 AND failed_at < @Before",
+            new { Before = StoredTime.Of(transaction.Now - Memory) });
+        transaction.Execute(
+            "DELETE FROM sign_in_failure WHERE is_user = 0 AND name_hash NOT IN (SELECT name_hash FROM sign_in_failure WHERE is_user = 0 "
+                + "ORDER BY failed_at DESC, name_hash LIMIT @Most)",
             new { Most = MostStrangers });
-        return transaction.Value<long>("SELECT count(*) FROM sign_in_failure WHERE is_user = 0 AND failed_at > @After", new { After = StoredTime.Of(transaction.Now - TimeSpan.FromHours(1)) });
+        return transaction.Value<long>(
+            "SELECT count(*) FROM sign_in_failure WHERE is_user = 0 AND failed_at > @After",
+            new { After = StoredTime.Of(transaction.Now - TimeSpan.FromHours(1)) });
     }
 }

@@ -23,5 +23,6 @@ public sealed class SignedIn
 
     /// <summary>True once, and only within the given time after the password was given: for acts that require their own password
     /// entry.</summary>
-    internal bool Sign(TimeProvider clock, TimeSpan within) => clock.GetElapsedTime(_timestamp) <= within && Interlocked.Increment(ref _uses) == 1;
+    internal bool Sign(TimeProvider clock, TimeSpan within) =>
+        clock.GetElapsedTime(_timestamp) <= within && Interlocked.Increment(ref _uses) == 1;
 }

@@ -55,7 +55,9 @@ public sealed class UserBook
         {
             Demand(t, by, Act.ManageUsers);
             return Person.Find(t, name) is { } other
-                ? throw new PeopleException(PeopleError.UserExists, $"There is a user {other.Name}. Names that differ in large and small letters only are the same.")
+                ? throw new PeopleException(
+                    PeopleError.UserExists,
+                    $"There is a user {other.Name}. Names that differ in large and small letters only are the same.")
                 : Insert(t, by.Name, name, role, hash, Recorded.AsRole.With(Word(role)));
         });
     }
@@ -67,7 +69,8 @@ public sealed class UserBook
 
     /// <summary>Lets a user sign in again, immediately.</summary>
     /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
-    public User Enable(SignedIn by, string name) => Change(by, name, "user-enabled", "", p => p with { IsDisabled = false }, isUnlocked: true);
+    public User Enable(SignedIn by, string name) =>
+        Change(by, name, "user-enabled", "", p => p with { IsDisabled = false }, isUnlocked: true);
 
     /// <summary>Gives a user another role.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> does not have the
@@ -81,7 +84,14 @@ public sealed class UserBook
     public User SetPassword(SignedIn by, string name, string password)
     {
         var hash = HashOf(name, password);
-        return Change(by, name, "password-set", "", p => p with { Password = hash, PasswordAt = StoredTime.Rounded(_clock.GetUtcNow()) }, isUnlocked: true, isOwnAllowed: true);
+        return Change(
+            by,
+            name,
+            "password-set",
+            "",
+            p => p with { Password = hash, PasswordAt = StoredTime.Rounded(_clock.GetUtcNow()) },
+            isUnlocked: true,
+            isOwnAllowed: true);
     }
 
     /// <summary>Checks a password. An unknown name takes just as long and fails with the same message.</summary>
@@ -116,7 +126,8 @@ public sealed class UserBook
 
         lockedUntil = _store.Write(t => Fail(t, person, failures, isRight));
         throw isRight
-            ? new PeopleException(PeopleError.UserDisabled, $"The user {person!.Name} is disabled. An administrator can change that: errormatch user enable.")
+            ? new PeopleException(
+                PeopleError.UserDisabled, $"The user {person!.Name} is disabled. An administrator can change that: errormatch user enable.")
             : Refusal(PeopleError.SignInRefused, "Name or password is wrong.", lockedUntil);
     }
 
@@ -144,7 +155,9 @@ public sealed class UserBook
         var person = Person.Find(t, name);
         if (person is null && Person.All(t).Count == 0)
         {
-            throw new PeopleException(PeopleError.NoUsers, "This cell has no users yet. The first is made by errormatch user add CONFIG NAME --role administrator.");
+            throw new PeopleException(
+                PeopleError.NoUsers,
+                "This cell has no users yet. The first is made by errormatch user add CONFIG NAME --role administrator.");
         }
 
         var failures = SignInFailures.Of(t, name);
@@ -182,17 +195,33 @@ public sealed class UserBook
         if (person is not null)
         {
             var basis = isRight ? Recorded.WrongDisabled.With() : Recorded.WrongPassword.With(failures.Failures);
-            t.Audit(person.Name, until is null ? "sign-in-failed" : "locked", null, until is null ? basis : Recorded.UntilUtc.With(basis, until));
+            t.Audit(
+                person.Name,
+                until is null ? "sign-in-failed" : "locked",
+                null,
+                until is null ? basis : Recorded.UntilUtc.With(basis, until));
         }
         else if (strangers <= SignInFailures.MostStrangersInTrail)
         {
-            t.Audit("unknown", "sign-in-failed", null, (strangers < SignInFailures.MostStrangersInTrail ? Recorded.NoSuchName : Recorded.NoSuchNames).With());
+            t.Audit(
+                "unknown",
+                "sign-in-failed",
+                null,
+                (strangers < SignInFailures.MostStrangersInTrail ? Recorded.NoSuchName : Recorded.NoSuchNames).With());
         }
 
         return until;
     }
 
-    private User Change(SignedIn by, string name, string what, string basis, Func<Person, Person> change, bool isUnlocked = false, bool isOwnAllowed = false) => _store.Write(t =>
+    private User Change(
+        SignedIn by,
+        string name,
+        string what,
+        string basis,
+        Func<Person, Person> change,
+        bool isUnlocked = false,
+        bool isOwnAllowed = false) =>
+        _store.Write(t =>
     {
         if (isOwnAllowed && UserName.Key(by.Name) == UserName.Key(name))
         {
@@ -204,12 +233,16 @@ public sealed class UserBook
             Demand(t, by, Act.ManageUsers);
         }
 
-        var before = Person.Find(t, name) ?? throw new PeopleException(PeopleError.UnknownUser, $"There is no user {name}. errormatch user list CONFIG names them.");
+        var before = Person.Find(t, name)
+            ?? throw new PeopleException(PeopleError.UnknownUser, $"There is no user {name}. errormatch user list CONFIG names them.");
         before = before.IsAsLeft ? before : Mended(t, before);
         var after = change(before);
         if (IsManaging(before) && !IsManaging(after) && Person.All(t).Count(IsManaging) == 1)
         {
-            throw new PeopleException(PeopleError.LastAdministrator, $"{before.Name} is the last administrator who may sign in: nobody could manage users any more. Make another administrator first.");
+            throw new PeopleException(
+                PeopleError.LastAdministrator,
+                $"{before.Name} is the last administrator who may sign in: nobody could manage users any more. Make another "
+                    + $"administrator first.");
         }
 
         after.Update(t);
@@ -294,7 +327,9 @@ public sealed class UserBook
 
     private static PeopleException Refusal(PeopleError error, string problem, DateTimeOffset? until)
     {
-        var locked = until is null ? "" : string.Create(CultureInfo.InvariantCulture, $" This name is locked until {until:yyyy-MM-dd HH:mm:ss} UTC.");
+        var locked = until is null
+            ? ""
+            : string.Create(CultureInfo.InvariantCulture, $" This name is locked until {until:yyyy-MM-dd HH:mm:ss} UTC.");
         return new(error, problem + locked) { LockedUntil = until };
     }
 }

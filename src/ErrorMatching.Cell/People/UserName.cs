@@ -27,7 +27,9 @@ internal static class UserName
     {
         if (Problem(name) is { } problem)
         {
-            throw new PeopleException(PeopleError.BadUserName, $"The name of a user {problem}. Expected 1 to {MostCharacters} printable characters, such as anna or \"Anna Weber\".");
+            throw new PeopleException(
+                PeopleError.BadUserName,
+                $"The name of a user {problem}. Expected 1 to {MostCharacters} printable characters, such as anna or \"Anna Weber\".");
         }
     }
 
@@ -58,11 +60,21 @@ internal static class UserName
             return $"begins with {OfSystem}, which the audit trail needs for users of the operating system";
         }
 
-        return Taken.Contains(Key(name), StringComparer.OrdinalIgnoreCase) ? $"is {name}, which the audit trail needs for what nobody did in person" : null;
+        return Taken.Contains(Key(name), StringComparer.OrdinalIgnoreCase)
+            ? $"is {name}, which the audit trail needs for what nobody did in person"
+            : null;
     }
 
     // Unusual spaces, direction marks and separate accents make two names look alike.
     private static bool IsUnprintable(char c) => c != ' ' && char.GetUnicodeCategory(c) is
-        UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.OtherNotAssigned or UnicodeCategory.PrivateUse or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator
-        or UnicodeCategory.SpaceSeparator or UnicodeCategory.NonSpacingMark or UnicodeCategory.SpacingCombiningMark or UnicodeCategory.EnclosingMark;
+        UnicodeCategory.Control
+            or UnicodeCategory.Format
+            or UnicodeCategory.OtherNotAssigned
+            or UnicodeCategory.PrivateUse
+            or UnicodeCategory.LineSeparator
+            or UnicodeCategory.ParagraphSeparator
+        or UnicodeCategory.SpaceSeparator
+            or UnicodeCategory.NonSpacingMark
+            or UnicodeCategory.SpacingCombiningMark
+            or UnicodeCategory.EnclosingMark;
 }

@@ -21,7 +21,10 @@ internal sealed class AnswerWatch(
         if (problem?.Code != _code)
         {
             flow.Store.Audit(
-                CellFlow.ByCell, problem is null ? CellCodes.AnswersAgain : CellCodes.NoAnswer, problem?.Message ?? Recorded.AnswersAgain.With(name), name);
+                CellFlow.ByCell,
+                problem is null ? CellCodes.AnswersAgain : CellCodes.NoAnswer,
+                problem?.Message ?? Recorded.AnswersAgain.With(name),
+                name);
             _code = problem?.Code;
         }
 

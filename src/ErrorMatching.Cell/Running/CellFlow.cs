@@ -4,7 +4,8 @@ namespace ErrorMatching.Cell;
 
 /// <summary>State shared by the workers of a running cell: the store, the signals between workers, and the common way to take
 /// steps.</summary>
-internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvider clock, ILogger log, FlowPace pace, CancellationToken finish)
+internal sealed class CellFlow(
+    CellSettings settings, CellStore store, TimeProvider clock, ILogger log, FlowPace pace, CancellationToken finish)
 {
     /// <summary>The user name for steps that no person decides.</summary>
     public const string ByCell = "cell";
@@ -57,14 +58,20 @@ internal sealed class CellFlow(CellSettings settings, CellStore store, TimeProvi
     public Action<string>? Looking { get; init; }
 
     /// <summary>The policy that applies to a correction's job.</summary>
-    public PolicySettings PolicyOf(Correction correction) => settings.Jobs.FirstOrDefault(j => j.Name == correction.Job)?.Policy ?? settings.Policy;
+    public PolicySettings PolicyOf(Correction correction) =>
+        settings.Jobs.FirstOrDefault(j => j.Name == correction.Job)?.Policy ?? settings.Policy;
 
     /// <summary>Wakes the worker of a slot.</summary>
     public Wake OfSlot(string machine, string slot) => _slots[(machine, slot)];
 
     /// <summary>Takes a step: stores it first, then logs it, counts it and wakes the workers concerned.</summary>
     /// <exception cref="StoreException">It was not taken.</exception>
-    public Correction Step(Correction from, CorrectionState to, string basis, Func<Correction, Correction>? with = null, IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+    public Correction Step(
+        Correction from,
+        CorrectionState to,
+        string basis,
+        Func<Correction, Correction>? with = null,
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
         AroundStep?.Invoke(to, false);
         var now = store.Step(from, to, ByCell, basis, with, contents);

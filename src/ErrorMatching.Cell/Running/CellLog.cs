@@ -30,7 +30,8 @@ public static class CellLog
                 fileSizeLimitBytes: mostBytesOfFile,
                 rollOnFileSizeLimit: true,
                 retainedFileCountLimit: mostFiles)
-            .WriteTo.Console(new CellLogLines(), restrictedToMinimumLevel: LogEventLevel.Information, standardErrorFromLevel: LogEventLevel.Verbose)
+            .WriteTo.Console(
+                new CellLogLines(), restrictedToMinimumLevel: LogEventLevel.Information, standardErrorFromLevel: LogEventLevel.Verbose)
             .CreateLogger();
     }
 }

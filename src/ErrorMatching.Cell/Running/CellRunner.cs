@@ -53,7 +53,11 @@ public sealed class CellRunner
         using var sources = new Sources(flow, _open);
         AllowForWaiting();
         var workers = Workers(flow, sources).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
-        _log.Information("{Cell} runs: {Gauges} gauges, {Slots} slots", _settings.Name, _settings.Gauges.Count, _settings.Machines.Sum(m => m.Slots.Count));
+        _log.Information(
+            "{Cell} runs: {Gauges} gauges, {Slots} slots",
+            _settings.Name,
+            _settings.Gauges.Count,
+            _settings.Machines.Sum(m => m.Slots.Count));
 
         // A worker must end only when told to: one that ends earlier is a defect, and stops the others too.
         var first = await Task.WhenAny(workers);

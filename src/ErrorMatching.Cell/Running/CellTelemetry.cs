@@ -12,7 +12,8 @@ internal static class CellTelemetry
     private static readonly ActivitySource Source = new(Name);
     private static readonly Meter Meter = new(Name);
 
-    private static readonly Counter<long> Steps = Meter.CreateCounter<long>("errormatch.cell.steps", "{step}", "Steps taken, by the state that they led to.");
+    private static readonly Counter<long> Steps = Meter.CreateCounter<long>(
+        "errormatch.cell.steps", "{step}", "Steps taken, by the state that they led to.");
 
     private static readonly Histogram<double> Latency = Meter.CreateHistogram<double>(
         "errormatch.cell.arrived_to_verified",
@@ -53,7 +54,8 @@ internal static class CellTelemetry
     }
 
     /// <summary>Counts a step.</summary>
-    public static void Count(Correction now) => Steps.Add(1, new KeyValuePair<string, object?>("state", now.State.ToString().ToLowerInvariant()));
+    public static void Count(Correction now) =>
+        Steps.Add(1, new KeyValuePair<string, object?>("state", now.State.ToString().ToLowerInvariant()));
 
     /// <summary>Records a program's arrival at its machine: the latency, and the whole path as one part of its trace.</summary>
     public static void Arrived(Correction verified, DateTimeOffset now)
@@ -62,7 +64,8 @@ internal static class CellTelemetry
         Latency.Record((now - verified.ArrivedAt).TotalSeconds, tags);
         if (verified.Trace is not null && ActivityContext.TryParse(verified.Trace, null, isRemote: true, out var trace))
         {
-            using var whole = Source.StartActivity("file to verified", ActivityKind.Internal, trace, [new("correction", verified.Id)], startTime: verified.ArrivedAt);
+            using var whole = Source.StartActivity(
+                "file to verified", ActivityKind.Internal, trace, [new("correction", verified.Id)], startTime: verified.ArrivedAt);
             whole?.SetEndTime(now.UtcDateTime);
         }
     }

@@ -23,7 +23,8 @@ public sealed class ChangedJobs(CellSettings settings)
             if (settings.Jobs.FirstOrDefault(j => j.Name == ofJob.Key.Job) is { } job)
             {
                 var told = Told(job, ofJob.Key.Piece!);
-                changed.UnionWith(ofJob.Where(c => told.TryGetValue(c.Id, out var was) ? was : told[c.Id] = IsChanged(store, c, job)).Select(c => c.Id));
+                changed.UnionWith(
+                    ofJob.Where(c => told.TryGetValue(c.Id, out var was) ? was : told[c.Id] = IsChanged(store, c, job)).Select(c => c.Id));
             }
         }
 
@@ -51,5 +52,6 @@ public sealed class ChangedJobs(CellSettings settings)
     }
 
     private bool IsChanged(CellStore store, Correction correction, CellJobSettings job) =>
-        _computer.Identify(CorrectionRequests.Again(store, correction, job)) is Identified { Basis.Identity: var identity } && identity != correction.Identity;
+        _computer.Identify(CorrectionRequests.Again(store, correction, job)) is Identified { Basis.Identity: var identity }
+            && identity != correction.Identity;
 }

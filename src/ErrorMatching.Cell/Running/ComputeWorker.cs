@@ -38,7 +38,8 @@ internal sealed class ComputeWorker(CellFlow flow)
     {
         lock (_gate)
         {
-            var next = flow.Store.First(CorrectionState.Recognized, _taken.Count + 1, jobs: flow.Jobs).FirstOrDefault(c => !_taken.Contains(c.Id));
+            var next = flow.Store.First(
+                CorrectionState.Recognized, _taken.Count + 1, jobs: flow.Jobs).FirstOrDefault(c => !_taken.Contains(c.Id));
             if (next is not null)
             {
                 _taken.Add(next.Id);
@@ -60,7 +61,11 @@ internal sealed class ComputeWorker(CellFlow flow)
                 Record(recognized, nothing);
                 break;
             case RefusedComputation { MayPass: true } refused:
-                flow.Step(recognized, CorrectionState.Failed, refused.Reason, c => c with { Code = refused.Code, Reason = refused.Reason, Identity = null });
+                flow.Step(
+                    recognized,
+                    CorrectionState.Failed,
+                    refused.Reason,
+                    c => c with { Code = refused.Code, Reason = refused.Reason, Identity = null });
                 break;
             case RefusedComputation refused:
                 Refuse(recognized, refused.Code, refused.Reason);
@@ -87,7 +92,9 @@ internal sealed class ComputeWorker(CellFlow flow)
     {
         // Plain null would become empty content: a byte array converts to memory, and a null array to empty memory.
         var sums = job.Accumulates ? computed.Sums.ToJson() : default(ReadOnlyMemory<byte>?);
-        var basis = computed.LargestMm > 0 ? Recorded.DisplacedAt.With(computed.LargestMm, computed.LargestAt) : Recorded.DisplacedNothing.With();
+        var basis = computed.LargestMm > 0
+            ? Recorded.DisplacedAt.With(computed.LargestMm, computed.LargestAt)
+            : Recorded.DisplacedNothing.With();
         flow.Step(
             recognized,
             CorrectionState.Computed,
@@ -108,5 +115,6 @@ internal sealed class ComputeWorker(CellFlow flow)
     private void Refuse(Correction recognized, string code, string reason) =>
         flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
 
-    private static string HashOf(ReadOnlyMemory<byte> bytes) => Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes.Span));
+    private static string HashOf(ReadOnlyMemory<byte> bytes) =>
+        Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes.Span));
 }

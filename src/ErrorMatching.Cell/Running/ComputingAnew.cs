@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Recalculates a correction that was made with a previous version of its job, by a person's decision. Its measurement is
@@ -22,7 +24,11 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
         var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
         if (correction.Identity is null)
         {
-            throw new DecisionException(DecisionException.NothingToSend, FormattableString.Invariant($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
+            throw new DecisionException(
+                DecisionException.NothingToSend,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
         }
 
         DemandOther(correction, JobOf(correction));
@@ -40,10 +46,17 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
     private CellJobSettings JobOf(Correction correction)
     {
         var job = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job);
-        var lacks = job is null ? $"job \"{correction.Job}\"" : settings.Gauges.All(g => g.Name != correction.Gauge) ? $"gauge \"{correction.Gauge}\"" : null;
+        var lacks = job is null
+            ? $"job \"{correction.Job}\""
+            : settings.Gauges.All(g => g.Name != correction.Gauge)
+            ? $"gauge \"{correction.Gauge}\""
+            : null;
         return lacks is null ? job! : throw new DecisionException(
             DecisionException.JobUnusable,
-            FormattableString.Invariant($"Correction {correction.Id} stays as it is, for {settings.File} does not have the {lacks} any more: nobody would compute it. Bring it back into the configuration, or reject the correction."));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Correction {correction.Id} stays as it is, for {settings.File} does not have the {lacks} any more: nobody would "
+                    + $"compute it. Bring it back into the configuration, or reject the correction."));
     }
 
     private void DemandOther(Correction correction, CellJobSettings job)
@@ -53,20 +66,30 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
             case Identified { Basis.Identity: var identity } when identity == correction.Identity:
                 throw new DecisionException(
                     DecisionException.JobUnchanged,
-                    FormattableString.Invariant($"Correction {correction.Id} was made with the job {job.Name} as it is now: computed anew, it would be the same. Change and save the job first, or decide about the correction as it is."));
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"Correction {correction.Id} was made with the job {job.Name} as it is now: computed anew, it would be the same. "
+                            + $"Change and save the job first, or decide about the correction as it is."));
             case Identified { Basis.Identity: var identity }:
-                if (store.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(c => c.Id != correction.Id && IsSame(c, correction, job, identity)) is { } known)
+                if (store.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(
+                    c => c.Id != correction.Id && IsSame(c, correction, job, identity)) is { } known)
                 {
                     throw new DecisionException(
                         DecisionException.AlreadyKnown,
-                        FormattableString.Invariant($"Correction {known.Id} is made of the same measurement with the job as it is now, or adds it already: a correction is applied once. Look at that one, and reject correction {correction.Id}."));
+                        string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"Correction {known.Id} is made of the same measurement with the job as it is now, or adds it already: a "
+                                + $"correction is applied once. Look at that one, and reject correction {correction.Id}."));
                 }
 
                 break;
             case RefusedComputation refused:
                 throw new DecisionException(
                     DecisionException.JobUnusable,
-                    FormattableString.Invariant($"Correction {correction.Id} stays as it is, for the job {job.Name} cannot be used as it is now: {refused.Reason} Put that right first."));
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"Correction {correction.Id} stays as it is, for the job {job.Name} cannot be used as it is now: "
+                            + $"{refused.Reason} Put that right first."));
             case var other:
                 throw new InvalidOperationException($"A measurement that is not computed yet came to {other.GetType().Name}.");
         }
@@ -74,5 +97,6 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
 
     // The same test by which recognition would refuse it.
     private static bool IsSame(Correction other, Correction correction, CellJobSettings job, string identity) =>
-        other.Identity == identity || (job.Accumulates && other.Identity is not null && other.Job == correction.Job && other.Piece == correction.Piece);
+        other.Identity == identity
+            || (job.Accumulates && other.Identity is not null && other.Job == correction.Job && other.Piece == correction.Piece);
 }

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>People's decisions about corrections. The caller must check the person's rights; each decision is one step in the store, under
@@ -15,10 +17,15 @@ public sealed class CorrectionDecisions(CellStore store)
         var correction = Demand(id, "approved", CorrectionState.Proposed, CorrectionState.Failed);
         if (correction.ProgramSha256 is null)
         {
-            throw new DecisionException(DecisionException.NothingToSend, FormattableString.Invariant($"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
+            throw new DecisionException(
+                DecisionException.NothingToSend,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Correction {id} failed before it had a program: {correction.Reason} Reject it, put that right and measure again."));
         }
 
-        return Step(correction, CorrectionState.Approved, by, reason ?? Recorded.Approved.With(), c => c with { Code = null, Reason = null });
+        return Step(
+            correction, CorrectionState.Approved, by, reason ?? Recorded.Approved.With(), c => c with { Code = null, Reason = null });
     }
 
     /// <summary>Rejects a correction that is not at its machine.</summary>
@@ -47,7 +54,10 @@ public sealed class CorrectionDecisions(CellStore store)
 
         if (store.Slot(correction.Machine!, correction.Slot!).Correction != id)
         {
-            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
+            throw new DecisionException(
+                DecisionException.WrongState,
+                FormattableString.Invariant(
+                    $"Correction {id} is reverted and does not have its slot any more: there is nothing to release."));
         }
 
         store.FreeSlot(correction.Machine!, correction.Slot!, id, by, reason ?? Recorded.SlotUsable.With());
@@ -57,14 +67,20 @@ public sealed class CorrectionDecisions(CellStore store)
     /// <summary>The correction with a given number.</summary>
     /// <exception cref="DecisionException">There is none.</exception>
     public Correction Demand(long id) =>
-        store.Find(id) ?? throw new DecisionException(DecisionException.UnknownCorrection, FormattableString.Invariant($"There is no correction {id}. errormatch cell history lists those that there are."));
+        store.Find(id)
+            ?? throw new DecisionException(
+                DecisionException.UnknownCorrection,
+                FormattableString.Invariant($"There is no correction {id}. errormatch cell history lists those that there are."));
 
     internal Correction Demand(long id, string done, params CorrectionState[] states)
     {
         var correction = Demand(id);
         return states.Contains(correction.State) ? correction : throw new DecisionException(
             DecisionException.WrongState,
-            FormattableString.Invariant($"Correction {id} is {Word(correction.State)}, and only one that is {string.Join(" or ", states.Select(Word))} can be {done}."));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Correction {id} is {Word(correction.State)}, and only one that is {string.Join(" or ", states.Select(Word))} can be "
+                    + $"{done}."));
     }
 
     internal Correction Step(Correction correction, CorrectionState to, string by, string basis, Func<Correction, Correction>? with)
@@ -79,7 +95,9 @@ public sealed class CorrectionDecisions(CellStore store)
         }
     }
 
-    internal static DecisionException ChangedMeanwhile(long id) => new(DecisionException.ChangedMeanwhile, FormattableString.Invariant($"Correction {id} changed meanwhile: look at it again with errormatch cell show."));
+    internal static DecisionException ChangedMeanwhile(long id) => new(
+        DecisionException.ChangedMeanwhile,
+        FormattableString.Invariant($"Correction {id} changed meanwhile: look at it again with errormatch cell show."));
 
     private static string Word(CorrectionState state) => state.ToString().ToLowerInvariant();
 }

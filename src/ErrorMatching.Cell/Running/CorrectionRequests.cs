@@ -16,8 +16,12 @@ internal static class CorrectionRequests
         Piece = correction.Piece!,
         Measurement = new(correction.FileName, measurement),
         Part = correction.PartSha256 is { } part ? new(flow.Store.OfMeasurement(part)[0].FileName, flow.Store.Content(part)) : null,
-        Base = job.Accumulates && correction.SumsSha256 is not null ? flow.Store.Content(correction.BaseSha256!) : default(ReadOnlyMemory<byte>?),
-        Sums = job.Accumulates && correction.SumsSha256 is { } sums ? CorrectionSums.FromJson(flow.Store.Content(sums)) : CorrectionSums.None,
+        Base = job.Accumulates && correction.SumsSha256 is not null
+            ? flow.Store.Content(correction.BaseSha256!)
+            : default(ReadOnlyMemory<byte>?),
+        Sums = job.Accumulates && correction.SumsSha256 is { } sums
+            ? CorrectionSums.FromJson(flow.Store.Content(sums))
+            : CorrectionSums.None,
         LastSent = job.IsFreeform ? LastSent(flow.Store, correction) : null,
         Identity = correction.Identity,
     };
@@ -26,7 +30,9 @@ internal static class CorrectionRequests
     private static KeptFile? LastSent(CellStore store, Correction correction)
     {
         var cut = CutProgram.Of(store, correction);
-        return (cut.By ?? cut.Undecided) is { ProgramSha256: { } program } sent ? new(sent.Program ?? FinishedSurface.Name, store.Content(program)) : null;
+        return (cut.By ?? cut.Undecided) is { ProgramSha256: { } program } sent
+            ? new(sent.Program ?? FinishedSurface.Name, store.Content(program))
+            : null;
     }
 
     /// <summary>The request of a computed correction, to determine whether its measurement would now give a different one.</summary>
@@ -37,6 +43,8 @@ internal static class CorrectionRequests
         Piece = correction.Piece!,
         Measurement = new(correction.FileName, store.Content(correction.MeasurementSha256)),
         Part = correction.PartSha256 is { } part ? new("", store.Content(part)) : null,
-        Base = job.Accumulates && CutProgram.Before(store, correction) is { ProgramSha256: { } cut } ? store.Content(cut) : default(ReadOnlyMemory<byte>?),
+        Base = job.Accumulates && CutProgram.Before(store, correction) is { ProgramSha256: { } cut }
+            ? store.Content(cut)
+            : default(ReadOnlyMemory<byte>?),
     };
 }

@@ -22,16 +22,21 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
         }
 
         var holder = store.Slot(counterpart.Machine!, counterpart.Slot!).Correction is { } id ? store.Find(id) : null;
-        return holder is { State: CorrectionState.Reverted } && holder.Job == job && (own is null || holder.Serial == counterpart.Serial) ? new(null, holder) : new(last, null);
+        return holder is { State: CorrectionState.Reverted } && holder.Job == job && (own is null || holder.Serial == counterpart.Serial)
+            ? new(null, holder)
+            : new(last, null);
     }
 
     /// <summary>The same for a correction already computed from the measurement: the program that cut a piece no longer changes.</summary>
     /// <param name="store">The store.</param>
     /// <param name="made">A correction that was computed for a job that accumulates.</param>
     /// <returns>The correction whose program it adds to; null for the original program.</returns>
-    public static Correction? Before(CellStore store, Correction made) => made is not { BaseSha256: { } program, SumsSha256: not null, Job: { } job }
+    public static Correction? Before(CellStore store, Correction made) =>
+        made is not { BaseSha256: { } program, SumsSha256: not null, Job: { } job }
         ? null
-        : store.OfProgram(job, program).LastOrDefault(c => c.Id < made.Id && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
+        : store.OfProgram(job, program).LastOrDefault(
+            c => c.Id < made.Id
+                && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
 
     /// <summary>Why nothing is computed until it is known, and what to do.</summary>
     public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted

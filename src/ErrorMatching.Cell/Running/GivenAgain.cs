@@ -20,5 +20,7 @@ internal sealed class GivenAgain
     /// <param name="known">Its correction, with job and piece.</param>
     /// <returns>Null if it arrived from its gauge, or is now recognized as another piece.</returns>
     public static GivenAgain? Of(CellStore store, Correction known) =>
-        known.MeasuredAs is { } id && store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece ? new(store, first) : null;
+        known.MeasuredAs is { } id && store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece
+            ? new(store, first)
+            : null;
 }

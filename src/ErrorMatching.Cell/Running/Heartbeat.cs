@@ -22,7 +22,9 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     {
         try
         {
-            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName))) is { Troubles: not null } sign ? sign : null;
+            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName))) is { Troubles: not null } sign
+                ? sign
+                : null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException)
         {

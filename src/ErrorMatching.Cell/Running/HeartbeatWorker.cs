@@ -12,7 +12,9 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
     {
         stop.ThrowIfCancellationRequested();
         alive?.Invoke();
-        Try("signs of life", () => new Heartbeat(Environment.ProcessId, _since, flow.Clock.GetUtcNow(), flow.Troubles.Open).Write(flow.Settings.LogFolder));
+        Try(
+            "signs of life",
+            () => new Heartbeat(Environment.ProcessId, _since, flow.Clock.GetUtcNow(), flow.Troubles.Open).Write(flow.Settings.LogFolder));
         if (flow.Clock.GetElapsedTime(_remembered) > Remembering)
         {
             // The more often the trail's end is remembered elsewhere, the less can be cut off unnoticed.

@@ -56,7 +56,11 @@ internal sealed class ProposeWorker(CellFlow flow)
     {
         if (RevertedBase.Of(flow, computed) is { } reverted)
         {
-            flow.Step(computed, CorrectionState.Refused, reverted.Reason, c => c with { Code = CellCodes.BaseReverted, Reason = reverted.Reason, Identity = null });
+            flow.Step(
+                computed,
+                CorrectionState.Refused,
+                reverted.Reason,
+                c => c with { Code = CellCodes.BaseReverted, Reason = reverted.Reason, Identity = null });
             return;
         }
 
@@ -81,20 +85,32 @@ internal sealed class ProposeWorker(CellFlow flow)
         // The limits may have become tighter since it was computed: then a person decides.
         if (flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
         {
-            flow.Step(proposed, CorrectionState.Approved, policy.LimitMm is { } mm ? Recorded.PolicyWithin.With(mm) : Recorded.Policy.With());
+            flow.Step(
+                proposed, CorrectionState.Approved, policy.LimitMm is { } mm ? Recorded.PolicyWithin.With(mm) : Recorded.Policy.With());
         }
     }
 
     private static bool IsWithin(Correction proposed, PolicySettings policy) =>
-        !(policy.LimitMm is { } limit && !(proposed.LargestMm <= limit)) && !((policy.SumLimitMm ?? policy.LimitMm) is { } sum && !(proposed.SumMm <= sum));
+        !(policy.LimitMm is { } limit && !(proposed.LargestMm <= limit))
+            && !((policy.SumLimitMm ?? policy.LimitMm) is { } sum && !(proposed.SumMm <= sum));
 
     private IReadOnlyList<Correction> OfSamePiece(Correction correction) => correction.Serial is not { } serial
         ? []
-        : [.. flow.Store.Search(new() { Serial = serial, Most = MostOfOneSerial }).Where(c => c.Id != correction.Id && c.Job == correction.Job && c.Piece == correction.Piece && c.WorkOrder == correction.WorkOrder)];
+        : [
+            .. flow.Store.Search(new() { Serial = serial, Most = MostOfOneSerial }).Where(
+                c => c.Id != correction.Id
+                    && c.Job == correction.Job
+                    && c.Piece == correction.Piece
+                    && c.WorkOrder == correction.WorkOrder)];
 
     private static bool TakesPlace(Correction newer) => newer.State switch
     {
-        CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released => true,
+        CorrectionState.Proposed
+            or CorrectionState.Approved
+            or CorrectionState.Uploading
+            or CorrectionState.Verified
+            or CorrectionState.Released =>
+            true,
         CorrectionState.Failed => newer.ProgramSha256 is not null,
         _ => false,
     };

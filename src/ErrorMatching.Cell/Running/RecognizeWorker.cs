@@ -38,7 +38,16 @@ internal sealed class RecognizeWorker(CellFlow flow)
         }
 
         var slot = flow.Settings.Machines.First(m => m.Name == job.Machine).Slots.First(s => s.Name == job.Slot);
-        var known = archived with { Job = job.Name, Piece = found.Piece, Serial = found.Serial, WorkOrder = found.WorkOrder, Machine = job.Machine, Slot = job.Slot, Program = slot.Program };
+        var known = archived with
+        {
+            Job = job.Name,
+            Piece = found.Piece,
+            Serial = found.Serial,
+            WorkOrder = found.WorkOrder,
+            Machine = job.Machine,
+            Slot = job.Slot,
+            Program = slot.Program
+        };
         var again = GivenAgain.Of(flow.Store, known);
         var cut = !job.Accumulates || known.Piece != "counterpart" ? new(null, null) : again?.Cut ?? CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
@@ -93,7 +102,13 @@ internal sealed class RecognizeWorker(CellFlow flow)
                 archived,
                 CorrectionState.Recognized,
                 words,
-                _ => known with { Identity = basis.Identity, JobSha256 = basis.JobSha256, JobWorkOrder = basis.WorkOrder, BaseSha256 = basis.BaseSha256 },
+                _ => known with
+                {
+                    Identity = basis.Identity,
+                    JobSha256 = basis.JobSha256,
+                    JobWorkOrder = basis.WorkOrder,
+                    BaseSha256 = basis.BaseSha256
+                },
                 [basis.Job, .. basis.Base is { } program ? new[] { program } : []]);
         }
         catch (DuplicateCorrectionException e)
@@ -104,12 +119,15 @@ internal sealed class RecognizeWorker(CellFlow flow)
 
     // If corrections accumulate, each has another base program and so another identity. The same file is still the same measurement, and
     // must not be added twice.
-    private Correction? Earlier(Correction known, CellJobSettings job) => !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
+    private Correction? Earlier(Correction known, CellJobSettings job) =>
+        !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
 
     // The part whose program cut it, if parts make programs. A value that either of the two lacks may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
-        .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>().Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder)).MaxBy(c => c.Id);
+        .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>()
+            .Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder))
+            .MaxBy(c => c.Id);
 
     // A configuration may name the same job file twice, once for each piece.
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
@@ -123,7 +141,8 @@ internal sealed class RecognizeWorker(CellFlow flow)
         _ => null,
     };
 
-    private static string AlreadyKnown(Correction other) => Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
+    private static string AlreadyKnown(Correction other) =>
+        Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
 
     private void Refuse(Correction archived, Correction known, string code, string reason) =>
         flow.Step(archived, CorrectionState.Refused, reason, _ =>

@@ -22,7 +22,9 @@ internal sealed record RevertedBase(Correction By)
         }
 
         var made = flow.Store.OfProgram(job, program);
-        return made.Any(c => c.State is CorrectionState.Verified or CorrectionState.Released) || made.LastOrDefault(c => c.State == CorrectionState.Reverted) is not { } reverted || IsOriginal(flow, job, program)
+        return made.Any(c => c.State is CorrectionState.Verified or CorrectionState.Released)
+            || made.LastOrDefault(c => c.State == CorrectionState.Reverted) is not { } reverted
+            || IsOriginal(flow, job, program)
             ? null
             : new(reverted);
     }
@@ -32,7 +34,9 @@ internal sealed record RevertedBase(Correction By)
     {
         try
         {
-            return flow.Settings.Jobs.FirstOrDefault(j => j.Name == job) is { } settings && OriginalPrograms.Of(settings) is { } original && new KeptFile("", original).Sha256 == sha256;
+            return flow.Settings.Jobs.FirstOrDefault(j => j.Name == job) is { } settings
+                && OriginalPrograms.Of(settings) is { } original
+                && new KeptFile("", original).Sha256 == sha256;
         }
         catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
         {

@@ -24,7 +24,9 @@ internal static class SlotLine
     /// <param name="inOrderOfSerial">Whether a job goes by serial number.</param>
     public static IReadOnlyList<Correction> Order(IReadOnlyList<Correction> line, Func<string, bool> inOrderOfSerial)
     {
-        var bySerial = line.GroupBy(c => c.Job!).Where(j => inOrderOfSerial(j.Key)).ToDictionary(j => j.Key, j => new Queue<Correction>(j.OrderBy(c => c.Serial, SerialOrder.Instance)));
+        var bySerial = line.GroupBy(c => c.Job!)
+            .Where(j => inOrderOfSerial(j.Key))
+            .ToDictionary(j => j.Key, j => new Queue<Correction>(j.OrderBy(c => c.Serial, SerialOrder.Instance)));
         var order = new List<Correction>(line.Count);
         var sent = new HashSet<long>();
         foreach (var next in line)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
@@ -27,28 +28,46 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         var correction = decisions.Demand(id, "reverted", CorrectionState.Verified, CorrectionState.Released);
         if (correction.PreviousSha256 is not { } previous)
         {
-            throw new DecisionException(DecisionException.NothingBefore, FormattableString.Invariant($"{correction.Slot} of {correction.Machine} was empty before correction {id}: there is no program to bring back."));
+            throw new DecisionException(
+                DecisionException.NothingBefore,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{correction.Slot} of {correction.Machine} was empty before correction {id}: there is no program to bring back."));
         }
 
         var machine = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine);
         var slot = machine?.Slots.FirstOrDefault(s => s.Name == correction.Slot);
         if (machine is null || slot is null)
         {
-            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
+            throw new DecisionException(
+                DecisionException.WrongState,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Slot {correction.Slot} of {correction.Machine} is not in {settings.File} any more: bring it back there first."));
         }
 
         // The correction's row names the program to restore.
         store.DemandRecorded(correction);
         using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
-            ?? throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
+            ?? throw new DecisionException(
+                DecisionException.SlotTaken,
+                FormattableString.Invariant(
+                    $"A program is being sent to slot {slot.Name} of {machine.Name} just now: try again in a moment."));
         if (store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != id)
         {
-            throw new DecisionException(DecisionException.SlotTaken, FormattableString.Invariant($"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
+            throw new DecisionException(
+                DecisionException.SlotTaken,
+                FormattableString.Invariant(
+                    $"Correction {holder} has slot {slot.Name} of {machine.Name}: revert or release that one first."));
         }
 
         if (store.Slot(machine.Name, slot.Name).ProgramSha256 != correction.ProgramSha256)
         {
-            throw new DecisionException(DecisionException.WrongState, FormattableString.Invariant($"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
+            throw new DecisionException(
+                DecisionException.WrongState,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Slot {slot.Name} of {machine.Name} holds a later program than that of correction {id}: revert that one."));
         }
 
         try
@@ -63,16 +82,31 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
     }
 
-    private async Task BringBackAsync(IMachineFolder folder, MachineSettings machine, SlotSettings slot, Correction correction, string previous, string by, string reason, CancellationToken cancellation)
+    private async Task BringBackAsync(
+        IMachineFolder folder,
+        MachineSettings machine,
+        SlotSettings slot,
+        Correction correction,
+        string previous,
+        string by,
+        string reason,
+        CancellationToken cancellation)
     {
         var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock));
         await sender.RecoverAsync(slot.Program, cancellation);
-        var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes ? Convert.ToHexStringLower(SHA256.HashData(bytes)) : null;
+        var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes
+            ? Convert.ToHexStringLower(SHA256.HashData(bytes))
+            : null;
         if (found != correction.ProgramSha256 && found != previous)
         {
             throw new DecisionException(
                 DecisionException.ChangedAtMachine,
-                FormattableString.Invariant($"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell show {correction.Id} --out."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{slot.Program} at {machine.Name} is not the program of correction {correction.Id} but {found ?? "missing"}: "
+                        + $"somebody changed it. Look at it; what was there before the correction is in the store, for errormatch cell "
+                            + $"show "
+                        + $"{correction.Id} --out."));
         }
 
         if (slot.ReadyFile is { } ready)

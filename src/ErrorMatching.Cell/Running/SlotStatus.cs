@@ -6,7 +6,8 @@ namespace ErrorMatching.Cell;
 /// <param name="Holding">What it holds.</param>
 /// <param name="Held">The correction that has it; null if it is free.</param>
 /// <param name="Line">Its line, in the order in which corrections will be sent if nothing changes; they never overtake.</param>
-public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, SlotHolding Holding, Correction? Held, IReadOnlyList<Correction> Line)
+public sealed record SlotStatus(
+    MachineSettings Machine, SlotSettings Slot, SlotHolding Holding, Correction? Held, IReadOnlyList<Correction> Line)
 {
     private const int MostNext = 5;
 
@@ -20,14 +21,17 @@ public sealed record SlotStatus(MachineSettings Machine, SlotSettings Slot, Slot
     public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved).Take(CellStatus.Most)];
 
     /// <summary>Those of <see cref="Approved"/> that wait for a decision about others before them, in line order.</summary>
-    public IReadOnlyList<HeldUpCorrection> HeldUp => [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
+    public IReadOnlyList<HeldUpCorrection> HeldUp =>
+        [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
 
     /// <summary>The corrections that must be decided before a correction can be sent: those before it in line that are proposed or failed
     /// at the machine.</summary>
     /// <param name="id">Number of the correction.</param>
     /// <returns>In line order; none if the correction is not in this line.</returns>
     public IReadOnlyList<Correction> UndecidedBefore(long id) =>
-        Line.Any(c => c.Id == id) ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)] : [];
+        Line.Any(c => c.Id == id)
+            ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)]
+            : [];
 
     internal static SlotStatus Of(CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store)
     {

@@ -186,7 +186,8 @@ internal sealed class SlotWorker(
 
         if (!slotLock.IsHeld)
         {
-            throw new StoreException(StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
+            throw new StoreException(
+                StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
         }
 
         // Again, for changes to the store since the slot was taken.
@@ -237,7 +238,12 @@ internal sealed class SlotWorker(
         }
         catch (TransportException e)
         {
-            flow.Log.Debug("slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be asked: {Message}", machine.Name, slot.Name, uploading.Id, e.Message);
+            flow.Log.Debug(
+                "slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be asked: {Message}",
+                machine.Name,
+                slot.Name,
+                uploading.Id,
+                e.Message);
             return;
         }
 

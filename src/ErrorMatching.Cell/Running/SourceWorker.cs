@@ -63,7 +63,8 @@ internal sealed class SourceWorker : IDisposable
         {
             _flow.Troubles.End(where);
         }
-        else if (_flow.Troubles.Begin(where, CellCodes.FileLeft, $"{left[0].Name}: {left[0].Reason}{(left.Count > 1 ? " And others." : "")}"))
+        else if (_flow.Troubles.Begin(
+            where, CellCodes.FileLeft, $"{left[0].Name}: {left[0].Reason}{(left.Count > 1 ? " And others." : "")}"))
         {
             _flow.Log.Warning("{Where}: {File} is left: {Reason}", where, left[0].Name, left[0].Reason);
         }

@@ -4,7 +4,8 @@ namespace ErrorMatching.Cell;
 internal sealed class Sources(CellFlow flow, Func<MachineSettings, IMachineFolder> open) : IDisposable
 {
     /// <summary>Each gauge's name and worker.</summary>
-    public IReadOnlyList<(string Gauge, SourceWorker Source)> All { get; } = [.. flow.Settings.Gauges.Select(g => (g.Name, new SourceWorker(flow, g, open)))];
+    public IReadOnlyList<(string Gauge, SourceWorker Source)> All { get; } = [
+        .. flow.Settings.Gauges.Select(g => (g.Name, new SourceWorker(flow, g, open)))];
 
     public void Dispose()
     {

@@ -12,16 +12,27 @@ internal static class StepLog
         var level = LevelOf(now.State);
         if (log.IsEnabled(level))
         {
-            log.ForContext("From", from?.ToString().ToLowerInvariant()).ForContext("Job", now.Job).ForContext("Serial", now.Serial).ForContext("WorkOrder", now.WorkOrder)
+            log.ForContext("From", from?.ToString().ToLowerInvariant())
+                .ForContext("Job", now.Job)
+                .ForContext("Serial", now.Serial)
+                .ForContext("WorkOrder", now.WorkOrder)
                 .ForContext("Machine", now.Machine).ForContext("Slot", now.Slot).ForContext("Trace", now.Trace)
-                .Write(level, "{Correction} {FileName}: {State:l}: {Basis:l}", now.Id, now.FileName, now.State.ToString().ToLowerInvariant(), now.Code is { } code ? $"{code}: {basis}" : basis);
+                .Write(
+                    level,
+                    "{Correction} {FileName}: {State:l}: {Basis:l}",
+                    now.Id,
+                    now.FileName,
+                    now.State.ToString().ToLowerInvariant(),
+                    now.Code is { } code ? $"{code}: {basis}" : basis);
         }
     }
 
     private static LogEventLevel LevelOf(CorrectionState state) => state switch
     {
-        CorrectionState.Verified or CorrectionState.Released or CorrectionState.Recorded or CorrectionState.Proposed => LogEventLevel.Information,
-        CorrectionState.Refused or CorrectionState.Superseded or CorrectionState.Rejected or CorrectionState.Reverted => LogEventLevel.Warning,
+        CorrectionState.Verified or CorrectionState.Released or CorrectionState.Recorded or CorrectionState.Proposed =>
+            LogEventLevel.Information,
+        CorrectionState.Refused or CorrectionState.Superseded or CorrectionState.Rejected or CorrectionState.Reverted =>
+            LogEventLevel.Warning,
         CorrectionState.Failed => LogEventLevel.Error,
         _ => LogEventLevel.Debug,
     };

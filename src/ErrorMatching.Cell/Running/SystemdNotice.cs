@@ -27,7 +27,8 @@ public sealed class SystemdNotice(string? socketName)
         try
         {
             // A name with a leading @ is in the abstract namespace, where a zero byte replaces the @.
-            socket.SendTo(Encoding.UTF8.GetBytes(state), new UnixDomainSocketEndPoint(socketName[0] == '@' ? '\0' + socketName[1..] : socketName));
+            socket.SendTo(
+                Encoding.UTF8.GetBytes(state), new UnixDomainSocketEndPoint(socketName[0] == '@' ? '\0' + socketName[1..] : socketName));
         }
         catch (SocketException)
         {

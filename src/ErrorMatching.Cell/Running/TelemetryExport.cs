@@ -31,20 +31,31 @@ public sealed class TelemetryExport : IDisposable
         }
 
         return new(
-            Wants("TRACES") ? Sdk.CreateTracerProviderBuilder().ConfigureResource(Describe).AddSource(CellTelemetry.Name).AddOtlpExporter().Build() : null,
-            Wants("METRICS") ? Sdk.CreateMeterProviderBuilder().ConfigureResource(Describe).AddMeter(CellTelemetry.Name).AddOtlpExporter().Build() : null);
+            Wants("TRACES")
+                ? Sdk.CreateTracerProviderBuilder().ConfigureResource(Describe).AddSource(CellTelemetry.Name).AddOtlpExporter().Build()
+                : null,
+            Wants("METRICS")
+                ? Sdk.CreateMeterProviderBuilder().ConfigureResource(Describe).AddMeter(CellTelemetry.Name).AddOtlpExporter().Build()
+                : null);
 
         bool Wants(string signal) =>
             !string.Equals(variable($"OTEL_{signal}_EXPORTER"), "none", StringComparison.OrdinalIgnoreCase)
-            && !(string.IsNullOrEmpty(variable("OTEL_EXPORTER_OTLP_ENDPOINT")) && string.IsNullOrEmpty(variable($"OTEL_EXPORTER_OTLP_{signal}_ENDPOINT")));
+            && !(
+                string.IsNullOrEmpty(variable("OTEL_EXPORTER_OTLP_ENDPOINT"))
+                    && string.IsNullOrEmpty(variable($"OTEL_EXPORTER_OTLP_{signal}_ENDPOINT")));
 
-        void Describe(ResourceBuilder resource) => resource.AddService(variable("OTEL_SERVICE_NAME") is { Length: > 0 } name ? name : "errormatch-cell", serviceInstanceId: cell).AddEnvironmentVariableDetector();
+        void Describe(ResourceBuilder resource) => resource.AddService(
+            variable("OTEL_SERVICE_NAME") is { Length: > 0 } name ? name : "errormatch-cell",
+            serviceInstanceId: cell).AddEnvironmentVariableDetector();
     }
 
     /// <summary>Sends what is left, and ends within a second: data that the receiver has not accepted by then is lost.</summary>
     public void Dispose()
     {
-        var ends = _providers.OfType<IDisposable>().Select(p => Task.Factory.StartNew(p.Dispose, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default)).ToArray();
+        var ends = _providers
+            .OfType<IDisposable>()
+            .Select(p => Task.Factory.StartNew(p.Dispose, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default))
+            .ToArray();
         Task.WaitAll(ends, LastTry);
     }
 }

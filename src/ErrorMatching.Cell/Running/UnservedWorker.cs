@@ -11,7 +11,11 @@ internal sealed class UnservedWorker(CellFlow flow)
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        var unserved = flow.Store.Waiting().Select(w => (Waiting: w, Lacks: Lacks(w))).Where(w => w.Lacks is not null).OrderBy(w => w.Waiting.First).ToArray();
+        var unserved = flow.Store.Waiting()
+            .Select(w => (Waiting: w, Lacks: Lacks(w)))
+            .Where(w => w.Lacks is not null)
+            .OrderBy(w => w.Waiting.First)
+            .ToArray();
         if (unserved.Length == 0)
         {
             flow.Troubles.End(Where);
@@ -37,8 +41,10 @@ internal sealed class UnservedWorker(CellFlow flow)
         return waiting.State switch
         {
             CorrectionState.Archived => hasGauge ? null : $"gauge \"{waiting.Gauge}\"",
-            CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Proposed when !flow.Jobs.Contains(waiting.Job!) => $"job \"{waiting.Job}\"",
-            _ when !flow.Settings.Machines.Any(m => m.Name == waiting.Machine && m.Slots.Any(s => s.Name == waiting.Slot)) => $"slot \"{waiting.Slot}\" of \"{waiting.Machine}\"",
+            CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Proposed when !flow.Jobs.Contains(waiting.Job!) =>
+                $"job \"{waiting.Job}\"",
+            _ when !flow.Settings.Machines.Any(m => m.Name == waiting.Machine && m.Slots.Any(s => s.Name == waiting.Slot)) =>
+                $"slot \"{waiting.Slot}\" of \"{waiting.Machine}\"",
             _ => null,
         };
     }
@@ -47,8 +53,11 @@ internal sealed class UnservedWorker(CellFlow flow)
     {
         var (first, lacks) = unserved[0];
         var count = unserved.Sum(u => u.Waiting.Count);
-        var who = count == 1 ? FormattableString.Invariant($"Correction {first.First}") : FormattableString.Invariant($"{count} corrections, the first is {first.First}");
+        var who = count == 1
+            ? FormattableString.Invariant($"Correction {first.First}")
+            : FormattableString.Invariant($"{count} corrections, the first is {first.First}");
         var line = first.Slot is null ? "" : $" What is behind in the line of slot {first.Slot} of {first.Machine} waits with it.";
-        return $"{who} ({first.State.ToString().ToLowerInvariant()}): nobody takes it up, for {flow.Settings.File} does not have the {lacks} any more.{line} Bring it back into the configuration; then reject what is not to be sent.";
+        return $"{who} ({first.State.ToString().ToLowerInvariant()}): nobody takes it up, for {flow.Settings.File} does not have the "
+            + $"{lacks} any more.{line} Bring it back into the configuration; then reject what is not to be sent.";
     }
 }

@@ -11,7 +11,14 @@ namespace ErrorMatching.Cell;
 /// <param name="MeasurementSha256">Hash of its content.</param>
 /// <param name="MeasurementBytes">Its length.</param>
 public sealed record Correction(
-    long Id, CorrectionState State, int Version, string Gauge, string FileName, DateTimeOffset ArrivedAt, string MeasurementSha256, long MeasurementBytes)
+    long Id,
+    CorrectionState State,
+    int Version,
+    string Gauge,
+    string FileName,
+    DateTimeOffset ArrivedAt,
+    string MeasurementSha256,
+    long MeasurementBytes)
 {
     /// <summary>Number of the correction that its measurement arrived with, if the measurement was resubmitted for recalculation; null if
     /// it arrived with this one. A resubmitted measurement has the same job, piece and slot from the start.</summary>

@@ -6,7 +6,8 @@ public static class CorrectionSteps
     private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
     {
         [CorrectionState.Archived] = [CorrectionState.Recognized, CorrectionState.Refused, CorrectionState.Failed],
-        [CorrectionState.Recognized] = [CorrectionState.Computed, CorrectionState.Recorded, CorrectionState.Refused, CorrectionState.Failed],
+        [CorrectionState.Recognized] = [
+            CorrectionState.Computed, CorrectionState.Recorded, CorrectionState.Refused, CorrectionState.Failed],
         [CorrectionState.Computed] = [CorrectionState.Proposed, CorrectionState.Refused, CorrectionState.Superseded],
         [CorrectionState.Proposed] = [CorrectionState.Approved, CorrectionState.Rejected, CorrectionState.Superseded],
         [CorrectionState.Approved] = [CorrectionState.Uploading, CorrectionState.Rejected, CorrectionState.Superseded],

@@ -21,6 +21,9 @@ internal static class AuditRow
             "SELECT seq, at, hash, seal FROM audit_head WHERE only_row = 1" + forUpdate,
             r => new AuditHead(r.GetInt64(0), StoredTime.From(r.GetInt64(1)), r.GetString(2), r.TextOrNull(3)),
             transaction: transaction);
-        return found.Count == 1 ? found[0] : throw new StoreException(StoreError.Damaged, "The store has lost the row that says where its audit trail ends. Restore the latest backup.");
+        return found.Count == 1
+            ? found[0]
+            : throw new StoreException(
+                StoreError.Damaged, "The store has lost the row that says where its audit trail ends. Restore the latest backup.");
     }
 }

@@ -17,14 +17,21 @@ public sealed partial class CellStore
         return Write(transaction =>
         {
             // Before anything is written, so that the later of two callers sees the result of the first.
-            if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded) || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", new { correction.Id }) != correction.Version)
+            if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded)
+                || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", new { correction.Id }) != correction.Version)
             {
                 throw Conflict(transaction, correction, CorrectionState.Superseded);
             }
 
             var given = Arrive(
                 transaction,
-                New(transaction, CorrectionState.Archived, correction.Gauge, correction.FileName, correction.MeasurementSha256, correction.MeasurementBytes) with
+                New(
+                    transaction,
+                    CorrectionState.Archived,
+                    correction.Gauge,
+                    correction.FileName,
+                    correction.MeasurementSha256,
+                    correction.MeasurementBytes) with
                 {
                     MeasuredAs = correction.Turn,
                     Job = correction.Job,

@@ -92,7 +92,8 @@ public sealed partial class CellStore : IDisposable
     {
         if (settings is SqliteSettings { File: var file } && !File.Exists(file)) return false;
         using var database = Connect(settings, _ => { }, toRead: true);
-        return database.Read(connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
+        return database.Read(
+            connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
     }
 
     /// <summary>Stores a file that arrived as a new correction.</summary>
@@ -105,7 +106,15 @@ public sealed partial class CellStore : IDisposable
         {
             if (Known(transaction, arrival.Key) is { } known) return (known, false);
             Keep(transaction, sha256, arrival.Bytes);
-            return (Arrive(transaction, New(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, sha256, arrival.Bytes.Length) with { Trace = arrival.Trace }, arrival.Key), true);
+            return (
+                Arrive(
+                    transaction,
+                    New(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, sha256, arrival.Bytes.Length) with
+                    {
+                        Trace = arrival.Trace
+                    },
+                    arrival.Key),
+                true);
         });
     }
 
@@ -118,7 +127,12 @@ public sealed partial class CellStore : IDisposable
             ? (known, false)
             : (Arrive(
                 transaction,
-                New(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Sha256, arrival.Length) with { Code = arrival.Code, Reason = arrival.Reason, Trace = arrival.Trace },
+                New(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Sha256, arrival.Length) with
+                {
+                    Code = arrival.Code,
+                    Reason = arrival.Reason,
+                    Trace = arrival.Trace
+                },
                 arrival.Key), true));
     }
 
@@ -131,7 +145,9 @@ public sealed partial class CellStore : IDisposable
             ?? throw new StoreException(StoreError.Missing, $"{Database.Place} has no content {sha256}.");
         if (Sha256(bytes) != sha256)
         {
-            throw new StoreException(StoreError.Damaged, $"{Database.Place} is damaged: content {sha256} is not what was kept, but {Sha256(bytes)}. Restore the latest backup.");
+            throw new StoreException(
+                StoreError.Damaged,
+                $"{Database.Place} is damaged: content {sha256} is not what was kept, but {Sha256(bytes)}. Restore the latest backup.");
         }
 
         return bytes;
@@ -151,7 +167,10 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>The steps of a correction, in order.</summary>
     public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
-        Read("SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id", CorrectionRow.ReadStep, new { id });
+        Read(
+            "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
+            CorrectionRow.ReadStep,
+            new { id });
 
     /// <summary>Takes one step. The correction, the step, the contents that it names, its slot and the audit entry are one
     /// transaction.</summary>
@@ -179,7 +198,9 @@ public sealed partial class CellStore : IDisposable
         {
             throw new StoreException(
                 StoreError.Conflict,
-                string.Create(CultureInfo.InvariantCulture, $"Correction {from.Id} is {CorrectionRow.Word(from.State)}: from there no step leads to {CorrectionRow.Word(to)}."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Correction {from.Id} is {CorrectionRow.Word(from.State)}: from there no step leads to {CorrectionRow.Word(to)}."));
         }
 
         var kept = (contents ?? []).Select(c => (Sha256(c.Span), c)).ToArray();
@@ -201,7 +222,8 @@ public sealed partial class CellStore : IDisposable
             };
             foreach (var (sha256, bytes) in kept) Keep(transaction, sha256, bytes);
             if (after.Identity is { } identity && identity != from.Identity
-                && transaction.Value<long?>("SELECT id FROM correction WHERE identity = @identity AND id <> @Id", new { identity, after.Id }) is { } existing)
+                && transaction.Value<long?>(
+                    "SELECT id FROM correction WHERE identity = @identity AND id <> @Id", new { identity, after.Id }) is { } existing)
             {
                 throw new DuplicateCorrectionException(existing);
             }
@@ -228,7 +250,9 @@ public sealed partial class CellStore : IDisposable
     public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
     {
         SlotRow.Demand(transaction, machine, slot);
-        var freed = transaction.Execute("UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction", new { machine, slot, correction });
+        var freed = transaction.Execute(
+            "UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction",
+            new { machine, slot, correction });
         if (freed == 1)
         {
             SlotRow.Code(transaction, machine, slot);
@@ -240,7 +264,8 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Takes the right to send to a slot; one process at a time can hold it.</summary>
     /// <returns>The right; null if another process has it.</returns>
-    public ISlotLock? TryLockSlot(string machine, string slot) => Database.TryLock(string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine} {slot}"));
+    public ISlotLock? TryLockSlot(string machine, string slot) =>
+        Database.TryLock(string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine} {slot}"));
 
     /// <summary>Takes the right to run the cell of this name; one process at a time can hold it.</summary>
     /// <returns>The right; null if another process has it.</returns>
@@ -259,7 +284,8 @@ public sealed partial class CellStore : IDisposable
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the copy and leaves nothing of it behind.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
-    public void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => Database.Backup(file, progress, cancellation);
+    public void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) =>
+        Database.Backup(file, progress, cancellation);
 
     /// <summary>Restores a backup in place of the store. The backup is unchanged; the store that it replaces is kept next to it.</summary>
     /// <param name="settings">Where the store is; it need not exist.</param>
@@ -285,16 +311,28 @@ public sealed partial class CellStore : IDisposable
     /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> while a cell is using the store; with
     /// <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public static string? Restore(
-        StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey, IProgress<CellProgress>? progress, CancellationToken cancellation)
+        StoreSettings settings,
+        string backup,
+        TimeProvider clock,
+        string by,
+        byte[]? auditKey,
+        IProgress<CellProgress>? progress,
+        CancellationToken cancellation)
     {
         if (settings is not SqliteSettings sqlite)
         {
-            throw new StoreException(StoreError.NotSupported, "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
+            throw new StoreException(
+                StoreError.NotSupported,
+                "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
         }
 
         var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey), progress, cancellation);
         using var store = Open(settings, clock, auditKey);
-        store.Audit(by, "restored", Recorded.FromBackup.With(Path.GetFileName(backup)), aside is null ? null : Recorded.KeptAside.With(Path.GetFileName(aside)));
+        store.Audit(
+            by,
+            "restored",
+            Recorded.FromBackup.With(Path.GetFileName(backup)),
+            aside is null ? null : Recorded.KeptAside.With(Path.GetFileName(aside)));
         return aside;
     }
 
@@ -326,18 +364,25 @@ public sealed partial class CellStore : IDisposable
     private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 
     internal static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
-        transaction.Execute("INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING", new { sha256, Bytes = bytes.ToArray() });
+        transaction.Execute(
+            "INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING",
+            new { sha256, Bytes = bytes.ToArray() });
 
     private static Correction? Known(StoreTransaction transaction, string key) =>
         transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, new { Arrival = KeyOf(key) });
 
     private static string KeyOf(string key) => Sha256(System.Text.Encoding.UTF8.GetBytes(key));
 
-    private static Correction New(StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
-        new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length) { ChangedAt = transaction.Now };
+    private static Correction New(
+        StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
+        new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length)
+        {
+            ChangedAt = transaction.Now
+        };
 
     // Without a basis, the cell itself took it from its gauge.
-    private static Correction Arrive(StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
+    private static Correction Arrive(
+        StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
     {
         var arrived = CorrectionRow.Kept(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new
@@ -381,7 +426,11 @@ public sealed partial class CellStore : IDisposable
                 By = StoredText.Name(by),
                 Basis = StoredText.Sentence(basis),
             });
-        var subject = from is null ? Recorded.File.With(after.Id, after.MeasurementSha256) : after.ProgramSha256 is { } program ? Recorded.Program.With(after.Id, program) : Recorded.Correction.With(after.Id);
+        var subject = from is null
+            ? Recorded.File.With(after.Id, after.MeasurementSha256)
+            : after.ProgramSha256 is { } program
+            ? Recorded.Program.With(after.Id, program)
+            : Recorded.Correction.With(after.Id);
         transaction.Audit(by, CorrectionRow.Word(after.State), subject, basis);
     }
 
@@ -392,6 +441,9 @@ public sealed partial class CellStore : IDisposable
             ? new StoreException(StoreError.Missing, string.Create(CultureInfo.InvariantCulture, $"There is no correction {from.Id}."))
             : new StoreException(
                 StoreError.Conflict,
-                string.Create(CultureInfo.InvariantCulture, $"Correction {from.Id} was {CorrectionRow.Word(from.State)} and is {CorrectionRow.Word(now.State)} meanwhile: it cannot become {CorrectionRow.Word(to)}. Look at it again."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Correction {from.Id} was {CorrectionRow.Word(from.State)} and is {CorrectionRow.Word(now.State)} meanwhile: it "
+                        + $"cannot become {CorrectionRow.Word(to)}. Look at it again."));
     }
 }

@@ -15,7 +15,9 @@ public static class CorrectionFiles
         var program = correction.Program ?? "program.nc";
         return [.. new (string Name, string? Sha256)[]
         {
-            ($"{number}-measurement-{Plain(correction.FileName)}", correction.Code == FileSource.TooLarge ? null : correction.MeasurementSha256),
+            (
+                $"{number}-measurement-{Plain(correction.FileName)}",
+                correction.Code == FileSource.TooLarge ? null : correction.MeasurementSha256),
             ($"{number}-job.json", correction.JobSha256),
             ($"{number}-base-{program}", correction.BaseSha256),
             ($"{number}-previous-{program}", correction.PreviousSha256),
@@ -25,5 +27,6 @@ public static class CorrectionFiles
         }.Where(f => f.Sha256 is not null).Select(f => (f.Name, f.Sha256!))];
     }
 
-    private static string Plain(string name) => string.Concat(name.Select(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '-' or '_' ? c : '_'));
+    private static string Plain(string name) =>
+        string.Concat(name.Select(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '-' or '_' ? c : '_'));
 }

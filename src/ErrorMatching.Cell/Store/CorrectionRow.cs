@@ -6,8 +6,10 @@ namespace ErrorMatching.Cell;
 internal static class CorrectionRow
 {
     public const string Columns =
-        "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, work_order, identity, "
-        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order, measured_as";
+        "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, "
+            + "work_order, identity, "
+        + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, "
+            + "previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order, measured_as";
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
@@ -15,16 +17,20 @@ internal static class CorrectionRow
     public const string SelectKept = "SELECT " + Columns + ", row_code FROM correction";
 
     public const string Update =
-        "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = @Serial, work_order = @WorkOrder, identity = @Identity, "
-        + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = @ProgramSha256, report_sha256 = @ReportSha256, "
+        "UPDATE correction SET state = @State, version = @Version, changed_at = @ChangedAt, job = @Job, piece = @Piece, serial = "
+            + "@Serial, work_order = @WorkOrder, identity = @Identity, "
+        + "job_sha256 = @JobSha256, base_sha256 = @BaseSha256, machine = @Machine, slot = @Slot, program = @Program, program_sha256 = "
+            + "@ProgramSha256, report_sha256 = @ReportSha256, "
         + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, "
         + "reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder, "
         + "row_code = @RowCode "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
-        "INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, code, reason, trace, job, piece, serial, work_order, machine, slot, program, measured_as) "
-        + "VALUES (@State, 1, @Arrival, @Gauge, @FileName, @At, @At, @MeasurementSha256, @MeasurementBytes, @Code, @Reason, @Trace, @Job, @Piece, @Serial, @WorkOrder, @Machine, @Slot, @Program, @MeasuredAs) RETURNING id";
+        "INSERT INTO correction (state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, "
+            + "measurement_bytes, code, reason, trace, job, piece, serial, work_order, machine, slot, program, measured_as) "
+        + "VALUES (@State, 1, @Arrival, @Gauge, @FileName, @At, @At, @MeasurementSha256, @MeasurementBytes, @Code, @Reason, @Trace, @Job, "
+            + "@Piece, @Serial, @WorkOrder, @Machine, @Slot, @Program, @MeasuredAs) RETURNING id";
 
     private static readonly string[] Words = [.. Enum.GetValues<CorrectionState>().Select(s => s.ToString().ToLowerInvariant())];
 
@@ -33,10 +39,18 @@ internal static class CorrectionRow
 
     /// <summary>The condition that a state column has one of the given states. The states are spelled out because the two engines take
     /// lists as parameters in different ways.</summary>
-    public static string IsIn(string column, params IEnumerable<CorrectionState> states) => $"{column} IN ({string.Join(", ", states.Select(s => $"'{Word(s)}'"))})";
+    public static string IsIn(string column, params IEnumerable<CorrectionState> states) =>
+        $"{column} IN ({string.Join(", ", states.Select(s => $"'{Word(s)}'"))})";
 
     public static Correction Read(DbDataReader row) => new(
-        row.GetInt64(0), State(row.GetString(1)), (int)row.GetInt64(2), row.GetString(3), row.GetString(4), StoredTime.From(row.GetInt64(5)), row.GetString(7), row.GetInt64(8))
+        row.GetInt64(0),
+        State(row.GetString(1)),
+        (int)row.GetInt64(2),
+        row.GetString(3),
+        row.GetString(4),
+        StoredTime.From(row.GetInt64(5)),
+        row.GetString(7),
+        row.GetInt64(8))
     {
         ChangedAt = StoredTime.From(row.GetInt64(6)),
         Job = row.TextOrNull(9),
@@ -133,13 +147,21 @@ internal static class CorrectionRow
     public static KeptRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(32));
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(
-        row.GetInt64(0), row.IsDBNull(1) ? null : State(row.GetString(1)), State(row.GetString(2)), StoredTime.From(row.GetInt64(3)), row.GetString(4), row.GetString(5));
+        row.GetInt64(0),
+        row.IsDBNull(1) ? null : State(row.GetString(1)),
+        State(row.GetString(2)),
+        StoredTime.From(row.GetInt64(3)),
+        row.GetString(4),
+        row.GetString(5));
 
     internal static CorrectionState? StateOrNull(string word) => Array.IndexOf(Words, word) is >= 0 and var at ? (CorrectionState)at : null;
 
     private static CorrectionState State(string word)
     {
         var at = Array.IndexOf(Words, word);
-        return at >= 0 ? (CorrectionState)at : throw new StoreException(StoreError.Damaged, $"The store has a correction in the state \"{word}\", which is none. Restore the latest backup.");
+        return at >= 0
+            ? (CorrectionState)at
+            : throw new StoreException(
+                StoreError.Damaged, $"The store has a correction in the state \"{word}\", which is none. Restore the latest backup.");
     }
 }

@@ -21,7 +21,9 @@ internal static partial class Migrations
     public static void Apply(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo = int.MaxValue)
     {
         // Reading alone must not require the right to write.
-        if (database.Read(connection => database.HasTable(connection, "migration") && Number(connection, null) == Math.Min(upTo, All[^1].Number))) return;
+        if (database.Read(
+            connection => database.HasTable(connection, "migration") && Number(connection, null) == Math.Min(upTo, All[^1].Number)))
+            return;
         database.Change((connection, transaction) =>
         {
             database.WaitForMigration(connection, transaction);
@@ -43,7 +45,8 @@ internal static partial class Migrations
     private static string Sql(Migration migration, Func<string, string, string> word) =>
         Token().Replace(migration.Sql, m => word(m.Groups["token"].Value, m.Groups["argument"].Value));
 
-    private static bool Next(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo) => database.Change((connection, transaction) =>
+    private static bool Next(CellDatabase database, TimeProvider clock, byte[]? auditKey, int upTo) =>
+        database.Change((connection, transaction) =>
     {
         database.WaitForMigration(connection, transaction);
         var number = Number(connection, transaction);
@@ -51,7 +54,10 @@ internal static partial class Migrations
         {
             throw new StoreException(
                 StoreError.TooNew,
-                string.Create(CultureInfo.InvariantCulture, $"{database.Place} has form {number} and this program knows forms up to {All[^1].Number}. Use the newer program that made it."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{database.Place} has form {number} and this program knows forms up to {All[^1].Number}. Use the newer program that "
+                        + $"made it."));
         }
 
         var migration = All.FirstOrDefault(m => m.Number > number && m.Number <= upTo);
@@ -77,12 +83,17 @@ internal static partial class Migrations
     private static Migration[] ReadAll()
     {
         var assembly = Assembly.GetExecutingAssembly();
-        return [.. assembly.GetManifestResourceNames().Where(n => n.EndsWith(".sql", StringComparison.Ordinal)).Order(StringComparer.Ordinal).Select(Read)];
+        return [
+            .. assembly.GetManifestResourceNames()
+                .Where(n => n.EndsWith(".sql", StringComparison.Ordinal))
+                .Order(StringComparer.Ordinal)
+                .Select(Read)];
 
         Migration Read(string name)
         {
             using var reader = new StreamReader(assembly.GetManifestResourceStream(name)!);
-            return new Migration(int.Parse(name.AsSpan(0, 4), NumberStyles.None, CultureInfo.InvariantCulture), name[5..^4], reader.ReadToEnd());
+            return new Migration(
+                int.Parse(name.AsSpan(0, 4), NumberStyles.None, CultureInfo.InvariantCulture), name[5..^4], reader.ReadToEnd());
         }
     }
 

@@ -11,7 +11,8 @@ namespace ErrorMatching.Cell;
 internal sealed class PostgresDatabase : CellDatabase
 {
     private const long MigrationLock = 0x45724D4300000001;
-    private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.OtherRead | UnixFileMode.GroupWrite | UnixFileMode.OtherWrite;
+    private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.OtherRead | UnixFileMode.GroupWrite
+        | UnixFileMode.OtherWrite;
     private readonly PostgresSettings _settings;
     private readonly NpgsqlDataSource _source;
     private readonly string _lockConnection;
@@ -25,14 +26,16 @@ internal sealed class PostgresDatabase : CellDatabase
         _lockConnection = connection.ConnectionString;
     }
 
-    public override string Place => string.Create(CultureInfo.InvariantCulture, $"The store {_settings.Database} on {_settings.Host}:{_settings.Port}");
+    public override string Place =>
+        string.Create(CultureInfo.InvariantCulture, $"The store {_settings.Database} on {_settings.Host}:{_settings.Port}");
 
     protected override string ForUpdate => " FOR UPDATE";
 
     /// <summary>Opens a store in an existing database.</summary>
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
-    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) => Prepared<PostgresDatabase>(new(settings), prepare);
+    public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) =>
+        Prepared<PostgresDatabase>(new(settings), prepare);
 
     public override string Word(string token, string argument) => token switch
     {
@@ -60,16 +63,20 @@ internal sealed class PostgresDatabase : CellDatabase
         // The server checks its own files; hashes verify contents and the audit trail.
         if (connection.QuerySingle<string>("SHOW server_encoding") != "UTF8")
         {
-            throw new StoreException(StoreError.NotSupported, $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
+            throw new StoreException(
+                StoreError.NotSupported,
+                $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
         }
 
         return connection.QuerySingle<string>("SHOW fsync") == "on"
             ? true
-            : throw new StoreException(StoreError.NotSupported, $"{Place} forgets at a power cut what it has acknowledged: set fsync = on for its server.");
+            : throw new StoreException(
+                StoreError.NotSupported, $"{Place} forgets at a power cut what it has acknowledged: set fsync = on for its server.");
     });
 
     public override bool HasTable(DbConnection connection, string name) =>
-        connection.QuerySingle<long>("SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
+        connection.QuerySingle<long>(
+            "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
 
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
         connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
@@ -78,7 +85,10 @@ internal sealed class PostgresDatabase : CellDatabase
 
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => throw new StoreException(
         StoreError.NotSupported,
-        string.Create(CultureInfo.InvariantCulture, $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} --port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} "
+                + $"--port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
 
     public override void Dispose() => _source.Dispose();
 
@@ -105,18 +115,27 @@ internal sealed class PostgresDatabase : CellDatabase
         {
             PostgresException { SqlState: var state } => state switch
             {
-                "53100" => (StoreError.Full, "has no room on its disk. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself."),
+                "53100" =>
+                    (
+                        StoreError.Full,
+                        "has no room on its disk. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by "
+                            + "itself."),
                 "25006" => (StoreError.ReadOnly, "takes no changes: it is a standby or set read-only. Nothing was changed."),
-                "55P03" or "57014" or "40P01" => (StoreError.Locked, $"was held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed."),
+                "55P03" or "57014" or "40P01" =>
+                    (StoreError.Locked, $"was held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed."),
                 "28000" or "28P01" or "42501" => (StoreError.Denied, $"does not let the user {_settings.User} in: {failure.Message}"),
                 "3D000" => (StoreError.Missing, "is not there: make it with createdb."),
                 "XX001" or "XX002" => (StoreError.Damaged, $"is damaged: {failure.Message} Restore the latest backup."),
                 "58030" => (StoreError.Disk, $"reports an error of its disk: {failure.Message}"),
                 "23503" => (StoreError.Missing, "does not have a content that is named. Nothing was changed."),
-                _ when state.StartsWith("08", StringComparison.Ordinal) || state.StartsWith("57P", StringComparison.Ordinal) || state == "53300" => (StoreError.Away, $"does not answer: {failure.Message}"),
+                _ when state.StartsWith("08", StringComparison.Ordinal)
+                    || state.StartsWith("57P", StringComparison.Ordinal)
+                    || state == "53300" =>
+                    (StoreError.Away, $"does not answer: {failure.Message}"),
                 _ => (StoreError.Unknown, $"says: {failure.Message}"),
             },
-            NpgsqlException { InnerException: SocketException or IOException or TimeoutException } => (StoreError.Away, $"does not answer: {failure.Message}"),
+            NpgsqlException { InnerException: SocketException or IOException or TimeoutException } =>
+                (StoreError.Away, $"does not answer: {failure.Message}"),
             NpgsqlException { IsTransient: true } => (StoreError.Away, $"does not answer: {failure.Message}"),
             _ => (StoreError.Unknown, $"says: {failure.Message}"),
         };
@@ -150,7 +169,10 @@ internal sealed class PostgresDatabase : CellDatabase
             MaxAutoPrepare = 50,
             AutoPrepareMinUsages = 2,
             KeepAlive = 10,
-            Options = string.Create(CultureInfo.InvariantCulture, $"-c lock_timeout={(long)Patience.TotalMilliseconds} -c synchronous_commit=on -c tcp_keepalives_idle=10 -c tcp_keepalives_interval=5 -c tcp_keepalives_count=3"),
+            Options = string.Create(
+                CultureInfo.InvariantCulture,
+                $"-c lock_timeout={(long)Patience.TotalMilliseconds} -c synchronous_commit=on -c tcp_keepalives_idle=10 -c "
+                    + $"tcp_keepalives_interval=5 -c tcp_keepalives_count=3"),
         };
     }
 }

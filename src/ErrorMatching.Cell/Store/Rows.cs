@@ -6,7 +6,8 @@ namespace ErrorMatching.Cell;
 /// <summary>Reads a statement's rows with a given function.</summary>
 internal static class Rows
 {
-    public static IReadOnlyList<T> Query<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+    public static IReadOnlyList<T> Query<T>(
+        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
     {
         var rows = new List<T>();
         foreach (var each in Stream(connection, sql, row, parameters, transaction)) rows.Add(each);
@@ -14,7 +15,8 @@ internal static class Rows
     }
 
     /// <summary>The first row; null if there is none.</summary>
-    public static T? First<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+    public static T? First<T>(
+        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
         where T : class
     {
         using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
@@ -22,7 +24,8 @@ internal static class Rows
     }
 
     /// <summary>The rows, read one at a time as they are enumerated.</summary>
-    public static IEnumerable<T> Stream<T>(DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+    public static IEnumerable<T> Stream<T>(
+        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
     {
         using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
         while (reader.Read()) yield return row(reader);

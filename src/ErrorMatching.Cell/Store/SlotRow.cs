@@ -6,16 +6,19 @@ namespace ErrorMatching.Cell;
 /// <summary>Rows of slots, which change with the states of corrections in the same transaction.</summary>
 internal static class SlotRow
 {
-    public const string Select = "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
+    public const string Select =
+        "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
 
     private const string Take =
         "INSERT INTO slot (machine, slot, correction) VALUES (@Machine, @Slot, @Id) "
-        + "ON CONFLICT (machine, slot) DO UPDATE SET correction = excluded.correction WHERE slot.correction IS NULL OR slot.correction = excluded.correction";
+        + "ON CONFLICT (machine, slot) DO UPDATE SET correction = excluded.correction WHERE slot.correction IS NULL OR slot.correction = "
+            + "excluded.correction";
 
     private const string GiveBack = "UPDATE slot SET correction = NULL WHERE machine = @Machine AND slot = @Slot AND correction = @Id";
 
     private const string Verify =
-        "UPDATE slot SET previous_sha256 = COALESCE(@PreviousSha256, program_sha256), program_sha256 = @ProgramSha256 WHERE machine = @Machine AND slot = @Slot AND correction = @Id";
+        "UPDATE slot SET previous_sha256 = COALESCE(@PreviousSha256, program_sha256), program_sha256 = @ProgramSha256 WHERE machine = "
+            + "@Machine AND slot = @Slot AND correction = @Id";
 
     private const string Revert =
         "UPDATE slot SET program_sha256 = previous_sha256, previous_sha256 = NULL, correction = @Id "
@@ -80,7 +83,10 @@ internal static class SlotRow
         if (sql is null) return;
         if (to.Machine is null || to.Slot is null || to.ProgramSha256 is null)
         {
-            throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"Correction {to.Id} cannot become {to.State} without machine, slot and program."), nameof(to));
+            throw new ArgumentException(
+                string.Create(
+                    CultureInfo.InvariantCulture, $"Correction {to.Id} cannot become {to.State} without machine, slot and program."),
+                nameof(to));
         }
 
         Demand(transaction, to.Machine, to.Slot);
@@ -94,6 +100,9 @@ internal static class SlotRow
         if (slot?.Correction is { } holder && holder != to.Id) throw new SlotTakenException(to.Machine, to.Slot, holder);
         throw new StoreException(
             StoreError.Conflict,
-            string.Create(CultureInfo.InvariantCulture, $"Slot {to.Slot} of {to.Machine} no longer holds the program of correction {to.Id}, which therefore cannot become {CorrectionRow.Word(to.State)}."));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Slot {to.Slot} of {to.Machine} no longer holds the program of correction {to.Id}, which therefore cannot become "
+                    + $"{CorrectionRow.Word(to.State)}."));
     }
 }

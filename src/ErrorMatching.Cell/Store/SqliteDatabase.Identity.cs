@@ -22,7 +22,9 @@ internal sealed partial class SqliteDatabase
             {
                 Close();
                 throw new StoreException(
-                    StoreError.Away, $"The store {_file} is gone. Nothing was changed. Bring its disk back; programs that have it open then continue by themselves.");
+                    StoreError.Away,
+                    $"The store {_file} is gone. Nothing was changed. Bring its disk back; programs that have it open then continue by "
+                        + $"themselves.");
             }
 
             if (now == _identity) return;
@@ -63,7 +65,8 @@ internal sealed partial class SqliteDatabase
             if (connection.QuerySingle<int>("PRAGMA application_id") != ApplicationId) return Replaced("it is no store of a cell");
             var head = AuditRow.Head(connection, null, "");
             var hash = connection.QueryFirstOrDefault<string>("SELECT hash FROM audit WHERE seq = @Seq", new { seen.Seq });
-            return head.Seq < seen.Seq ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {seen.Seq} of the audit trail"))
+            return head.Seq < seen.Seq
+                ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {seen.Seq} of the audit trail"))
                 : hash != seen.Hash ? Replaced(FormattableString.Invariant($"entry {seen.Seq} of its audit trail is another one"))
                 : null;
         }

@@ -86,9 +86,11 @@ internal sealed partial class SqliteDatabase : CellDatabase
 
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
-        if (Path.GetFullPath(file) == Path.GetFullPath(_file)) throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
+        if (Path.GetFullPath(file) == Path.GetFullPath(_file))
+            throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
         var folder = Path.GetDirectoryName(Path.GetFullPath(file));
-        if (!Directory.Exists(folder)) throw new StoreException(StoreError.Missing, $"The backup {file} was not written: the folder {folder} is not there.");
+        if (!Directory.Exists(folder))
+            throw new StoreException(StoreError.Missing, $"The backup {file} was not written: the folder {folder} is not there.");
         var temporary = $"{file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.tmp";
         try
         {
@@ -143,7 +145,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    protected override StoreException Name(DbException failure) => failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
+    protected override StoreException Name(DbException failure) =>
+        failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
 
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
@@ -162,7 +165,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 // A change written to a file that has lost its name meanwhile is lost: the caller must not treat it as stored.
                 if (FileIdentity.Of(_file) != _identity)
                 {
-                    throw new StoreException(StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
+                    throw new StoreException(
+                        StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
                 }
 
                 return result;
@@ -203,7 +207,8 @@ internal sealed partial class SqliteDatabase : CellDatabase
         }
     }
 
-    protected override DbTransaction BeginSnapshot(DbConnection connection) => ((SqliteConnection)connection).BeginTransaction(deferred: true);
+    protected override DbTransaction BeginSnapshot(DbConnection connection) =>
+        ((SqliteConnection)connection).BeginTransaction(deferred: true);
 
     private static string ConnectionString(string file) => new SqliteConnectionStringBuilder
     {
@@ -256,12 +261,18 @@ internal sealed partial class SqliteDatabase : CellDatabase
     private void Make(Action<CellDatabase> prepare)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
-        if (!Directory.Exists(folder)) throw new StoreException(StoreError.Missing, $"The store's folder {folder} is not there. Make it, or mount the disk that has it.");
-        if (File.Exists(_file + "-wal")) throw new StoreException(StoreError.Damaged, $"The store {_file} is gone but its log {_file}-wal is there. Restore the latest backup.");
+        if (!Directory.Exists(folder))
+            throw new StoreException(
+                StoreError.Missing, $"The store's folder {folder} is not there. Make it, or mount the disk that has it.");
+        if (File.Exists(_file + "-wal"))
+            throw new StoreException(
+                StoreError.Damaged, $"The store {_file} is gone but its log {_file}-wal is there. Restore the latest backup.");
         if (FileLock.Beside(_file).Any())
         {
             throw new StoreException(
-                StoreError.Missing, $"The store {_file} is gone, and a cell ran with it. Restore the latest backup. Delete {_file}.*.lock if the cell is to begin anew and know nothing of what it did.");
+                StoreError.Missing,
+                $"The store {_file} is gone, and a cell ran with it. Restore the latest backup. Delete {_file}.*.lock if the cell is to "
+                    + $"begin anew and know nothing of what it did.");
         }
 
         var temporary = $"{_file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.{Guid.NewGuid():N}.new";
@@ -270,7 +281,9 @@ internal sealed partial class SqliteDatabase : CellDatabase
             MakeForOwner(temporary);
             using (var made = new SqliteDatabase(temporary))
             {
-                made.Change((connection, transaction) => connection.Execute(string.Create(CultureInfo.InvariantCulture, $"PRAGMA application_id = {ApplicationId}"), transaction: transaction));
+                made.Change(
+                    (connection, transaction) => connection.Execute(
+                        string.Create(CultureInfo.InvariantCulture, $"PRAGMA application_id = {ApplicationId}"), transaction: transaction));
                 prepare(made);
             }
 
@@ -292,10 +305,12 @@ internal sealed partial class SqliteDatabase : CellDatabase
     // process would think it is the last one and delete the log.
     private void Prove(bool toRead)
     {
-        if (new FileInfo(_file).Length == 0) throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
+        if (new FileInfo(_file).Length == 0)
+            throw new StoreException(StoreError.Damaged, $"The store {_file} is empty. Restore the latest backup.");
         try
         {
-            using var probe = new FileStream($"{_file}.{Guid.NewGuid():N}.probe", FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+            using var probe = new FileStream(
+                $"{_file}.{Guid.NewGuid():N}.probe", FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
@@ -312,24 +327,41 @@ internal sealed partial class SqliteDatabase : CellDatabase
         if (_readOnly is not null && !toRead) throw _readOnly;
 
         var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));
-        if (id != ApplicationId) throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
+        if (id != ApplicationId)
+            throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
     }
 
-    private StoreException Damaged(string found, Exception? cause) => new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
+    private StoreException Damaged(string found, Exception? cause) =>
+        new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
 
     private StoreException Full(Exception cause) => new(
-        StoreError.Full, $"The disk of the store {_file} is full. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by itself.", cause);
+        StoreError.Full,
+        $"The disk of the store {_file} is full. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by "
+            + $"itself.",
+        cause);
 
     private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
     {
-        5 or 6 => new(StoreError.Locked, $"The store {_file} is held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed.", failure),
+        5
+            or 6 => new(
+                StoreError.Locked,
+                $"The store {_file} is held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed.",
+                failure),
         10 when failure.SqliteExtendedErrorCode == NoRoomForIndex => Full(failure),
         8 => new(StoreError.ReadOnly, $"The store {_file} cannot be written: its disk or file is read-only. Nothing was changed.", failure),
-        10 => new(StoreError.Disk, $"The disk of the store {_file} reports an error. Nothing was changed. Look at the system's log and copy the store to a good disk.", failure),
+        10 => new(
+            StoreError.Disk,
+            $"The disk of the store {_file} reports an error. Nothing was changed. Look at the system's log and copy the store to a good "
+                + $"disk.",
+            failure),
         11 or 26 => Damaged(failure.Message, failure),
         13 => Full(failure),
-        14 => new(StoreError.Denied, $"The store {_file} cannot be opened: {failure.Message} Look at who may write the file and its folder.", failure),
-        19 when failure.SqliteExtendedErrorCode == NoSuchContent => new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
+        14 => new(
+            StoreError.Denied,
+            $"The store {_file} cannot be opened: {failure.Message} Look at who may write the file and its folder.",
+            failure),
+        19 when failure.SqliteExtendedErrorCode == NoSuchContent =>
+            new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
         _ => new(StoreError.Unknown, $"The store {_file}: {failure.Message}", failure),
     };
 }

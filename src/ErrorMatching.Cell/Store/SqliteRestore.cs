@@ -15,7 +15,8 @@ internal static class SqliteRestore
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the restore until the copy is renamed.</param>
     /// <returns>The file with the replaced store; null if there was none.</returns>
-    public static string? Restore(string file, string backup, Action<CellDatabase> migrate, IProgress<CellProgress>? progress, CancellationToken cancellation)
+    public static string? Restore(
+        string file, string backup, Action<CellDatabase> migrate, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         if (!File.Exists(backup)) throw new StoreException(StoreError.Missing, $"The backup {backup} is not there.");
         var locks = new List<FileLock>();
@@ -24,7 +25,10 @@ internal static class SqliteRestore
         {
             foreach (var each in FileLock.Beside(file))
             {
-                locks.Add(FileLock.TryTake(each) ?? throw new StoreException(StoreError.Locked, $"A cell runs with the store {file}. Stop it before a backup is brought into its place."));
+                locks.Add(
+                    FileLock.TryTake(each)
+                        ?? throw new StoreException(
+                            StoreError.Locked, $"A cell runs with the store {file}. Stop it before a backup is brought into its place."));
             }
 
             Copy(backup, copy, progress, cancellation);
@@ -41,7 +45,8 @@ internal static class SqliteRestore
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            throw new StoreException(StoreError.Disk, $"The backup {backup} cannot be brought into the place of {file}: {failure.Message}", failure);
+            throw new StoreException(
+                StoreError.Disk, $"The backup {backup} cannot be brought into the place of {file}: {failure.Message}", failure);
         }
         finally
         {
@@ -75,7 +80,9 @@ internal static class SqliteRestore
     private static string? KeepAside(string file)
     {
         if (!File.Exists(file) && !File.Exists(file + "-wal")) return null;
-        var aside = Enumerable.Range(1, int.MaxValue).Select(n => string.Create(CultureInfo.InvariantCulture, $"{file}.before-restore-{n}")).First(n => !File.Exists(n) && !File.Exists(n + "-wal"));
+        var aside = Enumerable.Range(1, int.MaxValue)
+            .Select(n => string.Create(CultureInfo.InvariantCulture, $"{file}.before-restore-{n}"))
+            .First(n => !File.Exists(n) && !File.Exists(n + "-wal"));
         if (File.Exists(file)) File.Copy(file, aside);
         if (File.Exists(file + "-wal")) File.Move(file + "-wal", aside + "-wal");
         File.Delete(file + "-shm");

@@ -35,7 +35,8 @@ internal sealed class StoreTransaction
     /// <summary>The connection; statements on it belong to this change.</summary>
     public DbConnection Connection { get; }
 
-    public static StoreTransaction Begin(DbConnection connection, DbTransaction transaction, string forUpdate, TimeProvider clock, byte[]? auditKey)
+    public static StoreTransaction Begin(
+        DbConnection connection, DbTransaction transaction, string forUpdate, TimeProvider clock, byte[]? auditKey)
     {
         var head = AuditRow.Head(connection, transaction, forUpdate);
         return new StoreTransaction(connection, transaction, head, StoredTime.Rounded(clock.GetUtcNow()), auditKey);
@@ -49,7 +50,8 @@ internal sealed class StoreTransaction
     public T? Value<T>(string sql, object? parameters = null) => Connection.QueryFirstOrDefault<T>(sql, parameters, _transaction);
 
     /// <summary>The rows that a statement finds.</summary>
-    public IReadOnlyList<T> Query<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) => Rows.Query(Connection, sql, row, parameters, _transaction);
+    public IReadOnlyList<T> Query<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+        Rows.Query(Connection, sql, row, parameters, _transaction);
 
     /// <summary>The first row that a statement finds; null if it finds none.</summary>
     public T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
@@ -69,7 +71,8 @@ internal sealed class StoreTransaction
         {
             Append("cell", "clock", null, string.Create(
                 CultureInfo.InvariantCulture,
-                $"The clock says {Now:yyyy-MM-dd HH:mm:ss.ffffff} UTC and said {_head.At:yyyy-MM-dd HH:mm:ss.ffffff} before; entries are in order of their numbers."));
+                $"The clock says {Now:yyyy-MM-dd HH:mm:ss.ffffff} UTC and said {_head.At:yyyy-MM-dd HH:mm:ss.ffffff} before; entries are "
+                    + $"in order of their numbers."));
         }
 
         var rows = _rowCodes.Count == 0 ? null : CodedRow.Lines(_rowCodes.Select(r => (r.Key, r.Value)));

@@ -8,4 +8,5 @@ namespace ErrorMatching.Cell;
 /// <param name="Slot">Its slot; null before they are recognized.</param>
 /// <param name="Count">How many.</param>
 /// <param name="First">Number of the first.</param>
-internal sealed record WaitingCorrections(CorrectionState State, string Gauge, string? Job, string? Machine, string? Slot, long Count, long First);
+internal sealed record WaitingCorrections(
+    CorrectionState State, string Gauge, string? Job, string? Machine, string? Slot, long Count, long First);

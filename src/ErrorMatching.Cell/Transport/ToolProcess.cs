@@ -12,7 +12,8 @@ internal static class ToolProcess
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
 
     // Variables that programs need to start and to be found. Omitted on purpose: proxies, agents, user configuration, languages.
-    private static readonly string[] Inherited = ["PATH", "SystemRoot", "SystemDrive", "windir", "TEMP", "TMP", "TMPDIR", "ProgramData", "USERPROFILE"];
+    private static readonly string[] Inherited = [
+        "PATH", "SystemRoot", "SystemDrive", "windir", "TEMP", "TMP", "TMPDIR", "ProgramData", "USERPROFILE"];
 
     /// <summary>Runs a program to its end.</summary>
     /// <exception cref="OperationCanceledException">Canceled; the program was killed.</exception>

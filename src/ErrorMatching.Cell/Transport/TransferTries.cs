@@ -30,7 +30,8 @@ public static class TransferTries
                 ShouldHandle = args => ValueTask.FromResult(args.Outcome.Exception is TransportException { IsWorthAnotherTry: true }),
                 OnRetry = args =>
                 {
-                    failed?.Invoke(new TransferTry(machine.Name, args.AttemptNumber + 1, (TransportException)args.Outcome.Exception!, args.RetryDelay));
+                    failed?.Invoke(new TransferTry(
+                        machine.Name, args.AttemptNumber + 1, (TransportException)args.Outcome.Exception!, args.RetryDelay));
                     return ValueTask.CompletedTask;
                 },
             })

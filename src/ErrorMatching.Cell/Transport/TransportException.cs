@@ -10,5 +10,6 @@ public sealed class TransportException(TransportError error, string message, Exc
     public TransportError Error => error;
 
     /// <summary>True if the same transfer may well succeed a little later.</summary>
-    public bool IsWorthAnotherTry => error is TransportError.Away or TransportError.Slow or TransportError.Differs or TransportError.Unknown;
+    public bool IsWorthAnotherTry =>
+        error is TransportError.Away or TransportError.Slow or TransportError.Differs or TransportError.Unknown;
 }

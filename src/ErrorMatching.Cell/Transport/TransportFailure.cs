@@ -17,8 +17,12 @@ internal static class TransportFailure
         TransportError.Away => "Check that the machine is switched on and connected, and host, port or share in the cell's configuration.",
         TransportError.Slow => "Check the network and how busy the machine is, or raise the machine's timeout in the cell's configuration.",
         TransportError.Login => "Check the machine's user in the cell's configuration and set its password or key again.",
-        TransportError.WrongServer => "Nothing was sent. If the machine's key was renewed on purpose, let its administrator tell you the new one and pin that; else somebody may stand between.",
-        TransportError.Denied => "Check at the machine that the login may read, write, rename and delete in this folder, and that nobody protects or runs the program.",
+        TransportError.WrongServer =>
+            "Nothing was sent. If the machine's key was renewed on purpose, let its administrator tell you the new one and pin that; "
+                + "else somebody may stand between.",
+        TransportError.Denied =>
+            "Check at the machine that the login may read, write, rename and delete in this folder, and that nobody protects or runs the "
+                + "program.",
         TransportError.Full => "Make room at the machine (delete programs that nobody needs, or raise the login's quota).",
         TransportError.CannotReplace => "The program there may be protected or in use: close it at the control.",
         TransportError.Differs => "Look for a bad cable or a failing disk at the machine.",

@@ -29,7 +29,8 @@ internal static class FailureOf
 
     /// <summary>A wish file that was written for another program.</summary>
     public static Failure OtherProgram(string wish, string before, string expected) => new(ExitCode.WrongInput, new ErrorItem(
-        "wish-of-other-program", $"{wish} was not written for {before}: it names a program with the SHA-256 {expected}. Name the program that was displaced.")
+        "wish-of-other-program",
+        $"{wish} was not written for {before}: it names a program with the SHA-256 {expected}. Name the program that was displaced.")
     {
         File = wish,
         Path = "$.beforeSha256",
@@ -37,7 +38,8 @@ internal static class FailureOf
 
     /// <summary>A wish file that was written in another dialect.</summary>
     public static Failure OtherDialect(string wish, string dialect, string expected) => new(ExitCode.WrongInput, new ErrorItem(
-        "wish-of-other-dialect", $"{wish} was written in the dialect {expected}, and {dialect} is another. Name the file of {expected} with --dialect.")
+        "wish-of-other-dialect",
+        $"{wish} was written in the dialect {expected}, and {dialect} is another. Name the file of {expected} with --dialect.")
     {
         File = wish,
         Path = "$.dialect",
@@ -50,10 +52,12 @@ internal static class FailureOf
     public static Failure Nc(NcException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A program or wish file that can be read but must not be used.</summary>
-    public static Failure Refused(string file, params IReadOnlyList<NcRefusal> refusals) => new(ExitCode.Refused, ErrorItems.Of(refusals, file));
+    public static Failure Refused(string file, params IReadOnlyList<NcRefusal> refusals) =>
+        new(ExitCode.Refused, ErrorItems.Of(refusals, file));
 
     /// <summary>A result that differs from what was requested. Blocks and lines are those of the original.</summary>
-    public static Failure NotProved(string before, string after, NcProof proof) => new(ExitCode.Refused, [.. proof.Failures.Distinct().Select(r => new ErrorItem(r.Code, $"{after}: {r.Message}")
+    public static Failure NotProved(string before, string after, NcProof proof) =>
+        new(ExitCode.Refused, [.. proof.Failures.Distinct().Select(r => new ErrorItem(r.Code, $"{after}: {r.Message}")
     {
         File = r.Line > 0 ? before : after,
         Line = r.Line > 0 ? r.Line : null,
@@ -65,7 +69,8 @@ internal static class FailureOf
     /// <param name="job">The job, named unless a block is the cause.</param>
     /// <param name="program">The program, named if a block is the cause.</param>
     /// <param name="refusals">The reasons.</param>
-    public static Failure Refused(string job, string program, IReadOnlyList<MatingRefusal> refusals) => new(ExitCode.Refused, ErrorItems.Of(refusals, job, program));
+    public static Failure Refused(string job, string program, IReadOnlyList<MatingRefusal> refusals) =>
+        new(ExitCode.Refused, ErrorItems.Of(refusals, job, program));
 
     /// <summary>A measurement of the wrong piece.</summary>
     public static Failure WrongPiece(WrongPieceException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
@@ -81,5 +86,7 @@ internal static class FailureOf
     public static Failure Points(PointsException e) => new(ExitCode.WrongInput, ErrorItems.Of(e));
 
     /// <summary>A defect of the program, which its user can only report.</summary>
-    public static Failure Defect(Exception e) => new(ExitCode.Outside, new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
+    public static Failure Defect(Exception e) => new(
+        ExitCode.Outside,
+        new ErrorItem("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e}"));
 }

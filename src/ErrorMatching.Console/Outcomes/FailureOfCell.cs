@@ -13,7 +13,8 @@ internal static class FailureOfCell
     public static Failure Store(StoreException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
 
     /// <summary>A decision that cannot be carried out. An unknown number is wrong input; everything else is a refusal.</summary>
-    public static Failure Decision(DecisionException e) => new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
+    public static Failure Decision(DecisionException e) =>
+        new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
 
     /// <summary>A failed transfer to or from a machine.</summary>
     public static Failure Machine(TransportException e) => new(ExitCode.Outside, new ErrorItem(CellCodes.Of(e.Error), e.Message));
@@ -23,7 +24,8 @@ internal static class FailureOfCell
 
     /// <summary>A machine that the configuration does not name.</summary>
     public static Failure UnknownMachine(CellSettings settings, string machine) => new(ExitCode.WrongInput, new ErrorItem(
-        "unknown-machine", $"{settings.File} names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.")
+        "unknown-machine",
+        $"{settings.File} names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.")
     {
         File = settings.File,
         Path = "$.machines",
@@ -97,7 +99,8 @@ internal static class FailureOfCell
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
         PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.KeysMissing
-            or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable => ExitCode.Refused,
+            or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable =>
+                ExitCode.Refused,
         PeopleError.KeysUnusable => ExitCode.Outside,
         _ => ExitCode.WrongInput,
     };

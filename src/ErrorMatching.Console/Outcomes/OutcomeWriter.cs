@@ -12,7 +12,12 @@ internal static class OutcomeWriter
     private const string ErrorSchema = "errormatch/error/1";
 
     // Names of files and features are not escaped: the document is UTF-8 and is not embedded in a web page.
-    private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonWriterOptions Options = new()
+    {
+        Indented = true,
+        NewLine = "\n",
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping
+    };
 
     public static ExitCode Write(Outcome outcome, Terminal terminal, bool isJson)
     {

@@ -20,7 +20,8 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     /// <param name="text">The word.</param>
     /// <param name="isOld">True for the old word, false for the new one.</param>
     /// <returns>What to print, and how many characters wider than the word it appears.</returns>
-    public (string Text, int Extra) Marked(string text, bool isOld) => hasColor ? ((isOld ? Red : Green) + text + Plain, 0) : ("{" + text + "}", 2);
+    public (string Text, int Extra) Marked(string text, bool isOld) =>
+        hasColor ? ((isOld ? Red : Green) + text + Plain, 0) : ("{" + text + "}", 2);
 
     /// <summary>Writes a line.</summary>
     public void Line(string text = "")
@@ -47,7 +48,8 @@ internal sealed class Page(TextWriter writer, bool hasColor)
             Line(Row(row));
         }
 
-        string Row(IReadOnlyList<string> cells) => string.Join("  ", cells.Select((c, i) => isNumeric[i] ? c.PadLeft(widths[i]) : c.PadRight(widths[i]))).TrimEnd();
+        string Row(IReadOnlyList<string> cells) =>
+            string.Join("  ", cells.Select((c, i) => isNumeric[i] ? c.PadLeft(widths[i]) : c.PadRight(widths[i]))).TrimEnd();
     }
 
     /// <summary>Writes names and their values in two columns.</summary>

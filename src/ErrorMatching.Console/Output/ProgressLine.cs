@@ -11,7 +11,9 @@ internal sealed class ProgressLine(TextWriter? terminal) : IProgress<CellProgres
 
     public void Report(CellProgress value)
     {
-        var line = value.Of > 0 ? string.Create(CultureInfo.InvariantCulture, $"{value.Doing}: {100 * value.Done / value.Of} %") : value.Doing + " ...";
+        var line = value.Of > 0
+            ? string.Create(CultureInfo.InvariantCulture, $"{value.Doing}: {100 * value.Done / value.Of} %")
+            : value.Doing + " ...";
         if (terminal is not null && line != _shown)
         {
             terminal.Write('\r' + line.PadRight(_shown.Length));

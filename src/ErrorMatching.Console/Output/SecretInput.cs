@@ -31,7 +31,9 @@ internal sealed class SecretInput(Lazy<TextReader> input, Func<ConsoleKeyInfo>? 
 
         if (readKey is null)
         {
-            throw new SecretInputException($"There is no keyboard to ask for the {prompt}: standard input is redirected. Name --password-stdin to read passwords from its lines.");
+            throw new SecretInputException(
+                $"There is no keyboard to ask for the {prompt}: standard input is redirected. Name --password-stdin to read passwords "
+                    + $"from its lines.");
         }
 
         prompts.Write(char.ToUpperInvariant(prompt[0]) + prompt[1..] + ": ");
@@ -65,7 +67,10 @@ internal sealed class SecretInput(Lazy<TextReader> input, Func<ConsoleKeyInfo>? 
             line.Append((char)next);
         }
 
-        return any ? line.ToString().TrimEnd('\r') : throw new SecretInputException($"Standard input ends before the {prompt}. It has one line for each password, in the order that --help names.");
+        return any
+            ? line.ToString().TrimEnd('\r')
+            : throw new SecretInputException(
+                $"Standard input ends before the {prompt}. It has one line for each password, in the order that --help names.");
     }
 
     private static string Keys(Func<ConsoleKeyInfo> readKey)

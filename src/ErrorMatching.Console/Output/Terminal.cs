@@ -14,5 +14,6 @@ internal sealed record Terminal(TextWriter Output, TextWriter Error, bool HasCol
     public TextWriter? Progress { get; init; }
 
     /// <summary>True if the output is a terminal with color and NO_COLOR is unset or empty (no-color.org).</summary>
-    public static bool WantsColor(bool isRedirected, string? noColor, string? terminalKind) => !isRedirected && string.IsNullOrEmpty(noColor) && terminalKind != "dumb";
+    public static bool WantsColor(bool isRedirected, string? noColor, string? terminalKind) =>
+        !isRedirected && string.IsNullOrEmpty(noColor) && terminalKind != "dumb";
 }

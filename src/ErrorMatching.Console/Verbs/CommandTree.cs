@@ -30,7 +30,13 @@ internal static class CommandTree
         }
 
         root.Directives.Clear();
-        root.Options.Add(new Option<bool>("--json") { Description = "Print one JSON document and nothing else.", Recursive = true, Arity = ArgumentArity.Zero });
+        root.Options.Add(
+            new Option<bool>("--json")
+            {
+                Description = "Print one JSON document and nothing else.",
+                Recursive = true,
+                Arity = ArgumentArity.Zero
+            });
         var help = root.Options.OfType<HelpOption>().Single();
         help.Action = new HelpWithExample((HelpAction)help.Action!);
         root.Options.OfType<VersionOption>().Single().Action = new PrintVersion();
@@ -41,15 +47,44 @@ internal static class CommandTree
     {
         "match" => new MatchVerb(),
         "verify" => new VerifyVerb(),
-        "job" => new Command(word, "Writes and checks jobs, and finds their blocks.") { new JobCheck(), new JobBlocks(), new JobNew(), new JobSchema() },
-        "nc" => new Command(word, "Looks at NC programs, displaces blocks, compares and proves programs.") { new NcCheck(), new NcMotionVerb(), new NcLocate(), new NcDisplace(), new NcDiff(), new NcProve(), new NcDialectsVerb() },
+        "job" => new Command(word, "Writes and checks jobs, and finds their blocks.")
+        {
+            new JobCheck(),
+            new JobBlocks(),
+            new JobNew(),
+            new JobSchema()
+        },
+        "nc" => new Command(word, "Looks at NC programs, displaces blocks, compares and proves programs.")
+        {
+            new NcCheck(),
+            new NcMotionVerb(),
+            new NcLocate(),
+            new NcDisplace(),
+            new NcDiff(),
+            new NcProve(),
+            new NcDialectsVerb()
+        },
         "surface" => new SurfaceVerb(),
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
-            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(),
+            new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
         },
-        "user" => new Command(word, "Says who may do what at a cell.") { new UserAdd(), new UserList(), new UserDisable(), new UserEnable(), new UserRole(), new UserPassword() },
-        "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.") { new AuditVerify(), new AuditExport(), new AuditTakeOver() },
+        "user" => new Command(word, "Says who may do what at a cell.")
+        {
+            new UserAdd(),
+            new UserList(),
+            new UserDisable(),
+            new UserEnable(),
+            new UserRole(),
+            new UserPassword()
+        },
+        "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.")
+        {
+            new AuditVerify(),
+            new AuditExport(),
+            new AuditTakeOver()
+        },
         "fit" => new Command(word, "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
     };

@@ -8,7 +8,8 @@ namespace ErrorMatching.Console;
 internal sealed class PrintVersion : SynchronousCommandLineAction
 {
     /// <summary>The version, such as <c>0.1.0</c>.</summary>
-    public static string Version { get; } = typeof(PrintVersion).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
+    public static string Version { get; } = typeof(
+        PrintVersion).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
     public override int Invoke(ParseResult parseResult)
     {

@@ -27,7 +27,8 @@ internal abstract class Verb : Command
     public abstract Outcome Run(ParseResult arguments, CancellationToken cancellation);
 
     /// <summary>An option for a file.</summary>
-    protected static Option<string> FileOption(string name, string description) => new(name) { Description = description, HelpName = "FILE" };
+    protected static Option<string> FileOption(string name, string description) =>
+        new(name) { Description = description, HelpName = "FILE" };
 
     /// <summary>Rejects a value of the wrong form as a command line error.</summary>
     protected static void Demand(Option<string> option, Predicate<string> isGood, string expected) => option.Validators.Add(result =>

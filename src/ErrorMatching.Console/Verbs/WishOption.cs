@@ -21,7 +21,11 @@ internal sealed class WishOption : Option<string>
     /// <param name="inputs">The files that were read.</param>
     /// <param name="cancellation">Last checked before the first file appears.</param>
     public void WriteWith(
-        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
+        Func<WishFile> wish,
+        ParseResult arguments,
+        IReadOnlyCollection<string> inputs,
+        CancellationToken cancellation) =>
         WriteWith(files, wish, arguments, inputs, () => true, cancellation);
 
     /// <summary>The same, with a final check once the files are written next to their targets.</summary>
@@ -32,7 +36,12 @@ internal sealed class WishOption : Option<string>
     /// <param name="mayAppear">Called last, before the first file appears.</param>
     /// <param name="cancellation">Checked before the first file appears.</param>
     public void WriteWith(
-        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
+        Func<WishFile> wish,
+        ParseResult arguments,
+        IReadOnlyCollection<string> inputs,
+        Func<bool> mayAppear,
+        CancellationToken cancellation)
     {
         if (arguments.GetValue(this) is { } file)
         {

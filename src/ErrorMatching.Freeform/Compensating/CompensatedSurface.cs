@@ -10,7 +10,12 @@ namespace ErrorMatching.Freeform;
 /// <param name="LargestMoveMm">Largest distance from the nominal surface, checked on a dense grid and at the measured points.</param>
 /// <param name="Between">For a fit through the compensation points: its signed distance from the nominal surface along the normal, sampled
 /// between the measured points, with the parameters of each foot. Empty if the error was fitted.</param>
-internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? ThroughPoints, double ApproximationMm, double LargestMoveMm, IReadOnlyList<(double U, double V, double MovedMm)> Between)
+internal sealed record CompensatedSurface(
+    PartSurface Surface,
+    FittedSurface? ThroughPoints,
+    double ApproximationMm,
+    double LargestMoveMm,
+    IReadOnlyList<(double U, double V, double MovedMm)> Between)
 {
     /// <summary>Largest distance between the written surface and the exact one: a hundredth of what a probe can resolve.</summary>
     public const double ToleranceMm = 1e-5;
@@ -36,13 +41,18 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
 
         if (!nominal.Region.IsWhole)
         {
-            return new("limits-lost", $"Surface {nominal.Name} is trimmed, and one through the compensation points (\"of\": \"points\") has no limits but its own ends: holes would be cut over. {instead}.");
+            return new(
+                "limits-lost",
+                $"Surface {nominal.Name} is trimmed, and one through the compensation points (\"of\": \"points\") has no limits but its "
+                    + $"own ends: holes would be cut over. {instead}.");
         }
 
         var (sample, shortMm) = Ends(nominal.Spline, samples).MaxBy(e => e.ShortMm);
         return shortMm <= EdgeMm ? null : new("limits-lost", string.Create(
             CultureInfo.InvariantCulture,
-            $"Point {sample.Point}, the outermost on its line, lies {shortMm:0.###} mm inside of the edge of the surface, and one through the compensation points (\"of\": \"points\") would end there: the edge would stay uncut. {instead}, or measure up to the edges."));
+            $"Point {sample.Point}, the outermost on its line, lies {shortMm:0.###} mm inside of the edge of the surface, and one "
+                + $"through the compensation points (\"of\": \"points\") would end there: the edge would stay uncut. {instead}, or "
+                + $"measure up to the edges."));
     }
 
     public static CompensatedSurface Of(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
@@ -77,7 +87,8 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
         return new(nominal with { Spline = approximation.Surface }, null, approximation.ErrorMm, largest, []);
     }
 
-    private static bool IsThroughPoints(FreeformJob job, ErrorField field) => !job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField;
+    private static bool IsThroughPoints(FreeformJob job, ErrorField field) =>
+        !job.Fit.OfError && job.Compensation.Mirror && field is not ConstantField;
 
     // The ends of each curve and all points of the first and last curve, with their distances from the edge.
     private static IEnumerable<(ErrorSample Sample, double ShortMm)> Ends(SplineSurface nominal, IReadOnlyList<ErrorSample> samples)
@@ -105,19 +116,25 @@ internal sealed record CompensatedSurface(PartSurface Surface, FittedSurface? Th
         }
     }
 
-    private static CompensatedSurface ThroughCompensationPoints(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, double gain)
+    private static CompensatedSurface ThroughCompensationPoints(
+        PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, double gain)
     {
         var grid = new PointGrid([.. samples.GroupBy(s => s.J).OrderBy(g => g.Key).Select(g => (IReadOnlyList<GridPoint>)
-            [.. g.OrderBy(s => s.I).Select(s => new GridPoint(s.I, s.J, MirrorEquations.Compensated(s.Nominal, s.Normal, s.ErrorMm, gain)))])]);
+            [
+                .. g.OrderBy(s => s.I).Select(s => new GridPoint(
+                    s.I, s.J, MirrorEquations.Compensated(s.Nominal, s.Normal, s.ErrorMm, gain)))])]);
         var fit = SurfaceFitter.Fit(grid, job.Fit.Method, job.Fit.CurveToleranceMm);
-        var middle = fit.Surface.At((fit.Surface.KnotsU.Start + fit.Surface.KnotsU.End) / 2, (fit.Surface.KnotsV.Start + fit.Surface.KnotsV.End) / 2);
+        var middle = fit.Surface.At(
+            (fit.Surface.KnotsU.Start + fit.Surface.KnotsU.End) / 2, (fit.Surface.KnotsV.Start + fit.Surface.KnotsV.End) / 2);
         var outside = middle.Normal.Dot(samples[samples.Count / 2].Normal) > 0 ? 1 : -1;
         var (rangeU, rangeV) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
         var between = new List<(double U, double V, double MovedMm)>();
         var largest = Largest(fit.Surface, (u, v) =>
         {
             var foot = nominal.Spline.ClosestPoint(fit.Surface.PointAt(u, v));
-            if (Math.Abs(rangeU.ToUnit(foot.At.U)) <= 1 + OnEdge && Math.Abs(rangeV.ToUnit(foot.At.V)) <= 1 + OnEdge && nominal.Region.Contains(foot.At.U, foot.At.V))
+            if (Math.Abs(rangeU.ToUnit(foot.At.U)) <= 1 + OnEdge
+                && Math.Abs(rangeV.ToUnit(foot.At.V)) <= 1 + OnEdge
+                && nominal.Region.Contains(foot.At.U, foot.At.V))
             {
                 between.Add((foot.At.U, foot.At.V, foot.Height * nominal.Outside));
             }

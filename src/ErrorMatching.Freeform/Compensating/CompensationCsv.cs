@@ -14,7 +14,9 @@ public static class CompensationCsv
         foreach (var sample in result.Samples)
         {
             var p = result.PointOf(sample);
-            text.Append(CultureInfo.InvariantCulture, $"{sample.Point},{Number(p.X)},{Number(p.Y)},{Number(p.Z)},{(sample.ErrorMm * 1000) + 0.0:0.####}\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{sample.Point},{Number(p.X)},{Number(p.Y)},{Number(p.Z)},{(sample.ErrorMm * 1000) + 0.0:0.####}\n");
         }
 
         return Encoding.UTF8.GetBytes(text.ToString());

@@ -13,9 +13,16 @@ internal static class ErrorFit
         }
 
         var (scaleU, scaleV) = (Scale(samples, s => s.U, along: true), Scale(samples, s => s.V, along: false));
-        var grid = new PointGrid([.. samples.GroupBy(s => s.J).OrderBy(g => g.Key).Select(g => (IReadOnlyList<GridPoint>)[.. g.OrderBy(s => s.I).Select(s => new GridPoint(s.I, s.J, new(s.U * scaleU, s.V * scaleV, s.ErrorMm)))])]);
+        var grid = new PointGrid(
+            [
+                .. samples.GroupBy(s => s.J)
+                    .OrderBy(g => g.Key)
+                    .Select(
+                        g => (IReadOnlyList<GridPoint>)[
+                            .. g.OrderBy(s => s.I).Select(s => new GridPoint(s.I, s.J, new(s.U * scaleU, s.V * scaleV, s.ErrorMm)))])]);
         var fit = SurfaceFitter.Fit(grid, job.Fit.Method, job.Fit.CurveToleranceMm);
-        return new SurfaceHeightField(fit, scaleU, scaleV, Math.Max(job.Measuring.UncertaintyMm, double.IsNaN(fit.LeaveLineOutMm) ? 0 : fit.LeaveLineOutMm));
+        return new SurfaceHeightField(
+            fit, scaleU, scaleV, Math.Max(job.Measuring.UncertaintyMm, double.IsNaN(fit.LeaveLineOutMm) ? 0 : fit.LeaveLineOutMm));
     }
 
     /// <summary>Millimeters on the surface per unit of a parameter, averaged over the points.</summary>

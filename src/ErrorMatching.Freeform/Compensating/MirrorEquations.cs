@@ -21,7 +21,8 @@ public static class MirrorEquations
     /// <param name="measured">P_R, on the semi-finished surface, in millimeters.</param>
     /// <param name="mirror">P_M, from <see cref="MirrorPoint"/>.</param>
     /// <param name="normal">V_N, unit normal out of the material.</param>
-    public static Point3 CompensationPoint(Point3 measured, Point3 mirror, Vector3 normal) => measured + (normal * (-2 * (measured - mirror).Dot(normal)));
+    public static Point3 CompensationPoint(Point3 measured, Point3 mirror, Vector3 normal) =>
+        measured + (normal * (-2 * (measured - mirror).Dot(normal)));
 
     /// <summary>Both equations in one, with a gain: P_C = P_P - gain e V_N.</summary>
     /// <param name="ideal">P_P, on the ideal finished surface, in millimeters.</param>

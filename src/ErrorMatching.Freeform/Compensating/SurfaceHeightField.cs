@@ -18,7 +18,9 @@ internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, doubl
         // Newton's method for the place over (u, v). Fits hardly shift their parameters.
         var (x, y) = (u * scaleU, v * scaleV);
         var surface = fit.Surface;
-        var (s, t) = (Within(surface.KnotsU, (x - X(0, 0)) / Nonzero(X(1, 0) - X(0, 0))), Within(surface.KnotsV, (y - Y(0, 0)) / Nonzero(Y(0, 1) - Y(0, 0))));
+        var (s, t) = (
+            Within(surface.KnotsU, (x - X(0, 0)) / Nonzero(X(1, 0) - X(0, 0))),
+            Within(surface.KnotsV, (y - Y(0, 0)) / Nonzero(Y(0, 1) - Y(0, 0))));
         var at = surface.At(s, t);
         for (var step = 0; step < MostSteps; step++)
         {
@@ -50,7 +52,8 @@ internal sealed class SurfaceHeightField(FittedSurface fit, double scaleU, doubl
     private Point3 Corner(int endU, int endV)
     {
         var surface = fit.Surface;
-        return surface.PointAt(endU == 0 ? surface.KnotsU.Start : surface.KnotsU.End, endV == 0 ? surface.KnotsV.Start : surface.KnotsV.End);
+        return surface.PointAt(
+            endU == 0 ? surface.KnotsU.Start : surface.KnotsU.End, endV == 0 ? surface.KnotsV.Start : surface.KnotsV.End);
     }
 
     private static double Nonzero(double x) => x == 0 ? 1 : x;

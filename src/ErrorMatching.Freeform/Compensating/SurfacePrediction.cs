@@ -13,7 +13,8 @@ namespace ErrorMatching.Freeform;
 /// <param name="Statistics">Their statistics, including the scatter.</param>
 /// <param name="MeanUncertaintyMm">Standard uncertainty of the expected mean.</param>
 /// <param name="PointUncertaintyMm">Root mean square standard uncertainty of the expected error at a point, with the scatter.</param>
-public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Errors, DeviationStatistics Statistics, double MeanUncertaintyMm, double PointUncertaintyMm)
+public sealed record SurfacePrediction(
+    string Method, IReadOnlyList<double> Errors, DeviationStatistics Statistics, double MeanUncertaintyMm, double PointUncertaintyMm)
 {
     // Shift of the normal quantile expected of the largest of n points. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
     private const double BlomShift = 0.375;
@@ -24,7 +25,8 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
     /// <param name="systematic">The systematic part of the errors.</param>
     /// <param name="compensation">The compensated field, before the gain.</param>
     /// <param name="gain">Compensated share.</param>
-    internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain) =>
+    internal static SurfacePrediction Of(
+        string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain) =>
         Of(method, samples, systematic, [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))], []);
 
     /// <summary>Predicts the remaining error.</summary>
@@ -34,9 +36,12 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
     /// <param name="left">The remaining systematic error at each sample.</param>
     /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
     /// would find it, so the larger of the two is expected.</param>
-    internal static SurfacePrediction Of(string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, double[] left, double[] between)
+    internal static SurfacePrediction Of(
+        string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, double[] left, double[] between)
     {
-        var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted ? fitted.ResidualStandardDeviationMm : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
+        var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted
+            ? fitted.ResidualStandardDeviationMm
+            : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
         var field = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
         var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);
@@ -48,8 +53,10 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
             {
                 StandardDeviationMm = Hypot(Math.Max(statistics.StandardDeviationMm, everywhere.StandardDeviationMm), spread),
                 // The largest absolute value of n points is the largest of 2n one-sided values.
-                ProfileIsoMm = 2 * Hypot(Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * samples.Count)),
-                ProfileRangeMm = Hypot(Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(samples.Count)),
+                ProfileIsoMm = 2 * Hypot(
+                    Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * samples.Count)),
+                ProfileRangeMm = Hypot(
+                    Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(samples.Count)),
             },
             Hypot(field, noise / Math.Sqrt(samples.Count)),
             spread);
@@ -65,6 +72,7 @@ public sealed record SurfacePrediction(string Method, IReadOnlyList<double> Erro
     private static double NormalQuantile(double p)
     {
         var t = Math.Sqrt(-2 * Math.Log(1 - p));
-        return Math.Max(0, t - ((2.515517 + (0.802853 * t) + (0.010328 * t * t)) / (1 + (1.432788 * t) + (0.189269 * t * t) + (0.001308 * t * t * t))));
+        return Math.Max(
+            0, t - ((2.515517 + (0.802853 * t) + (0.010328 * t * t)) / (1 + (1.432788 * t) + (0.189269 * t * t) + (0.001308 * t * t * t))));
     }
 }

@@ -14,4 +14,14 @@ namespace ErrorMatching.Freeform;
 /// <param name="LargestMoveMm">Largest displacement of a point, in millimeters.</param>
 /// <param name="LargestMisfitMm">Largest error of a straight cut at its midpoint, in millimeters: the error field bends between two
 /// points, the line does not.</param>
-public sealed record DisplacedProgram(NcProgram Program, NcPath Before, DisplacementWish Wish, Rewrite Rewrite, NcProof Proof, Marker? Marker, int OnSurface, int Followed, double LargestMoveMm, double LargestMisfitMm);
+public sealed record DisplacedProgram(
+    NcProgram Program,
+    NcPath Before,
+    DisplacementWish Wish,
+    Rewrite Rewrite,
+    NcProof Proof,
+    Marker? Marker,
+    int OnSurface,
+    int Followed,
+    double LargestMoveMm,
+    double LargestMisfitMm);

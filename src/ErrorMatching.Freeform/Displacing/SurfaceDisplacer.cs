@@ -3,14 +3,17 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Displaces a finishing program that exists already: every point by the compensation of the place that the ball touches there, proved like any other change of a program.</summary>
+/// <summary>Displaces a finishing program that exists already: every point by the compensation of the place that the ball touches there,
+/// proved like any other change of a program.</summary>
 /// <remarks>
-/// The place is the foot of the ball's center on the surface (method.md, section 7: target = nominal - gain error). Where the ball does not touch, but is no further from touching than its radius, it goes along with its foot, so that leads
-/// and links keep their distance. Further away nothing moves, but for moves straight up and down, which stay so. Beyond the edge of the surface the edge counts.
+/// The place is the foot of the ball's center on the surface (method.md, section 7: target = nominal - gain error). Where the ball does not
+/// touch, but is no further from touching than its radius, it goes along with its foot, so that leads and links keep their distance.
+/// Further away nothing moves, but for moves straight up and down, which stay so. Beyond the edge of the surface the edge counts.
 /// </remarks>
 public static class SurfaceDisplacer
 {
-    /// <summary>How far a center may be from the surface's offset, inwards or outwards, and still be taken to touch, mm: the program's own chordal error and rounding.</summary>
+    /// <summary>How far a center may be from the surface's offset, inwards or outwards, and still be taken to touch, mm:
+    /// the program's own chordal error and rounding.</summary>
     public const double TouchMm = 0.05;
 
     /// <summary>Displaces a program.</summary>
@@ -23,11 +26,20 @@ public static class SurfaceDisplacer
     /// <param name="programsTip">True if it moves the lowest point of the ball along Z, false if the center.</param>
     /// <param name="measurementSha256">SHA-256 of the measurement that the error was found by: the new program's marker names it.</param>
     /// <returns>
-    /// The program with its proof, or a refusal with the block: it is compensated already (<see cref="Marker.AlreadyCompensated"/>), nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or places that are not known near the surface, what
-    /// cannot be rewritten, or a proof that fails.
+    /// The program with its proof, or a refusal with the block: it is compensated already (<see cref="Marker.AlreadyCompensated"/>),
+    /// nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or
+    /// places that are not known near the surface, what cannot be rewritten, or a proof that fails.
     /// </returns>
     /// <exception cref="NcException">The program is too large.</exception>
-    public static NcOutcome<DisplacedProgram> Displace(PartSurface surface, ErrorField field, double gain, JobTool tool, ReadOnlyMemory<byte> program, NcDialect dialect, bool programsTip, string measurementSha256)
+    public static NcOutcome<DisplacedProgram> Displace(
+        PartSurface surface,
+        ErrorField field,
+        double gain,
+        JobTool tool,
+        ReadOnlyMemory<byte> program,
+        NcDialect dialect,
+        bool programsTip,
+        string measurementSha256)
     {
         ArgumentNullException.ThrowIfNull(surface);
         ArgumentNullException.ThrowIfNull(field);
@@ -43,7 +55,8 @@ public static class SurfaceDisplacer
         return followed.Follow() is { } off ? off : Proved(path, program, followed, measurementSha256);
     }
 
-    private static NcOutcome<DisplacedProgram> Proved(NcPath path, ReadOnlyMemory<byte> program, FollowedPath followed, string measurementSha256)
+    private static NcOutcome<DisplacedProgram> Proved(
+        NcPath path, ReadOnlyMemory<byte> program, FollowedPath followed, string measurementSha256)
     {
         var syntax = path.Dialect.Syntax;
         var wish = DisplacementWish.OfPoints(followed.Points());
@@ -53,11 +66,23 @@ public static class SurfaceDisplacer
             return rewrite.Refusal.Code == NcRefusalCodes.UnknownState ? Misread(path) ?? rewrite.Refusal : rewrite.Refusal;
         }
 
-        var marker = rewrite.Value.Patches.Count == 0 ? null : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
+        var marker = rewrite.Value.Patches.Count == 0
+            ? null
+            : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
         var displaced = marker is null ? rewrite.Value.Program : NcProgram.Read(marker.InsertInto(rewrite.Value.Program), syntax);
         var proof = Prover.Check(path, displaced, wish, rewrite.Value.LeastIncrementMm, marker?.TextIn(syntax));
         return proof.Holds
-            ? new DisplacedProgram(displaced, path, wish, rewrite.Value, proof, marker, followed.Touching, followed.Followed, followed.LargestMm, followed.MisfitMm)
+            ? new DisplacedProgram(
+                displaced,
+                path,
+                wish,
+                rewrite.Value,
+                proof,
+                marker,
+                followed.Touching,
+                followed.Followed,
+                followed.LargestMm,
+                followed.MisfitMm)
             : proof.Failures[0];
     }
 
@@ -66,7 +91,12 @@ public static class SurfaceDisplacer
     {
         if (Marker.Find(path.Program) is [var (block, _), ..])
         {
-            return Refuse(path, block, Marker.AlreadyCompensated, "the program carries a marker, so it follows a measured error already, which would be cut away twice. Begin from the original program as the CAM system posted it.");
+            return Refuse(
+                path,
+                block,
+                Marker.AlreadyCompensated,
+                "the program carries a marker, so it follows a measured error already, which would be cut away twice. Begin from the "
+                    + "original program as the CAM system posted it.");
         }
 
         return path.Refusal;
@@ -74,7 +104,12 @@ public static class SurfaceDisplacer
 
     // Where the dialect is another's, everything behind the first unknown code goes wrong: that one is to blame.
     internal static NcRefusal? Misread(NcPath path) => path.Problems is [var problem, ..]
-        ? Refuse(path, problem.Block, NcRefusalCodes.UnknownState, $"{problem.Message} Behind it the program cannot be followed with certainty. Check that toolpath.dialect, {path.Dialect.Name}, is the control that the program was posted for.")
+        ? Refuse(
+            path,
+            problem.Block,
+            NcRefusalCodes.UnknownState,
+            $"{problem.Message} Behind it the program cannot be followed with certainty. Check that toolpath.dialect, "
+                + $"{path.Dialect.Name}, is the control that the program was posted for.")
         : null;
 
     internal static NcRefusal Refuse(NcPath path, int position, string code, string message)

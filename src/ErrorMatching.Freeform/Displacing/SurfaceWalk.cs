@@ -26,7 +26,9 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
         var height = offset.Dot(normal);
 
         // A center below the surface but beyond an edge cuts nothing.
-        var over = height >= 0 || (offset - (normal * height)).Length < 1e-6 ? (height < 0 ? -offset.Length : offset.Length) - radiusMm : offset.Length - radiusMm;
+        var over = height >= 0 || (offset - (normal * height)).Length < 1e-6
+            ? (height < 0 ? -offset.Length : offset.Length) - radiusMm
+            : offset.Length - radiusMm;
         return new(over, normal * (-gain * field.At(foot.U, foot.V)));
     }
 
@@ -34,7 +36,10 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
     private SurfacePoint Foot(Point3 center)
     {
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
-        if (_last is { } near && NormalFoot.Of(surface.Spline, center, near.U, near.V) is { } found && Inside(found.U, u) && Inside(found.V, v)
+        if (_last is { } near
+            && NormalFoot.Of(surface.Spline, center, near.U, near.V) is { } found
+            && Inside(found.U, u)
+            && Inside(found.V, v)
             && (center - found.Position).Length <= 2 * radiusMm && (center - found.Position).Dot(surface.NormalOf(found)) > 0)
         {
             _last = (found.U, found.V);
@@ -46,5 +51,6 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
         return foot;
     }
 
-    private static bool Inside(double t, KnotVector knots) => t >= knots.Start - (OnEdge * (knots.End - knots.Start)) && t <= knots.End + (OnEdge * (knots.End - knots.Start));
+    private static bool Inside(double t, KnotVector knots) =>
+        t >= knots.Start - (OnEdge * (knots.End - knots.Start)) && t <= knots.End + (OnEdge * (knots.End - knots.Start));
 }

@@ -21,5 +21,9 @@ public sealed record EvaluatedPiece(
     IReadOnlyList<string> Warnings)
 {
     /// <summary>A sentence if the points determined the stage; null if the job's stage was right.</summary>
-    public string? StageNote => StageIsFound ? $"The points of {File} lie on the surface after {MeasuredStage.Name(Stage)}, not after the stage that the job names: its stock was used." : null;
+    public string? StageNote =>
+        StageIsFound
+            ? $"The points of {File} lie on the surface after {MeasuredStage.Name(Stage)}, not after the stage that the job names: its "
+                + $"stock was used."
+            : null;
 }

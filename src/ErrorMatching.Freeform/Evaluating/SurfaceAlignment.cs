@@ -39,7 +39,8 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
     /// <exception cref="FreeformException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Of"/>.</exception>
-    public static SurfaceAlignment BestFit(PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
+    public static SurfaceAlignment BestFit(
+        PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(points);
         if (points.Count < 6)
@@ -53,7 +54,11 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
         {
             var samples = SurfaceErrors.Of(surface, points.Select(p => (p.Plan, alignment.Apply(p.Contact))), stockMm, file);
             var step = Step(samples, alignment);
-            alignment = alignment with { TranslateMm = alignment.TranslateMm + step.Move, RotateDegrees = alignment.RotateDegrees + (step.Turn * (180 / Math.PI)) };
+            alignment = alignment with
+            {
+                TranslateMm = alignment.TranslateMm + step.Move,
+                RotateDegrees = alignment.RotateDegrees + (step.Turn * (180 / Math.PI))
+            };
             if (step.Move.Length < 1e-9 && step.Turn.Length < 1e-11)
             {
                 break;

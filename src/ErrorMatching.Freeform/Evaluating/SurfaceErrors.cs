@@ -13,7 +13,8 @@ public static class SurfaceErrors
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
     /// <exception cref="FreeformException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
-    public static IReadOnlyList<ErrorSample> Of(PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
+    public static IReadOnlyList<ErrorSample> Of(
+        PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(surface);
         ArgumentNullException.ThrowIfNull(points);
@@ -24,11 +25,13 @@ public static class SurfaceErrors
             {
                 throw new FreeformException("no-foot", file, string.Create(
                     CultureInfo.InvariantCulture,
-                    $"point {plan.Number} was measured at {PlaceText.Words(contact, 4)}, where no normal of the surface leads; near {PlaceText.Words(plan.Position, 4)} is expected"));
+                    $"point {plan.Number} was measured at {PlaceText.Words(contact, 4)}, where no normal of the surface leads; near "
+                        + $"{PlaceText.Words(plan.Position, 4)} is expected"));
             }
 
             var normal = surface.NormalOf(foot);
-            samples.Add(new(plan.Number, plan.I, plan.J, foot.U, foot.V, foot.Position, normal, (contact - foot.Position).Dot(normal) - stockMm));
+            samples.Add(new(
+                plan.Number, plan.I, plan.J, foot.U, foot.V, foot.Position, normal, (contact - foot.Position).Dot(normal) - stockMm));
         }
 
         return samples;

@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform;
 public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, DeviationStatistics Together)
 {
     /// <summary>Range of the pieces' standard deviations (largest - smallest) in mm: their repeatability (table 2 of Lee 2019).</summary>
-    public double RangeOfStandardDeviationsMm => Pieces.Max(p => p.Statistics.StandardDeviationMm) - Pieces.Min(p => p.Statistics.StandardDeviationMm);
+    public double RangeOfStandardDeviationsMm =>
+        Pieces.Max(p => p.Statistics.StandardDeviationMm) - Pieces.Min(p => p.Statistics.StandardDeviationMm);
 
     /// <summary>Evaluates pieces.</summary>
     /// <param name="job">Stock, stage and alignment.</param>
@@ -28,7 +29,12 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
             {
                 evaluated[k] = evaluated[k] with
                 {
-                    Warnings = [.. evaluated[k].Warnings, $"{evaluated[k].File} was measured after {MeasuredStage.Name(evaluated[k].Stage)} and {evaluated[0].File} after {MeasuredStage.Name(evaluated[0].Stage)}: what they come to together says nothing of either. Evaluate them apart, or one as --before."],
+                    Warnings = [
+                        .. evaluated[k].Warnings,
+                        $"{evaluated[k].File} was measured after {MeasuredStage.Name(evaluated[k].Stage)} and {evaluated[0].File} after "
+                            + $"{MeasuredStage.Name(evaluated[0].Stage)}: what they come to together says nothing of either. Evaluate "
+                                + $"them apart, or "
+                            + $"one as --before."],
                 };
             }
         }
@@ -47,18 +53,37 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
         }
 
         var alignment = SurfaceAlignment.BestFit(surface, [.. Contacts(piece)], stock, piece.File);
-        return Piece(piece, stage, job, alignment, SurfaceErrors.Of(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
+        return Piece(
+            piece,
+            stage,
+            job,
+            alignment,
+            SurfaceErrors.Of(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
     }
 
-    private static EvaluatedPiece Piece(MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
-        new(piece.File, piece.Sha256, stage, stage != job.Measuring.After, alignment, samples, DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]), [.. piece.Warnings, .. Outlying(piece, samples)]);
+    private static EvaluatedPiece Piece(
+        MeasuredPoints piece, CuttingStage stage, FreeformJob job, SurfaceAlignment? alignment, IReadOnlyList<ErrorSample> samples) =>
+        new(
+            piece.File,
+            piece.Sha256,
+            stage,
+            stage != job.Measuring.After,
+            alignment,
+            samples,
+            DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]),
+            [.. piece.Warnings, .. Outlying(piece, samples)]);
 
     // A piece is judged by all its points, but a chip under the stylus is not part of the piece, so outlying points are reported.
     private static IEnumerable<string> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
     {
         var points = OutlyingPoints.Of(samples);
-        return points.Count == 0 ? [] : [$"{piece.File}: {OutlyingPoint.Words(points)}: a chip, or a touch gone wrong? It counts in all figures. Clean the place and the stylus and measure again."];
+        return points.Count == 0
+            ? []
+            : [
+                $"{piece.File}: {OutlyingPoint.Words(points)}: a chip, or a touch gone wrong? It counts in all figures. Clean the place "
+                    + $"and the stylus and measure again."];
     }
 
-    private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) => piece.Points.Select(p => (p.Planned, p.Contact));
+    private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) =>
+        piece.Points.Select(p => (p.Planned, p.Contact));
 }

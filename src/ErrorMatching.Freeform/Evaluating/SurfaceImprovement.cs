@@ -12,9 +12,12 @@ public sealed record SurfaceImprovement(double StandardDeviationPercent, double 
 
     /// <summary>Compares pieces before and after compensation; null if there is nothing to compare.</summary>
     public static SurfaceImprovement? Of(SurfaceEvaluation? before, SurfaceEvaluation? after) =>
-        before is null || after is null || before.Together is not { StandardDeviationMm: > 0 and var spread, ProfileIsoMm: > 0 and var profile }
+        before is null
+            || after is null
+            || before.Together is not { StandardDeviationMm: > 0 and var spread, ProfileIsoMm: > 0 and var profile }
             ? null
             : new(100 * (1 - (after.Together.StandardDeviationMm / spread)), 100 * (1 - (after.Together.ProfileIsoMm / profile)));
 
-    private static string Change(double percent) => string.Create(CultureInfo.InvariantCulture, $"{(percent < 0 ? "larger" : "smaller")} by {Math.Abs(percent):0} %");
+    private static string Change(double percent) =>
+        string.Create(CultureInfo.InvariantCulture, $"{(percent < 0 ? "larger" : "smaller")} by {Math.Abs(percent):0} %");
 }

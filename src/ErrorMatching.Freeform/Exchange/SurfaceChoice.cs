@@ -19,14 +19,25 @@ internal static class SurfaceChoice
     {
         if (entity is null)
         {
-            return names.Count == 1 ? 0 : throw new FreeformException("several-surfaces", file, $"it has {names.Count} surfaces: {List(names, read)}. Say which one by name or number (\"surfaceEntity\" in the job)");
+            return names.Count == 1
+                ? 0
+                : throw new FreeformException(
+                    "several-surfaces",
+                    file,
+                    $"it has {names.Count} surfaces: {List(names, read)}. Say which one by name or number (\"surfaceEntity\" in the job)");
         }
 
         var named = Enumerable.Range(0, names.Count).Where(i => names[i] == entity).ToList();
         return named.Count == 1 ? named[0]
-            : named.Count > 1 ? throw new FreeformException("several-surfaces", file, $"{named.Count} surfaces are called {ExchangeLimits.Quote(entity)}: say which one by number: {List(names, read)}")
-            : int.TryParse(entity, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= names.Count ? number - 1
-            : throw new FreeformException("no-such-surface", file, $"no surface is called or numbered {ExchangeLimits.Quote(entity)}; it has {List(names, read)}");
+            : named.Count > 1
+                ? throw new FreeformException(
+                    "several-surfaces",
+                    file,
+                    $"{named.Count} surfaces are called {ExchangeLimits.Quote(entity)}: say which one by number: {List(names, read)}")
+            : int.TryParse(entity, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= names.Count
+                ? number - 1
+            : throw new FreeformException(
+                "no-such-surface", file, $"no surface is called or numbered {ExchangeLimits.Quote(entity)}; it has {List(names, read)}");
     }
 
     /// <summary>The name of a surface, or its number if it has no name.</summary>
@@ -35,7 +46,9 @@ internal static class SurfaceChoice
 
     private static string List(IReadOnlyList<string> names, Func<int, ReadSurface> read)
     {
-        var shown = Enumerable.Range(0, Math.Min(Listed, names.Count)).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i + 1}{(names[i].Length > 0 ? " " + ExchangeLimits.Quote(names[i]) : "")} ({Extent(() => read(i))})"));
+        var shown = Enumerable.Range(0, Math.Min(Listed, names.Count)).Select(i => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{i + 1}{(names[i].Length > 0 ? " " + ExchangeLimits.Quote(names[i]) : "")} ({Extent(() => read(i))})"));
         return string.Join(", ", shown) + (names.Count > Listed ? ", ..." : "");
     }
 
@@ -49,8 +62,14 @@ internal static class SurfaceChoice
             var places = from i in Enumerable.Range(0, Places + 1)
                          from j in Enumerable.Range(0, Places + 1)
                          select new Point2(u.Start + ((u.End - u.Start) * i / Places), v.Start + ((v.End - v.Start) * j / Places));
-            var points = surface.Region.Loops.SelectMany(l => l).Concat(places.Where(q => surface.Region.Contains(q.X, q.Y))).Select(q => surface.Spline.PointAt(q.X, q.Y)).ToArray();
-            return string.Create(CultureInfo.InvariantCulture, $"x {points.Min(p => p.X):0.#} to {points.Max(p => p.X):0.#}, y {points.Min(p => p.Y):0.#} to {points.Max(p => p.Y):0.#}, z {points.Min(p => p.Z):0.#} to {points.Max(p => p.Z):0.#}");
+            var points = surface.Region.Loops.SelectMany(l => l)
+                .Concat(places.Where(q => surface.Region.Contains(q.X, q.Y)))
+                .Select(q => surface.Spline.PointAt(q.X, q.Y))
+                .ToArray();
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"x {points.Min(p => p.X):0.#} to {points.Max(p => p.X):0.#}, y {points.Min(p => p.Y):0.#} to "
+                    + $"{points.Max(p => p.Y):0.#}, z {points.Min(p => p.Z):0.#} to {points.Max(p => p.Z):0.#}");
         }
         catch (FreeformException e)
         {

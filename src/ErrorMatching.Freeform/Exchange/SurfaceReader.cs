@@ -26,18 +26,29 @@ public static partial class SurfaceReader
     {
         if (bytes.Length > ExchangeLimits.MaxBytes)
         {
-            throw new FreeformException("too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
+            throw new FreeformException(
+                "too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
         try
         {
-            var read = IsGrid(file) ? new ReadSurface(Path.GetFileNameWithoutExtension(file), GridSurface.Interpolate(GridReader.Read(bytes.ToArray(), file)), SurfaceRegion.Whole)
+            var read = IsGrid(file)
+                ? new ReadSurface(
+                    Path.GetFileNameWithoutExtension(file),
+                    GridSurface.Interpolate(GridReader.Read(bytes.ToArray(), file)),
+                    SurfaceRegion.Whole)
                 : IsStep(bytes, file) ? new StepSurfaces(new(bytes, file)).Read(entity)
                 : new IgesSurfaces(new(bytes, file)).Read(entity);
             var far = read.Spline.Poles.ToArray().Max(p => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
             return far <= LargestMm
                 ? new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp))
-                : throw new FreeformException("implausible", file, string.Create(CultureInfo.InvariantCulture, $"surface {read.Name} reaches {far:G4} mm away from the origin; a piece within {LargestMm:0} mm is expected: is the unit of the file wrong?"));
+                : throw new FreeformException(
+                    "implausible",
+                    file,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"surface {read.Name} reaches {far:G4} mm away from the origin; a piece within {LargestMm:0} mm is expected: is "
+                            + $"the unit of the file wrong?"));
         }
         catch (GeometryException e)
         {

@@ -33,8 +33,18 @@ internal static class SurfaceSide
         {
             (not null, null) => outsideIsUp ? 1 : -1,
             (null, not null) => outsideIsUp ? -1 : 1,
-            (null, null) => throw new FreeformException("upright-surface", file, $"surface {surface.Name} stands upright everywhere: its normal points neither to +z nor to -z. Turn the piece as it is cut, the tool's axis along z"),
-            _ => throw new FreeformException("folded-surface", file, $"surface {surface.Name} turns over: its normal points up at {Place(up.Value.Position)} and down at {Place(down.Value.Position)}. A surface is expected that the tool reaches along z"),
+            (null, null) =>
+                throw new FreeformException(
+                    "upright-surface",
+                    file,
+                    $"surface {surface.Name} stands upright everywhere: its normal points neither to +z nor to -z. Turn the piece as it "
+                        + $"is cut, the tool's axis along z"),
+            _ =>
+                throw new FreeformException(
+                    "folded-surface",
+                    file,
+                    $"surface {surface.Name} turns over: its normal points up at {Place(up.Value.Position)} and down at "
+                        + $"{Place(down.Value.Position)}. A surface is expected that the tool reaches along z"),
         };
     }
 

@@ -21,7 +21,8 @@ public static class FieldFit
         ArgumentNullException.ThrowIfNull(samples);
         if (!double.IsFinite(pointUncertaintyMm) || pointUncertaintyMm < 0)
         {
-            throw new ArgumentOutOfRangeException(nameof(pointUncertaintyMm), pointUncertaintyMm, "A standard uncertainty is a finite number, zero or more.");
+            throw new ArgumentOutOfRangeException(
+                nameof(pointUncertaintyMm), pointUncertaintyMm, "A standard uncertainty is a finite number, zero or more.");
         }
 
         Check(samples);
@@ -45,14 +46,21 @@ public static class FieldFit
 
         if (samples.Count > MostSamples)
         {
-            throw new FreeformException("too-many-samples", "measured errors", string.Create(CultureInfo.InvariantCulture, $"{samples.Count} measured points; at most {MostSamples} are taken"));
+            throw new FreeformException(
+                "too-many-samples",
+                "measured errors",
+                string.Create(CultureInfo.InvariantCulture, $"{samples.Count} measured points; at most {MostSamples} are taken"));
         }
 
         foreach (var sample in samples)
         {
             if (!double.IsFinite(sample.U) || !double.IsFinite(sample.V) || !double.IsFinite(sample.ErrorMm))
             {
-                throw new FreeformException("not-finite", "measured errors", string.Create(CultureInfo.InvariantCulture, $"point {sample.Point} has a parameter or an error that is no finite number"));
+                throw new FreeformException(
+                    "not-finite",
+                    "measured errors",
+                    string.Create(
+                        CultureInfo.InvariantCulture, $"point {sample.Point} has a parameter or an error that is no finite number"));
             }
         }
     }

@@ -21,7 +21,8 @@ public sealed class FittedField : ErrorField
         _spaceV = 2.0 / Math.Max(1, data.Curves.Length - 1);
         _noise = Math.Max(model.Noise, pointUncertaintyMm);
         Residuals = Array.AsReadOnly(model.Residuals());
-        ResidualStandardDeviationMm = Math.Sqrt(Residuals.Sum(r => r * r) / Math.Max(1, data.Count - Math.Min(data.Count - 1, model.Freedom)));
+        ResidualStandardDeviationMm = Math.Sqrt(
+            Residuals.Sum(r => r * r) / Math.Max(1, data.Count - Math.Min(data.Count - 1, model.Freedom)));
         BreaksU = [.. model.BreaksU.Select(u.FromUnit)];
         BreaksV = [.. model.BreaksV.Select(v.FromUnit)];
     }
@@ -58,7 +59,8 @@ public sealed class FittedField : ErrorField
     /// probe's stated uncertainty, whichever is larger. It does not cover errors of the model itself.</summary>
     /// <param name="u">First parameter of the nominal surface.</param>
     /// <param name="v">Second parameter of the nominal surface.</param>
-    public override double StandardUncertaintyAt(double u, double v) => Combine(u, v, (a, b) => Math.Sqrt(_model.VarianceAt(a, b, _noise)), straight: false);
+    public override double StandardUncertaintyAt(double u, double v) =>
+        Combine(u, v, (a, b) => Math.Sqrt(_model.VarianceAt(a, b, _noise)), straight: false);
 
     /// <summary>Evaluates within the samples. Beyond them, mirrors about the edge (2 f(edge) - f(inside)), or sums these parts.</summary>
     private double Combine(double u, double v, Func<double, double, double> value, bool straight)

@@ -172,7 +172,13 @@ internal sealed class NeighborPrediction
             var weight = 1 - (share * share * share);
             var root = Math.Sqrt(weight * weight * weight);
             _roots[m] = root;
-            (Column(0)[m], Column(1)[m], Column(2)[m], Column(3)[m], Column(4)[m], Column(5)[m]) = (root * dx, root * dy, root * dx * dx, root * dx * dy, root * dy * dy, root);
+            (
+                Column(0)[m],
+                Column(1)[m],
+                Column(2)[m],
+                Column(3)[m],
+                Column(4)[m],
+                Column(5)[m]) = (root * dx, root * dy, root * dx * dx, root * dx * dy, root * dy * dy, root);
         }
 
         if (!TakeOutOfLast())

@@ -50,7 +50,8 @@ public sealed class RepeatedMeasurement
 
                 if (values[sample.Point].Exists(v => v.Measurement == m))
                 {
-                    throw Refused("doubled-point", m, $"point {sample.Point} stands twice; one value a point is expected in each measurement");
+                    throw Refused(
+                        "doubled-point", m, $"point {sample.Point} stands twice; one value a point is expected in each measurement");
                 }
 
                 values[sample.Point].Add((m, sample.ErrorMm));

@@ -75,11 +75,20 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         var s2 = degrees.Sum(d => 4 * d * d);
         var b2 = n * m4 / (m2 * m2);
         var i = n / s0 * cross / m2;
-        var square = ((n * ((((n * n) - (3 * n) + 3) * s1) - (n * s2) + (3 * s0 * s0))) - (b2 * ((((n * n) - n) * s1) - (2 * n * s2) + (6 * s0 * s0)))) / ((n - 1) * (n - 2) * (n - 3) * s0 * s0);
+        var square = (
+            (
+                n * ((((n * n) - (3 * n) + 3) * s1) - (n * s2) + (3 * s0 * s0)))
+                - (b2 * ((((n * n) - n) * s1) - (2 * n * s2) + (6 * s0 * s0)))) / ((n - 1) * (n - 2) * (n - 3) * s0 * s0);
         var variance = square - (expectation * expectation);
         var score = (i - expectation) / Math.Sqrt(variance);
         var p = NormalTail(score);
-        return new(i, expectation, variance, score, p, values.Length < LeastPoints ? SpatialVerdict.Undetermined : p < Level ? SpatialVerdict.Systematic : SpatialVerdict.Noise);
+        return new(
+            i,
+            expectation,
+            variance,
+            score,
+            p,
+            values.Length < LeastPoints ? SpatialVerdict.Undetermined : p < Level ? SpatialVerdict.Systematic : SpatialVerdict.Noise);
     }
 
     /// <summary>Pairs of neighbors, each once, the smaller index first.</summary>
@@ -92,7 +101,13 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         }
 
         // Sorted by curve, then along the curve; samples at the same place keep the given order.
-        Array.Sort(order, (a, b) => samples[a].J != samples[b].J ? samples[a].J.CompareTo(samples[b].J) : samples[a].I != samples[b].I ? samples[a].I.CompareTo(samples[b].I) : a.CompareTo(b));
+        Array.Sort(
+            order,
+            (a, b) => samples[a].J != samples[b].J
+                ? samples[a].J.CompareTo(samples[b].J)
+                : samples[a].I != samples[b].I
+                ? samples[a].I.CompareTo(samples[b].I)
+                : a.CompareTo(b));
         var curves = new List<int[]>();
         for (var start = 0; start < order.Length;)
         {

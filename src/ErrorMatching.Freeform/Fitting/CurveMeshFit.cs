@@ -32,7 +32,9 @@ internal sealed record CurveMeshFit(CurveFamily AlongU, CurveFamily AlongV, doub
 
     /// <summary>The points of each curve along v. In a ragged grid, they are taken from the curves along u.</summary>
     private static Point3[][] Across(FitGrid grid, SplineCurve[] alongU) =>
-        [.. grid.Us.Select((u, i) => grid.IsRectangular ? Array.ConvertAll(grid.Curves, c => c[i]) : Array.ConvertAll(alongU, c => c.PointAt(u)))];
+        [
+            .. grid.Us.Select(
+                (u, i) => grid.IsRectangular ? Array.ConvertAll(grid.Curves, c => c[i]) : Array.ConvertAll(alongU, c => c.PointAt(u)))];
 
     private static double[][] VsOf(Point3[][] across, FitGrid grid) => Array.ConvertAll(across, _ => grid.Vs);
 

@@ -57,7 +57,10 @@ internal sealed class FitGrid
     {
         if (grid.Curves.Count < 2 || grid.Curves.Any(c => c.Count < 2))
         {
-            throw new GeometryException(GeometryError.TooFewPoints, $"{grid.Curves.Count} curves with {grid.Points.Count()} points; a surface needs at least two curves with at least two points each");
+            throw new GeometryException(
+                GeometryError.TooFewPoints,
+                $"{grid.Curves.Count} curves with {grid.Points.Count()} points; a surface needs at least two curves with at least two "
+                    + $"points each");
         }
 
         Point3[][] curves = [.. grid.Curves.Select(c => c.Select(p => p.Position).ToArray())];
@@ -82,7 +85,9 @@ internal sealed class FitGrid
     {
         var flat = Flat(curves);
         double[][] us = [.. curves.Select(c => SplineParameters.ChordLength(flat(c)))];
-        Point3[][] evenly = [.. curves.Select((c, j) => SplineCurveFit.Interpolate(c, us[j])).Select(s => Enumerable.Range(0, Places).Select(k => s.PointAt(k / (Places - 1.0))).ToArray())];
+        Point3[][] evenly = [
+            .. curves.Select((c, j) => SplineCurveFit.Interpolate(c, us[j])).Select(
+                s => Enumerable.Range(0, Places).Select(k => s.PointAt(k / (Places - 1.0))).ToArray())];
         var across = Columns(evenly);
         var vs = SplineParameters.OfGrid(Flat([.. evenly, .. across])(across.SelectMany(c => c).ToArray()), Places, curves.Length).V;
         return new(curves, us, vs, false, MeanLength(curves), MeanLength(across));
@@ -104,7 +109,8 @@ internal sealed class FitGrid
         return isFlat ? points => Array.ConvertAll(points, p => drop(p)) : points => points;
     }
 
-    private static Point3[][] Columns(Point3[][] curves) => [.. Enumerable.Range(0, curves[0].Length).Select(i => curves.Select(c => c[i]).ToArray())];
+    private static Point3[][] Columns(Point3[][] curves) =>
+        [.. Enumerable.Range(0, curves[0].Length).Select(i => curves.Select(c => c[i]).ToArray())];
 
     private static double MeanLength(Point3[][] lines) => lines.Average(l => l.Zip(l.Skip(1), (a, b) => (b - a).Length).Sum());
 }

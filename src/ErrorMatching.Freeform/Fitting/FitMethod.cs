@@ -12,7 +12,8 @@ public sealed class FitMethod
     public static FitMethod Best { get; } = new("best", (grid, tolerance, _) => BestFit.Of(grid, tolerance));
 
     /// <summary>A Gordon surface through both families of curves.</summary>
-    public static FitMethod ThroughCurveMesh { get; } = Laid("through-curve-mesh", (g, tolerance) => Same(g, CurveMeshFit.Choose(g, tolerance).Fit));
+    public static FitMethod ThroughCurveMesh { get; } = Laid(
+        "through-curve-mesh", (g, tolerance) => Same(g, CurveMeshFit.Choose(g, tolerance).Fit));
 
     /// <summary>Skinning: a surface through the curves along u.</summary>
     public static FitMethod ThroughCurves { get; } = Laid(
@@ -54,7 +55,8 @@ public sealed class FitMethod
     public override string ToString() => Name;
 
     // The surface, and a function that fits one to part of the points with the degree, poles or weight selected from all points.
-    private static FitMethod Laid(string name, Func<FitGrid, double, (SplineSurface Surface, Func<FitGrid, SplineSurface> Again)> lay) => new(
+    private static FitMethod Laid(string name, Func<FitGrid, double, (SplineSurface Surface, Func<FitGrid, SplineSurface> Again)> lay) =>
+        new(
         name,
         (grid, tolerance, method) =>
         {
@@ -63,5 +65,6 @@ public sealed class FitMethod
             return new(method, surface, [], [], LineOutError.Mean(grid, points, g => again(FitGrid.Of(g))));
         });
 
-    private static (SplineSurface Surface, Func<FitGrid, SplineSurface> Again) Same(FitGrid grid, Func<FitGrid, SplineSurface> lay) => (lay(grid), lay);
+    private static (SplineSurface Surface, Func<FitGrid, SplineSurface> Again) Same(FitGrid grid, Func<FitGrid, SplineSurface> lay) =>
+        (lay(grid), lay);
 }

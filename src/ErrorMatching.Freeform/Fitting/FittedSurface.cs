@@ -8,4 +8,5 @@ namespace ErrorMatching.Freeform;
 /// <param name="BreaksU">Parameters u at which a break of the curvature was found.</param>
 /// <param name="BreaksV">Parameters v at which a break of the curvature was found.</param>
 /// <param name="LeaveLineOutMm">Mean distance between points and the surface fitted without their grid line; NaN for too few lines.</param>
-public sealed record FittedSurface(FitMethod Method, SplineSurface Surface, IReadOnlyList<double> BreaksU, IReadOnlyList<double> BreaksV, double LeaveLineOutMm);
+public sealed record FittedSurface(
+    FitMethod Method, SplineSurface Surface, IReadOnlyList<double> BreaksU, IReadOnlyList<double> BreaksV, double LeaveLineOutMm);

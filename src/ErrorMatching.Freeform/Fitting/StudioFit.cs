@@ -15,7 +15,15 @@ internal static class StudioFit
     {
         var (points, us, vs) = grid.Scattered();
         // The shortest curve of a ragged grid limits the poles. Otherwise the energy alone would determine some of them.
-        return SplineSurfaceFit.Smooth(points, us, vs, Knots(grid.Us, grid.Curves.Min(c => c.Length)), Knots(grid.Vs, grid.Vs.Length), grid.LengthU, grid.LengthV, weight);
+        return SplineSurfaceFit.Smooth(
+            points,
+            us,
+            vs,
+            Knots(grid.Us, grid.Curves.Min(c => c.Length)),
+            Knots(grid.Vs, grid.Vs.Length),
+            grid.LengthU,
+            grid.LengthV,
+            weight);
     }
 
     // The energy determines poles that the points do not, so a cubic works for two points too.

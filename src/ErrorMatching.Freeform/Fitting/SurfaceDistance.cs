@@ -60,7 +60,8 @@ public sealed class SurfaceDistance
         var breaks = knots.Breaks;
         return [.. Enumerable.Range(0, ((breaks.Count - 1) * SamplesPerPiece) + 1).Select(k => k % SamplesPerPiece == 0
             ? breaks[k / SamplesPerPiece]
-            : breaks[k / SamplesPerPiece] + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
+            : breaks[k / SamplesPerPiece]
+                + ((breaks[(k / SamplesPerPiece) + 1] - breaks[k / SamplesPerPiece]) * (k % SamplesPerPiece) / SamplesPerPiece))];
     }
 
     /// <summary>The place whose normal passes through the point. If there is none nearby, or only far beyond an edge, the

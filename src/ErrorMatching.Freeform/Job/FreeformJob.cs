@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform;
 /// <remarks>The schema describes every key (<see cref="FreeformTemplate.Schema"/>). Lengths in millimeters, angles in degrees.</remarks>
 public sealed record FreeformJob
 {
-    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(FreeformTemplate.Schema), "freeform.schema.json"));
+    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
+        Encoding.UTF8.GetBytes(FreeformTemplate.Schema), "freeform.schema.json"));
 
     internal FreeformJob()
     {

@@ -46,20 +46,33 @@ internal sealed class FreeformJobReader(JsonItem root)
         var stock = new JobStock(item["roughing"].Number, item["semiFinishing"].Number);
         if (stock.RoughingMm < stock.SemiFinishingMm)
         {
-            Refuse(item["roughing"], "stock-grows", $"{item["roughing"].Text} mm, less than the {item["semiFinishing"].Text} mm of semi-finishing", "at least the stock of semi-finishing");
+            Refuse(
+                item["roughing"],
+                "stock-grows",
+                $"{item["roughing"].Text} mm, less than the {item["semiFinishing"].Text} mm of semi-finishing",
+                "at least the stock of semi-finishing");
         }
 
         return stock;
     }
 
-    private JobTool ReadTool() => new(root["tool"]["diameterMm"].Number, (int)(root["tool"].Find("flutes")?.Number ?? 2), root["spindleRpm"].Number, root["feedMmPerMin"].Number);
+    private JobTool ReadTool() => new(
+        root["tool"]["diameterMm"].Number,
+        (int)(root["tool"].Find("flutes")?.Number ?? 2),
+        root["spindleRpm"].Number,
+        root["feedMmPerMin"].Number);
 
     private JobMeasuring ReadMeasuring(JsonItem item)
     {
-        var (curves, each, all, error) = (Count(item, "curves"), Count(item, "pointsPerCurve"), Count(item, "points"), item.Find("reconstructionErrorMm")?.Number);
+        var (curves, each, all, error) = (
+            Count(item, "curves"), Count(item, "pointsPerCurve"), Count(item, "points"), item.Find("reconstructionErrorMm")?.Number);
         if (error is null && (curves is null || (each is null && all is null)))
         {
-            Refuse(item, "points-missing", "no number of measuring points", "\"curves\" with \"pointsPerCurve\" or \"points\", or \"reconstructionErrorMm\"");
+            Refuse(
+                item,
+                "points-missing",
+                "no number of measuring points",
+                "\"curves\" with \"pointsPerCurve\" or \"points\", or \"reconstructionErrorMm\"");
         }
         else if (error is not null && (curves ?? each ?? all) is not null)
         {
@@ -126,12 +139,18 @@ internal sealed class FreeformJobReader(JsonItem root)
         var (number, name) = (item.Find("number"), item.Find("name"));
         if (number is null == name is null)
         {
-            var (code, found) = number is null ? ("tool-missing", "a tool without number and name") : ("tool-twice", "a tool by number and by name");
+            var (code, found) = number is null
+                ? ("tool-missing", "a tool without number and name")
+                : ("tool-twice", "a tool by number and by name");
             Refuse(item, code, found, "\"number\", or on a control that knows names \"name\"");
         }
         else if (name is not null && !ToolCall.IsName(name.Text))
         {
-            Refuse(name, "bad-tool-name", $"the name {ProbingLogReader.Shown(name.Text)}", $"at most {ToolCall.MostCharacters} letters, digits, spaces and _ - . + / #");
+            Refuse(
+                name,
+                "bad-tool-name",
+                $"the name {ProbingLogReader.Shown(name.Text)}",
+                $"at most {ToolCall.MostCharacters} letters, digits, spaces and _ - . + / #");
         }
 
         return new((int?)number?.Number, name?.Text, (int)item["lengthOffset"].Number);
@@ -146,5 +165,6 @@ internal sealed class FreeformJobReader(JsonItem root)
 
     private static int? Count(JsonItem item, string key) => (int?)item.Find(key)?.Number;
 
-    private void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
+    private void Refuse(JsonItem item, string code, string found, string expected) =>
+        Problems.Add(JsonProblem.At(item, code, found, expected));
 }

@@ -41,7 +41,8 @@ public sealed record MeasuringPlan
 
     /// <summary>Largest distance, along the normal, between the nominal surface and a piecewise cubic surface through the plan's points
     /// alone: what the plan can miss of such a shape.</summary>
-    public double ReconstructionErrorMm => _reconstructionErrorMm ??= Points.Count == 0 ? double.NaN : new PlanReconstruction(Surface, Lines).ErrorMm().EverywhereMm;
+    public double ReconstructionErrorMm =>
+        _reconstructionErrorMm ??= Points.Count == 0 ? double.NaN : new PlanReconstruction(Surface, Lines).ErrorMm().EverywhereMm;
 
     /// <summary>Height of the stylus ball's center during travel between points.</summary>
     public double ClearanceZ => Access.ClearanceZ;

@@ -60,10 +60,17 @@ public static class MeasuringPlanner
 
     private static IReadOnlyList<PlanCurve> Given(PlanLayout layout, JobMeasuring measuring)
     {
-        var curves = measuring.Curves ?? throw new ArgumentException("The job gives neither a number of curves nor a wanted error.", nameof(measuring));
-        var points = measuring.Points ?? (curves * (measuring.PointsPerCurve ?? throw new ArgumentException("The job gives no number of points.", nameof(measuring))));
+        var curves = measuring.Curves
+            ?? throw new ArgumentException("The job gives neither a number of curves nor a wanted error.", nameof(measuring));
+        var points = measuring.Points
+            ?? (
+                curves * (
+                    measuring.PointsPerCurve ?? throw new ArgumentException("The job gives no number of points.", nameof(measuring))));
         return points > MaxPoints
-            ? throw new PlanRefusedException(new("too-many-points", string.Create(CultureInfo.InvariantCulture, $"{points} points are asked for; at most {MaxPoints} are planned. Ask for fewer.")))
+            ? throw new PlanRefusedException(new(
+                "too-many-points",
+                string.Create(
+                    CultureInfo.InvariantCulture, $"{points} points are asked for; at most {MaxPoints} are planned. Ask for fewer.")))
             : measuring.PointsPerCurve is { } each ? layout.Even(curves, each) : layout.Spread(curves, points);
     }
 
@@ -85,7 +92,10 @@ public static class MeasuringPlanner
 
         throw new PlanRefusedException(new(
             "error-not-reached",
-            string.Create(CultureInfo.InvariantCulture, $"{MostForError} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise reconstructionErrorMm, or give numbers of curves and points.")));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{MostForError} points do not know the nominal surface to {wanted} mm: it has a feature too sharp for points. Raise "
+                    + $"reconstructionErrorMm, or give numbers of curves and points.")));
     }
 
     private static MeasuringPlan Ordered(MeasuringPlan plan)
@@ -97,7 +107,15 @@ public static class MeasuringPlanner
             {
                 var (u, reason) = curves[j].Nodes[i];
                 var at = plan.Surface.Spline.At(u, curves[j].V);
-                points.Add(new(0, i, j, u, curves[j].V, at.Position, plan.Surface.NormalOf(at), reason == PlanReason.Slope && curves[j].Reason == PlanReason.Break ? PlanReason.Break : reason));
+                points.Add(new(
+                    0,
+                    i,
+                    j,
+                    u,
+                    curves[j].V,
+                    at.Position,
+                    plan.Surface.NormalOf(at),
+                    reason == PlanReason.Slope && curves[j].Reason == PlanReason.Break ? PlanReason.Break : reason));
             }
         }
 

@@ -17,7 +17,10 @@ public static class PlanCsv
         var text = new StringBuilder(Header).Append('\n');
         foreach (var p in plan.Points)
         {
-            text.Append(CultureInfo.InvariantCulture, $"{p.Number},{p.I},{p.J},{Mm(p.Position.X)},{Mm(p.Position.Y)},{Mm(p.Position.Z)},{Unit(p.Normal.X)},{Unit(p.Normal.Y)},{Unit(p.Normal.Z)},{NameOf(p.Reason)}\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{p.Number},{p.I},{p.J},{Mm(p.Position.X)},{Mm(p.Position.Y)},{Mm(p.Position.Z)},{Unit(p.Normal.X)},{Unit(p.Normal.Y)},"
+                    + $"{Unit(p.Normal.Z)},{NameOf(p.Reason)}\n");
         }
 
         return Encoding.UTF8.GetBytes(text.ToString());

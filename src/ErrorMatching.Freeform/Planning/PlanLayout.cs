@@ -28,7 +28,12 @@ internal sealed class PlanLayout
         BreaksU = CurvatureBreaks.Common(surface, alongU: true);
         BreaksV = [.. CurvatureBreaks.Common(surface, alongU: false).Where(b => b > _v.Start && b < _v.End)];
         var knots = surface.Spline.KnotsU;
-        _across = CurveSpacing.Of([.. Enumerable.Range(0, Lines).Select(i => new IsoCurve(surface, AlongU: false, knots.Start + ((i + 0.5) / Lines * (knots.End - knots.Start))))], _v.Start, _v.End);
+        _across = CurveSpacing.Of(
+            [
+                .. Enumerable.Range(0, Lines).Select(i => new IsoCurve(
+                    surface, AlongU: false, knots.Start + ((i + 0.5) / Lines * (knots.End - knots.Start))))],
+            _v.Start,
+            _v.End);
         _shared = Shared();
     }
 
@@ -58,7 +63,8 @@ internal sealed class PlanLayout
         var lines = Curves(curves);
         var ends = lines.Select(l => EndsOf(l.V)).ToArray();
         var spacings = lines.Select((l, j) => CurveSpacing.Of([CurveAt(l.V)], ends[j].Start, ends[j].End)).ToArray();
-        var breaks = lines.Select((l, j) => CurvatureBreaks.On(CurveAt(l.V)).Where(b => b > ends[j].Start && b < ends[j].End).ToArray()).ToArray();
+        var breaks = lines.Select(
+            (l, j) => CurvatureBreaks.On(CurveAt(l.V)).Where(b => b > ends[j].Start && b < ends[j].End).ToArray()).ToArray();
         var needed = breaks.Sum(b => b.Length + 2);
         if (needed > points)
         {
@@ -66,7 +72,8 @@ internal sealed class PlanLayout
         }
 
         var (angle, length) = (spacings.Sum(s => s.AngleRad), spacings.Sum(s => s.LengthMm));
-        var most = LargestRemainder.Divide(points, [.. spacings.Select(s => (angle > 0 ? AnglePart * s.AngleRad / angle : 0) + ((1 - AnglePart) * s.LengthMm / length))]);
+        var most = LargestRemainder.Divide(
+            points, [.. spacings.Select(s => (angle > 0 ? AnglePart * s.AngleRad / angle : 0) + ((1 - AnglePart) * s.LengthMm / length))]);
         var counts = most.Select((m, j) => Math.Max(m, breaks[j].Length + 2)).ToArray();
 
         // Ends and breaks may need points beyond a curve's share. These are taken from the curves with the most points to spare.
@@ -93,13 +100,20 @@ internal sealed class PlanLayout
     }
 
     private PlanCurve Own((double V, PlanReason Reason) line, int each, (double Start, double End) ends) =>
-        new(line.V, line.Reason, Nodes(CurveSpacing.Of([CurveAt(line.V)], ends.Start, ends.End), each, [.. CurvatureBreaks.On(CurveAt(line.V)).Where(b => b > ends.Start && b < ends.End)]));
+        new(
+            line.V,
+            line.Reason,
+            Nodes(
+                CurveSpacing.Of([CurveAt(line.V)], ends.Start, ends.End),
+                each,
+                [.. CurvatureBreaks.On(CurveAt(line.V)).Where(b => b > ends.Start && b < ends.End)]));
 
     private IReadOnlyList<(double V, PlanReason Reason)> Curves(int count) => count >= BreaksV.Count + 2
         ? _across.Place(count, BreaksV)
         : throw PlanRefusedException.TooFew("curves", count, BreaksV.Count + 2, BreaksV.Count);
 
-    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, double[] breaks) => count >= breaks.Length + 2
+    private static IReadOnlyList<(double U, PlanReason Reason)> Nodes(CurveSpacing spacing, int count, double[] breaks) =>
+        count >= breaks.Length + 2
         ? spacing.Place(count, breaks)
         : throw PlanRefusedException.TooFew("points on a curve", count, breaks.Length + 2, breaks.Length);
 
@@ -134,7 +148,8 @@ internal sealed class PlanLayout
             var inside = Enumerable.Range(0, parts + 1).Where(i => line.IsInside(At(i))).ToArray();
             if (inside.Length < 2)
             {
-                throw PlanRefusedException.NoRoom(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
+                throw PlanRefusedException.NoRoom(string.Create(
+                    System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
             }
 
             (start, end) = (Edge(line, At(inside[0]), At(inside[0] - 1)), Edge(line, At(inside[^1]), At(inside[^1] + 1)));
@@ -144,7 +159,10 @@ internal sealed class PlanLayout
         }
 
         var ends = SetIn(curve, start, end, setIn);
-        return ends.Start < ends.End ? ends : throw PlanRefusedException.NoRoom(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
+        return ends.Start < ends.End
+            ? ends
+            : throw PlanRefusedException.NoRoom(string.Create(
+                System.Globalization.CultureInfo.InvariantCulture, $"the curve at v = {v:0.####}"));
     }
 
     private static double Edge(RegionLine line, double inside, double outside)

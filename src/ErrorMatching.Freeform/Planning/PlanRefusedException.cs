@@ -9,8 +9,13 @@ internal sealed class PlanRefusedException(FreeformRefusal refusal) : Exception(
 
     public static PlanRefusedException TooFew(string what, int asked, int needed, int breaks) => new(new(
         "too-few-points",
-        string.Create(CultureInfo.InvariantCulture, $"{asked} {what} are asked for, but ends and {breaks} curvature breaks alone need {needed}: ask for at least {needed}.")));
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"{asked} {what} are asked for, but ends and {breaks} curvature breaks alone need {needed}: ask for at least {needed}.")));
 
     public static PlanRefusedException NoRoom(string where) => new(new(
-        "no-room", $"{where} has no room for points: trimming leaves less than twice the {PlanLayout.TrimSetInMm.ToString(CultureInfo.InvariantCulture)} mm that are kept from its edges. Measure fewer curves, or another surface."));
+        "no-room",
+        $"{where} has no room for points: trimming leaves less than twice the "
+            + $"{PlanLayout.TrimSetInMm.ToString(CultureInfo.InvariantCulture)} mm that are kept from its edges. Measure fewer "
+            + $"curves, or another surface."));
 }

@@ -45,7 +45,11 @@ internal sealed class ProbeAccess
     public IReadOnlyList<FreeformRefusal> Refusals { get; } = [];
 
     private FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
-        ? new("untouchable-point", string.Create(CultureInfo.InvariantCulture, $"point {point.Number} (i {point.I}, j {point.J}) at {PlaceText.Words(point.Position)} cannot be touched: {reason}"))
+        ? new(
+            "untouchable-point",
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"point {point.Number} (i {point.I}, j {point.J}) at {PlaceText.Words(point.Position)} cannot be touched: {reason}"))
         : null;
 
     private string? Reason(PlanPoint point)
@@ -61,7 +65,10 @@ internal sealed class ProbeAccess
         var reach = _plan.StylusRadiusMm + _plan.StockMm;
         if (hollow * reach > 1)
         {
-            return string.Create(CultureInfo.InvariantCulture, $"the hollow there has a radius of {1 / hollow:0.###} mm, less than the {reach:0.###} mm of ball and stock. Use a smaller ball.");
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"the hollow there has a radius of {1 / hollow:0.###} mm, less than the {reach:0.###} mm of ball and stock. Use a "
+                    + $"smaller ball.");
         }
 
         var (approach, center) = (_plan.ApproachOf(point), _plan.CenterOf(point));
@@ -97,5 +104,6 @@ internal sealed class ProbeAccess
     }
 
     private static string Collision(string when, Point3 at) =>
-        $"{when} the stylus meets the surface at {PlaceText.Words(at)}. Use a thinner stylus, another approachMm, or leave this part of the surface out.";
+        $"{when} the stylus meets the surface at {PlaceText.Words(at)}. Use a thinner stylus, another approachMm, or leave this part of "
+            + $"the surface out.";
 }

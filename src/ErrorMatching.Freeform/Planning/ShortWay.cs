@@ -199,7 +199,8 @@ internal sealed class ShortWay
 
         Change(before, start, end);
         Change(next, last, behind);
-        return Between(before, next) + Between(last, start) + Between(end, behind) - Between(before, start) - Between(end, next) - Between(last, behind);
+        return Between(before, next) + Between(last, start)
+            + Between(end, behind) - Between(before, start) - Between(end, next) - Between(last, behind);
     }
 
     // Joins a point with one that is nearer than its successor, and reverses the piece between them. Returns the reduction in length.

@@ -16,7 +16,10 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
     /// <summary>The measured contact of a planned point.</summary>
     /// <param name="point">The number of the point, from 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">The plan has no such point.</exception>
-    public Point3 this[int point] => point >= 1 && point <= Points.Count ? Points[point - 1].Contact : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
+    public Point3 this[int point] =>
+        point >= 1 && point <= Points.Count
+            ? Points[point - 1].Contact
+            : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
 
     /// <summary>Throws if files contain the same measurement, which would count several times.</summary>
     /// <exception cref="FreeformException"><c>same-measurement</c>.</exception>
@@ -27,7 +30,10 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         {
             if (!first.TryAdd(file.Sha256, file.File))
             {
-                throw new FreeformException("same-measurement", file.File, $"its bytes are those of {first[file.Sha256]}: one measurement counts once. Give each measurement once.");
+                throw new FreeformException(
+                    "same-measurement",
+                    file.File,
+                    $"its bytes are those of {first[file.Sha256]}: one measurement counts once. Give each measurement once.");
             }
         }
     }

@@ -35,7 +35,10 @@ public static class MeasuredSurfaceReader
         ArgumentNullException.ThrowIfNull(measuring);
         if (bytes.Length > MaxBytes)
         {
-            throw new FreeformException("file-too-large", file, FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
+            throw new FreeformException(
+                "file-too-large",
+                file,
+                FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
         }
 
         var lines = TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n');
@@ -49,12 +52,21 @@ public static class MeasuredSurfaceReader
             var number = NumberOf(point, places, plan, file);
             if (found[number - 1] is { } first)
             {
-                throw new FreeformException("doubled-point", file, FormattableString.Invariant($"point {number} is here a second time, the first is in line {first.Line}. Delete the one that does not count."), point.Line);
+                throw new FreeformException(
+                    "doubled-point",
+                    file,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"point {number} is here a second time, the first is in line {first.Line}. Delete the one that does not count."),
+                    point.Line);
             }
 
             if (point.Number is not null && number < before && warnings.Count == 0)
             {
-                warnings.Add(FormattableString.Invariant($"{file}, line {point.Line}: point {number} stands behind point {before}. Points are taken by their numbers; was another order measured?"));
+                warnings.Add(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{file}, line {point.Line}: point {number} stands behind point {before}. Points are taken by their numbers; was "
+                        + $"another order measured?"));
             }
 
             found[number - 1] = point;
@@ -67,10 +79,12 @@ public static class MeasuredSurfaceReader
         return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings) { CutByMeasurement = cutBy };
     }
 
-    private static IReadOnlyList<RawPoint> Lines(ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring, out string? cutBy)
+    private static IReadOnlyList<RawPoint> Lines(
+        ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring, out string? cutBy)
     {
         cutBy = null;
-        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim() ?? throw new FreeformException("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
+        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim()
+            ?? throw new FreeformException("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
         if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
         {
             var log = new ProbingLogReader(file, plan);
@@ -84,11 +98,28 @@ public static class MeasuredSurfaceReader
             return new MeasuredTableReader(file, measuring.ReportsStylusCenter).Read(lines);
         }
 
-        return [.. MeasurementReader.Read(bytes.ToArray(), file, MeasurementFormat.FeatureTable with { Delimiter = MeasuredTableReader.DelimiterOf(first) }).Points.Select(p => new RawPoint(
-            MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number ? number : throw new FreeformException("bad-number", file, $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.", p.Line),
+        return [
+            .. MeasurementReader.Read(
+                bytes.ToArray(),
+                file,
+                MeasurementFormat.FeatureTable with { Delimiter = MeasuredTableReader.DelimiterOf(first) })
+                .Points.Select(p => new RawPoint(
+            MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number
+                ? number
+                : throw new FreeformException(
+                    "bad-number",
+                    file,
+                    $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.",
+                    p.Line),
             null,
             null,
-            p.HasZ ? p.Position : throw new FreeformException("missing-coordinate", file, $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.", p.Line),
+            p.HasZ
+                ? p.Position
+                : throw new FreeformException(
+                    "missing-coordinate",
+                    file,
+                    $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.",
+                    p.Line),
             measuring.ReportsStylusCenter,
             p.Line))];
     }
@@ -99,18 +130,36 @@ public static class MeasuredSurfaceReader
         {
             if (number < 1 || number > plan.Points.Count)
             {
-                throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."), point.Line);
+                throw new FreeformException(
+                    "unknown-point",
+                    file,
+                    FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."),
+                    point.Line);
             }
 
             var planned = plan.Points[number - 1];
             return point.I is null || (point.I == planned.I && point.J == planned.J)
                 ? number
-                : throw new FreeformException("contradictory-point", file, FormattableString.Invariant($"found point {number} with i {point.I}, j {point.J}; in the plan it is i {planned.I}, j {planned.J}. Delete the column point, or the columns i and j, whichever is wrong."), point.Line);
+                : throw new FreeformException(
+                    "contradictory-point",
+                    file,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"found point {number} with i {point.I}, j {point.J}; in the plan it is i {planned.I}, j {planned.J}. Delete the "
+                            + $"column point, or the columns i and j, whichever is wrong."),
+                    point.Line);
         }
 
         return point is { I: { } i, J: { } j } && places.TryGetValue((i, j), out var found)
             ? found
-            : throw new FreeformException("unknown-point", file, FormattableString.Invariant($"found the point i {point.I}, j {point.J}; the plan has i from 0 to {plan.Points.Max(p => p.I)} and j from 0 to {plan.Points.Max(p => p.J)}."), point.Line);
+            : throw new FreeformException(
+                "unknown-point",
+                file,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"found the point i {point.I}, j {point.J}; the plan has i from 0 to {plan.Points.Max(p => p.I)} and j from 0 to "
+                        + $"{plan.Points.Max(p => p.J)}."),
+                point.Line);
     }
 
     private static void Missing(RawPoint?[] found, string file)
@@ -118,8 +167,15 @@ public static class MeasuredSurfaceReader
         var missing = Enumerable.Range(1, found.Length).Where(n => found[n - 1] is null).ToArray();
         if (missing.Length > 0)
         {
-            var shown = string.Join(", ", missing.Take(10).Select(n => n.ToString(CultureInfo.InvariantCulture))) + (missing.Length > 10 ? ", ..." : "");
-            throw new FreeformException("missing-point", file, FormattableString.Invariant($"{missing.Length} of the plan's {found.Length} points are missing: {shown}. Measure them, or make a plan without them."));
+            var shown = string.Join(", ", missing.Take(10).Select(n => n.ToString(CultureInfo.InvariantCulture)))
+                + (missing.Length > 10 ? ", ..." : "");
+            throw new FreeformException(
+                "missing-point",
+                file,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{missing.Length} of the plan's {found.Length} points are missing: {shown}. Measure them, or make a plan without "
+                        + $"them."));
         }
     }
 
@@ -131,7 +187,12 @@ public static class MeasuredSurfaceReader
         }
 
         var foot = NormalFoot.Of(plan.Surface.Spline, raw.Position, planned.U, planned.V)
-            ?? throw new FreeformException("far-off-point", file, FormattableString.Invariant($"point {planned.Number} is so far from the surface that no normal of it goes through its center."), raw.Line);
+            ?? throw new FreeformException(
+                "far-off-point",
+                file,
+                FormattableString.Invariant(
+                    $"point {planned.Number} is so far from the surface that no normal of it goes through its center."),
+                raw.Line);
         return raw.Position + (plan.Surface.NormalOf(foot) * -plan.StylusRadiusMm);
     }
 
@@ -151,7 +212,8 @@ public static class MeasuredSurfaceReader
         var along = off.Dot(first.Planned.Normal);
         var isRadius = !found[first.Planned.Number - 1]!.IsCenter && Math.Abs(along - plan.StylusRadiusMm) < limit / 4;
         var hint = isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
-            : far.Length == points.Length ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
+            : far.Length == points.Length
+                ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
             : "Measure it again.";
         var others = far.Length switch
         {
@@ -162,7 +224,11 @@ public static class MeasuredSurfaceReader
         throw new FreeformException(
             "far-off-point",
             file,
-            string.Create(CultureInfo.InvariantCulture, $"point {first.Planned.Number} is {PlaceText.Mm(off.Length, 4)} mm from where it is expected ({PlaceText.Mm(along, 3)} mm along the normal; {PlaceText.Words(new(off.X, off.Y, off.Z))}), and the measuring move reaches less than {limit:0.####} mm.{others} {hint}"),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"point {first.Planned.Number} is {PlaceText.Mm(off.Length, 4)} mm from where it is expected ({PlaceText.Mm(along, 3)} "
+                    + $"mm along the normal; {PlaceText.Words(new(off.X, off.Y, off.Z))}), and the measuring move reaches less than "
+                    + $"{limit:0.####} mm.{others} {hint}"),
             first.Line);
     }
 
@@ -171,7 +237,9 @@ public static class MeasuredSurfaceReader
         try
         {
             var text = new UTF8Encoding(false, true).GetString(bytes).TrimStart('\uFEFF');
-            return text.Contains('\0', StringComparison.Ordinal) ? throw new FreeformException("binary-file", file, "found a NUL character; expected text.") : text;
+            return text.Contains('\0', StringComparison.Ordinal)
+                ? throw new FreeformException("binary-file", file, "found a NUL character; expected text.")
+                : text;
         }
         catch (DecoderFallbackException)
         {

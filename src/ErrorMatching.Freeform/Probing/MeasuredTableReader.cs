@@ -25,7 +25,12 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         var (point, i, j) = (Find("point", "label"), Find("i"), Find("j"));
         if (point < 0 && (i < 0 || j < 0))
         {
-            throw new FreeformException("missing-column", file, $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected point, or i and j.", head + 1);
+            throw new FreeformException(
+                "missing-column",
+                file,
+                $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected point, or "
+                    + $"i and j.",
+                head + 1);
         }
 
         var points = new List<RawPoint>();
@@ -39,18 +44,35 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             var cells = lines[row].Split(_delimiter);
             if (cells.Length < names.Length)
             {
-                throw new FreeformException("short-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header."), row + 1);
+                throw new FreeformException(
+                    "short-row",
+                    file,
+                    FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header."),
+                    row + 1);
             }
 
             // A decimal comma would split a coordinate into two and give a different point.
             if (cells.Skip(names.Length).Any(c => c.Trim().Length > 0))
             {
-                throw new FreeformException("long-row", file, FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header, and numbers with a decimal point."), row + 1);
+                throw new FreeformException(
+                    "long-row",
+                    file,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"found a line of {cells.Length} cells; expected {names.Length} as in the header, and numbers with a decimal "
+                            + $"point."),
+                    row + 1);
             }
 
             var position = new Point3(Number(cells, x, row), Number(cells, y, row), Number(cells, z, row));
             points.Add(point >= 0
-                ? new(Label(cells[point].Trim().Trim('"'), row, point), i >= 0 && j >= 0 ? Whole(cells, i, row) : null, i >= 0 && j >= 0 ? Whole(cells, j, row) : null, position, isCenter, row + 1)
+                ? new(
+                    Label(cells[point].Trim().Trim('"'), row, point),
+                    i >= 0 && j >= 0 ? Whole(cells, i, row) : null,
+                    i >= 0 && j >= 0 ? Whole(cells, j, row) : null,
+                    position,
+                    isCenter,
+                    row + 1)
                 : new(null, Whole(cells, i, row), Whole(cells, j, row), position, isCenter, row + 1));
         }
 
@@ -62,13 +84,21 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         {
             var at = Find(any);
             return at < 0
-                ? throw new FreeformException("missing-column", file, $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected {any[0]} among them.", head + 1)
-                : names.Count(n => any.Contains(n, StringComparer.Ordinal)) > 1 ? throw new FreeformException("duplicate-column", file, $"found two columns for {any[0]}; expected it once.", head + 1) : at;
+                ? throw new FreeformException(
+                    "missing-column",
+                    file,
+                    $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected "
+                        + $"{any[0]} among them.",
+                    head + 1)
+                : names.Count(n => any.Contains(n, StringComparer.Ordinal)) > 1
+                    ? throw new FreeformException("duplicate-column", file, $"found two columns for {any[0]}; expected it once.", head + 1)
+                    : at;
         }
     }
 
     /// <summary>The column separator of a table with this header.</summary>
-    public static char DelimiterOf(string header) => header.Contains(';', StringComparison.Ordinal) ? ';' : header.Contains('\t', StringComparison.Ordinal) ? '\t' : ',';
+    public static char DelimiterOf(string header) =>
+        header.Contains(';', StringComparison.Ordinal) ? ';' : header.Contains('\t', StringComparison.Ordinal) ? '\t' : ',';
 
     /// <summary>The number in a point's name: 12, P12, point 12.</summary>
     /// <returns>The number, or -1 if there is none.</returns>
@@ -80,19 +110,33 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             digits--;
         }
 
-        return int.TryParse(label.AsSpan(digits), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && !label.AsSpan(0, digits).ContainsAny(OfNumbers) ? number : -1;
+        return int.TryParse(label.AsSpan(digits), NumberStyles.None, CultureInfo.InvariantCulture, out var number)
+            && !label.AsSpan(0, digits).ContainsAny(OfNumbers)
+            ? number
+            : -1;
     }
 
     private int Label(string label, int row, int column) => NumberOf(label) is >= 0 and var number
         ? number
-        : throw new FreeformException("bad-number", file, $"found {ProbingLogReader.Shown(label)}; expected the number of a point of the plan.", row + 1, column + 1);
+        : throw new FreeformException(
+            "bad-number", file, $"found {ProbingLogReader.Shown(label)}; expected the number of a point of the plan.", row + 1, column + 1);
 
     private double Number(string[] cells, int column, int row)
     {
         var text = cells[column].Trim().Trim('"');
-        return double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out var value) && double.IsFinite(value)
+        return double.TryParse(
+            text,
+            NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
+            CultureInfo.InvariantCulture,
+            out var value)
+            && double.IsFinite(value)
             ? value
-            : throw new FreeformException("bad-number", file, $"found {ProbingLogReader.Shown(text)}; expected a coordinate in millimetres with a decimal point.", row + 1, column + 1);
+            : throw new FreeformException(
+                "bad-number",
+                file,
+                $"found {ProbingLogReader.Shown(text)}; expected a coordinate in millimetres with a decimal point.",
+                row + 1,
+                column + 1);
     }
 
     private int Whole(string[] cells, int column, int row)
@@ -100,6 +144,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         var text = cells[column].Trim().Trim('"');
         return int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value)
             ? value
-            : throw new FreeformException("bad-number", file, $"found {ProbingLogReader.Shown(text)}; expected a whole number as in plan.csv.", row + 1, column + 1);
+            : throw new FreeformException(
+                "bad-number", file, $"found {ProbingLogReader.Shown(text)}; expected a whole number as in plan.csv.", row + 1, column + 1);
     }
 }

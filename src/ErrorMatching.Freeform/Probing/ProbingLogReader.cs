@@ -1,10 +1,14 @@
+using System.Globalization;
+
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point, then one that says that it is whole.</summary>
+/// <summary>Reads the log that a probing program writes: a line that names the plan, then one a point,
+/// then one that says that it is whole.</summary>
 /// <remarks>
-/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the contact, coordinates; then <c>END</c>, which may be missing. Behind a program
-/// that follows a measurement, <c>CUTBY</c> names it behind the first line. Controls pad numbers with spaces and zeros, and
-/// put lines of their own around the file, which begin with a percent sign or a semicolon.
+/// <c>ERRORMATCH PROBE PLAN 0123456789ABCDEF MM</c>, then <c>P12 C X1.5 Y2. Z-3.25</c>: point 12, C for the ball's center or S for the
+/// contact, coordinates; then <c>END</c>, which may be missing. Behind a program that follows a measurement, <c>CUTBY</c> names it behind
+/// the first line. Controls pad numbers with spaces and zeros, and put lines of their own around the file,
+/// which begin with a percent sign or a semicolon.
 /// </remarks>
 internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
 {
@@ -12,7 +16,8 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
     private const string LastWord = "END";
     private const string CutBy = "CUTBY ";
 
-    /// <summary>The measurement that the program followed which cut the surface just before; null if it followed none, or that is not known.</summary>
+    /// <summary>The measurement that the program followed which cut the surface just before;
+    /// null if it followed none, or that is not known.</summary>
     public string? CutByMeasurement { get; private set; }
 
     public IReadOnlyList<RawPoint> Read(IReadOnlyList<string> lines)
@@ -29,12 +34,25 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
 
             if (line.StartsWith(FirstWord, StringComparison.Ordinal))
             {
-                begun = begun == 0 ? i + 1 : throw new FreeformException("two-runs", file, FormattableString.Invariant($"a second run of the probing program begins here, the first began in line {begun}. Delete all but the one that counts."), i + 1);
+                begun = begun == 0
+                    ? i + 1
+                    : throw new FreeformException(
+                        "two-runs",
+                        file,
+                        string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"a second run of the probing program begins here, the first began in line {begun}. Delete all but the one "
+                                + $"that counts."),
+                        i + 1);
                 Head(line, i + 1);
             }
             else if (ended > 0)
             {
-                throw new FreeformException("bad-log", file, FormattableString.Invariant($"found {Shown(line)} behind {LastWord} in line {ended}; expected nothing more."), i + 1);
+                throw new FreeformException(
+                    "bad-log",
+                    file,
+                    FormattableString.Invariant($"found {Shown(line)} behind {LastWord} in line {ended}; expected nothing more."),
+                    i + 1);
             }
             else if (line.StartsWith(CutBy, StringComparison.Ordinal))
             {
@@ -58,20 +76,28 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
         var words = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
         if (words is not [FirstWord, "PROBE", "PLAN", var id, var unit])
         {
-            throw new FreeformException("bad-log", file, $"found {Shown(line)}; expected {FirstWord} PROBE PLAN, the plan's number, and MM.", number);
+            throw new FreeformException(
+                "bad-log", file, $"found {Shown(line)}; expected {FirstWord} PROBE PLAN, the plan's number, and MM.", number);
         }
 
         if (unit != "MM")
         {
-            throw new FreeformException("bad-log", file, $"found the unit {Shown(unit)}; expected MM: the log of a probing program is in millimetres.", number);
+            throw new FreeformException(
+                "bad-log", file, $"found the unit {Shown(unit)}; expected MM: the log of a probing program is in millimetres.", number);
         }
 
         var expected = ProbingProgram.PlanId(plan);
         if (id != expected)
         {
-            throw new FreeformException("other-plan", file, $"the log belongs to the plan {Shown(id)}; that of the job is {expected}. Was the job or its surface changed behind surface probe?", number);
+            throw new FreeformException(
+                "other-plan",
+                file,
+                $"the log belongs to the plan {Shown(id)}; that of the job is {expected}. Was the job or its surface changed behind "
+                    + $"surface probe?",
+                number);
         }
     }
 
-    internal static string Shown(string text) => "\"" + string.Concat((text.Length <= 60 ? text : text[..60] + "...").Select(c => char.IsControl(c) ? '?' : c)) + "\"";
+    internal static string Shown(string text) =>
+        "\"" + string.Concat((text.Length <= 60 ? text : text[..60] + "...").Select(c => char.IsControl(c) ? '?' : c)) + "\"";
 }

@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform;
 /// as it does alone.</summary>
 internal sealed class ProbingMerge(ProbingProgram probing, string file, string? cutsIn)
 {
-    private const string LeavesBehind = "it leaves a rotation, a shift, another work offset, a compensation or another mode behind in which probing would go elsewhere. End it before M30.";
+    private const string LeavesBehind = "it leaves a rotation, a shift, another work offset, a compensation or another mode behind in "
+        + "which probing would go elsewhere. End it before M30.";
 
     public ReadOnlyMemory<byte> After(ReadOnlyMemory<byte> bytes, string definitions, string body)
     {
@@ -38,7 +39,8 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         {
             foreach (var token in program.Tokens(program[i]))
             {
-                if (token is { Kind: NcTokenKind.Word, Letter: (byte)'M' } && probing.Dialect.FunctionOf((int)Math.Clamp(token.Number.Value, -1, int.MaxValue)) == FunctionRole.ProgramEnd)
+                if (token is { Kind: NcTokenKind.Word, Letter: (byte)'M' }
+                    && probing.Dialect.FunctionOf((int)Math.Clamp(token.Number.Value, -1, int.MaxValue)) == FunctionRole.ProgramEnd)
                 {
                     ends.Add((i, token));
                 }
@@ -49,7 +51,10 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         {
             1 => ends[0],
             0 => throw Fail("it has no M2 or M30 that ends it. Add one where probing is to begin."),
-            _ => throw Fail($"it has {ends.Count} places that end it, the first in {program.NameOf(program[ends[0].Item1])}. Leave the one where probing is to begin."),
+            _ =>
+                throw Fail(
+                    $"it has {ends.Count} places that end it, the first in {program.NameOf(program[ends[0].Item1])}. Leave the one where "
+                        + $"probing is to begin."),
         };
     }
 
@@ -64,7 +69,11 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         for (var i = 0; i < program.BlockCount; i++)
         {
             var text = program.TextOf(program[i]).TrimStart();
-            if (text.Length > 0 && text[0] is not ('%' or ';') && !text.StartsWith("DEF ", StringComparison.OrdinalIgnoreCase) && !text.StartsWith("PROC ", StringComparison.OrdinalIgnoreCase) && !text.StartsWith("EXTERN ", StringComparison.OrdinalIgnoreCase))
+            if (text.Length > 0
+                && text[0] is not ('%' or ';')
+                && !text.StartsWith("DEF ", StringComparison.OrdinalIgnoreCase)
+                && !text.StartsWith("PROC ", StringComparison.OrdinalIgnoreCase)
+                && !text.StartsWith("EXTERN ", StringComparison.OrdinalIgnoreCase))
             {
                 return program[i].Start;
             }
@@ -86,8 +95,13 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
 
         if (alone.Problems is [var unknown, ..])
         {
-            var cuts = cutsIn is null || cutsIn == dialect.Name ? "" : $" (toolpath.dialect is {cutsIn}, measuring.dialect is {dialect.Name})";
-            throw Fail($"{first.NameOf(first[unknown.Block])} cannot be read as {dialect.Name}, for which the probing program is: {unknown.Message} One program runs on one control{cuts}. Give --after a program for {dialect.Name}, or change measuring.dialect to that of the program.");
+            var cuts = cutsIn is null || cutsIn == dialect.Name
+                ? ""
+                : $" (toolpath.dialect is {cutsIn}, measuring.dialect is {dialect.Name})";
+            throw Fail(
+                $"{first.NameOf(first[unknown.Block])} cannot be read as {dialect.Name}, for which the probing program is: "
+                    + $"{unknown.Message} One program runs on one control{cuts}. Give --after a program for {dialect.Name}, or change "
+                    + $"measuring.dialect to that of the program.");
         }
 
         if (OffsetChanges(alone))
@@ -97,14 +111,18 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
 
         if (both.Motions.Length != alone.Motions.Length + touched.Motions.Length)
         {
-            throw Fail("behind it the probing program would not make the motions that it makes alone: does it end with a cycle, a loop or a call that is still active?");
+            throw Fail(
+                "behind it the probing program would not make the motions that it makes alone: does it end with a cycle, a loop or a "
+                    + "call that is still active?");
         }
 
         for (var i = 0; i < both.Motions.Length; i++)
         {
             var (now, before) = (both.Motions[i], i < alone.Motions.Length ? alone.Motions[i] : touched.Motions[i - alone.Motions.Length]);
             var stated = ~before.UnknownEnd;
-            if (now.Kind != before.Kind || !Same(now.End, before.End, stated) || (now.Flags & ~before.Flags & ~Unknown(now)) != MotionFlags.None)
+            if (now.Kind != before.Kind
+                || !Same(now.End, before.End, stated)
+                || (now.Flags & ~before.Flags & ~Unknown(now)) != MotionFlags.None)
             {
                 throw Fail(i < alone.Motions.Length
                     ? "together with the definitions of the probing program it would move otherwise than alone."
@@ -114,7 +132,8 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
     }
 
     // After a call with unknown motion, a move starts at another place than the previous one ended. The program did not cause that.
-    private static MotionFlags Unknown(in NcMotion motion) => motion.UnknownStart == AxisSet.All ? MotionFlags.StartsElsewhere : MotionFlags.None;
+    private static MotionFlags Unknown(in NcMotion motion) =>
+        motion.UnknownStart == AxisSet.All ? MotionFlags.StartsElsewhere : MotionFlags.None;
 
     // Probing uses the work offset of the cuts, so it must not change after the last cut.
     private static bool OffsetChanges(NcPath path)
@@ -131,11 +150,14 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         }
 
         var (cuts, leaves) = (path.Frames[path.Motions[cut].Frame], path.Frames[^1]);
-        return leaves.UnknownShift == AxisSet.None && (cuts.WorkOffset, cuts.WorkOffsetNumber, cuts.Shift) != (leaves.WorkOffset, leaves.WorkOffsetNumber, leaves.Shift);
+        return leaves.UnknownShift == AxisSet.None
+            && (cuts.WorkOffset, cuts.WorkOffsetNumber, cuts.Shift) != (leaves.WorkOffset, leaves.WorkOffsetNumber, leaves.Shift);
     }
 
     private static bool Same(Point3 a, Point3 b, AxisSet axes) =>
-        ((axes & AxisSet.X) == AxisSet.None || a.X == b.X) && ((axes & AxisSet.Y) == AxisSet.None || a.Y == b.Y) && ((axes & AxisSet.Z) == AxisSet.None || a.Z == b.Z);
+        ((axes & AxisSet.X) == AxisSet.None || a.X == b.X)
+            && ((axes & AxisSet.Y) == AxisSet.None || a.Y == b.Y)
+            && ((axes & AxisSet.Z) == AxisSet.None || a.Z == b.Z);
 
     private FreeformException Fail(string problem) => new("not-mergeable", file, problem);
 }

@@ -15,7 +15,8 @@ public sealed class ProbingProgram
     private ProbingProgram(MeasuringPlan plan, NcDialect dialect, ProbingTemplate template, ProbingValues values)
     {
         (Plan, Dialect, Template, _values) = (plan, dialect, template, values);
-        Bytes = Encoding.UTF8.GetBytes(Text([ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], behind: null));
+        Bytes = Encoding.UTF8.GetBytes(Text(
+            [ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], behind: null));
     }
 
     /// <summary>The plan.</summary>
@@ -70,8 +71,10 @@ public sealed class ProbingProgram
     {
         // The surface cut by a program that follows a measurement must not be compensated like a nominal one, so the log records this.
         var markers = Marker.Find(NcProgram.Read(semiFinishing, Dialect.Syntax));
-        var behind = new ProbedBehind(markers is [var (_, marker), ..] ? marker?.MeasurementSha256.ToUpperInvariant() ?? ProbedBehind.Damaged : null);
-        return new ProbingMerge(this, file, cutsIn).After(semiFinishing, Text([ProbingTemplate.Definitions], behind), Text([ProbingTemplate.Body], behind));
+        var behind = new ProbedBehind(
+            markers is [var (_, marker), ..] ? marker?.MeasurementSha256.ToUpperInvariant() ?? ProbedBehind.Damaged : null);
+        return new ProbingMerge(this, file, cutsIn).After(
+            semiFinishing, Text([ProbingTemplate.Definitions], behind), Text([ProbingTemplate.Body], behind));
     }
 
     private void Check()
@@ -80,13 +83,20 @@ public sealed class ProbingProgram
         var path = NcInterpreter.Run(program, Dialect);
         if (path.Refusal is { } refusal)
         {
-            throw new FreeformException("bad-template", Template.File, $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
+            throw new FreeformException(
+                "bad-template",
+                Template.File,
+                $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
         }
 
         if (path.Problems.Count > 0)
         {
             var problem = path.Problems[0];
-            throw new FreeformException("bad-template", Template.File, $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, \"{program.TextOf(program[problem.Block])}\": {problem.Message}");
+            throw new FreeformException(
+                "bad-template",
+                Template.File,
+                $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, "
+                    + $"\"{program.TextOf(program[problem.Block])}\": {problem.Message}");
         }
     }
 

@@ -10,10 +10,14 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
     /// <summary>Ratio of the feed to a point and back to the measuring feed.</summary>
     private const double ApproachSpeed = 10;
 
-    public static readonly string[] OfProgram = ["job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm", "cut.measurement"];
+    public static readonly string[] OfProgram = [
+        "job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm",
+        "cut.measurement"];
 
     public static readonly string[] OfPoint =
-        ["point", "i", "j", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x", "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
+        [
+            "point", "i", "j", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x", "center.y",
+            "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
 
     public string this[string place, PlanPoint? point, ProbedBehind? behind] => place switch
     {
@@ -56,14 +60,22 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
             return (place == "point" ? point.Number : place == "i" ? point.I : point.J).ToString(CultureInfo.InvariantCulture);
         }
 
-        var at = place[..^2] switch { "approach" => plan.ApproachOf(point), "contact" => plan.ContactOf(point), "center" => plan.CenterOf(point), _ => plan.OvertravelOf(point) };
+        var at = place[..^2] switch
+        {
+            "approach" => plan.ApproachOf(point),
+            "contact" => plan.ContactOf(point),
+            "center" => plan.CenterOf(point),
+            _ => plan.OvertravelOf(point)
+        };
         return Mm(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
     }
 
     // A positive value of the job must not round to 0: at a feed of 0 the control stops, and a probe that does not move touches nothing.
-    private string NotZero(string key, double value) => Mm(value) is var text and not "0.0" ? text : throw new FreeformException("rounds-to-zero", template, string.Create(
+    private string NotZero(string key, double value) =>
+        Mm(value) is var text and not "0.0" ? text : throw new FreeformException("rounds-to-zero", template, string.Create(
         CultureInfo.InvariantCulture,
-        $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, {Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
+        $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, "
+            + $"{Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
 
     // In least increments, always with a decimal point: without one, some controls count increments.
     private string Mm(double value, bool up = false)

@@ -9,7 +9,13 @@ namespace ErrorMatching.Freeform;
 /// <param name="ToolPath">The tool path for the compensated surface.</param>
 /// <param name="Program">The finishing program's file as written, with its SHA-256.</param>
 /// <param name="CalculatingS">Calculation time in seconds, measured by the caller as the core has no clock; null if not measured.</param>
-public sealed record CompensationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, CompensationResult Result, ToolPath ToolPath, ReportInput Program, double? CalculatingS)
+public sealed record CompensationReport(
+    ReportJob Job,
+    IReadOnlyList<ReportInput> Inputs,
+    CompensationResult Result,
+    ToolPath ToolPath,
+    ReportInput Program,
+    double? CalculatingS)
 {
     /// <summary>True if the program calls its tool; false if it starts with a stop and an alarm because the job names none.</summary>
     public bool CallsTool { get; init; } = true;

@@ -74,7 +74,9 @@ public static class CompensationReportJson
 
     private static void Structure(ReportWriter json, SpatialStructure structure)
     {
-        json.Text("verdict", structure.Verdict switch { SpatialVerdict.Systematic => "systematic", SpatialVerdict.Noise => "noise", _ => "undetermined" });
+        json.Text(
+            "verdict",
+            structure.Verdict switch { SpatialVerdict.Systematic => "systematic", SpatialVerdict.Noise => "noise", _ => "undetermined" });
         if (structure.Verdict != SpatialVerdict.Undetermined)
         {
             json.Exact("moransI", structure.I);

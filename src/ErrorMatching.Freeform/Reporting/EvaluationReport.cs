@@ -11,7 +11,14 @@ namespace ErrorMatching.Freeform;
 /// <param name="Before">The pieces before compensation; null if none were given.</param>
 /// <param name="ToolRadius">Pieces of the design that were compensated by tool radius instead; null if none were given.</param>
 /// <param name="ToolRadiusBefore">Those before compensation; null if none were given.</param>
-public sealed record EvaluationReport(ReportJob Job, IReadOnlyList<ReportInput> Inputs, PartSurface Surface, SurfaceEvaluation Measured, SurfaceEvaluation? Before, SurfaceEvaluation? ToolRadius = null, SurfaceEvaluation? ToolRadiusBefore = null)
+public sealed record EvaluationReport(
+    ReportJob Job,
+    IReadOnlyList<ReportInput> Inputs,
+    PartSurface Surface,
+    SurfaceEvaluation Measured,
+    SurfaceEvaluation? Before,
+    SurfaceEvaluation? ToolRadius = null,
+    SurfaceEvaluation? ToolRadiusBefore = null)
 {
     /// <summary>Reduction of standard deviation and profile; null if there is nothing to compare.</summary>
     public SurfaceImprovement? Improvement => SurfaceImprovement.Of(Before, Measured);
@@ -28,7 +35,11 @@ public sealed record EvaluationReport(ReportJob Job, IReadOnlyList<ReportInput> 
         get
         {
             (string Name, SurfaceEvaluation? Evaluation)[] all =
-                [("Before", Before), (Before is null ? "Measured" : "After", Measured), ("Tool radius, before", ToolRadiusBefore), (ToolRadiusBefore is null ? "Tool radius" : "Tool radius, after", ToolRadius)];
+                [
+                    ("Before", Before),
+                    (Before is null ? "Measured" : "After", Measured),
+                    ("Tool radius, before", ToolRadiusBefore),
+                    (ToolRadiusBefore is null ? "Tool radius" : "Tool radius, after", ToolRadius)];
             return all.Where(p => p.Evaluation is not null).Select(p => (p.Name, p.Evaluation!));
         }
     }

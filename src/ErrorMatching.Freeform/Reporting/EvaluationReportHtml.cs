@@ -18,7 +18,18 @@ public static class EvaluationReportHtml
                 new("maps", "Where the errors are", html => WriteMaps(html, report)),
                 new("plots", "Error by point", html => WritePlots(html, report)),
                 new("points", "Points", html => WritePoints(html, report)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "surface evaluate", ("--measured", "measured"), ("--before", "before"), ("--tool-radius", "toolRadius"), ("--tool-radius-before", "toolRadiusBefore"))),
+                new(
+                    "inputs",
+                    "Files",
+                    html => ReportInputs.Write(
+                        html,
+                        report.Job,
+                        report.Inputs,
+                        "surface evaluate",
+                        ("--measured", "measured"),
+                        ("--before", "before"),
+                        ("--tool-radius", "toolRadius"),
+                        ("--tool-radius-before", "toolRadiusBefore"))),
             ]);
     }
 
@@ -30,27 +41,42 @@ public static class EvaluationReportHtml
             var better = after.StandardDeviationMm < before.StandardDeviationMm && after.ProfileIsoMm < before.ProfileIsoMm;
             using (html.In("p", ("class", better ? "verdict holds" : "verdict fails")))
             {
-                html.Put("strong", better ? "✓ The surface is better than before." : "✗ The surface is not better than before in every respect. Find out why before the next piece.");
-                html.Text($" Standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm, now {Micrometres.OfMm(after.StandardDeviationMm)} µm. Profile {Micrometres.OfMm(before.ProfileIsoMm)} µm, now {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+                html.Put(
+                    "strong",
+                    better
+                        ? "✓ The surface is better than before."
+                        : "✗ The surface is not better than before in every respect. Find out why before the next piece.");
+                html.Text(
+                    $" Standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm, now "
+                        + $"{Micrometres.OfMm(after.StandardDeviationMm)} µm. Profile {Micrometres.OfMm(before.ProfileIsoMm)} µm, now "
+                        + $"{Micrometres.OfMm(after.ProfileIsoMm)} µm.");
             }
         }
         else
         {
-            html.Put("p", $"Mean {Micrometres.SignedOfMm(after.MeanMm)} µm, standard deviation {Micrometres.OfMm(after.StandardDeviationMm)} µm, profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
+            html.Put(
+                "p",
+                $"Mean {Micrometres.SignedOfMm(after.MeanMm)} µm, standard deviation {Micrometres.OfMm(after.StandardDeviationMm)} µm, "
+                    + $"profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
         ReportFacts.WriteWarnings(html, [.. report.Pieces.SelectMany(p => p.Warnings)]);
         ReportFacts.WriteNotes(html, [.. report.Pieces.Select(p => p.StageNote).OfType<string>()]);
         ReportFacts.Write(html,
-            ("Errors", "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
+            (
+                "Errors",
+                "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
             ("Improvement", Improvement(report)),
             ("Alignment", Alignment(report)),
-            ("Profile", "By ISO 1101 with a zone about the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
+            (
+                "Profile",
+                "By ISO 1101 with a zone about the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
     }
 
     private static string Improvement(EvaluationReport report)
     {
-        (string Way, SurfaceImprovement? By)[] ways = [("", report.Improvement), ("Compensated by tool radius instead: ", report.ToolRadiusImprovement)];
+        (string Way, SurfaceImprovement? By)[] ways = [
+            ("", report.Improvement), ("Compensated by tool radius instead: ", report.ToolRadiusImprovement)];
         string[] said = [.. ways.Where(w => w.By is not null).Select(w => w.Way + w.By!.Words)];
         return said.Length == 0 ? "Not known: nothing was given to compare with." : string.Join(" ", said);
     }
@@ -62,13 +88,20 @@ public static class EvaluationReportHtml
 
     private static void WriteStatistics(HtmlText html, EvaluationReport report)
     {
-        SurfaceTables.WriteStatistics(html, "statistics-table", "All pieces together", report.Parts.Select(b => (b.Name, b.Evaluation.Together)));
+        SurfaceTables.WriteStatistics(
+            html, "statistics-table", "All pieces together", report.Parts.Select(b => (b.Name, b.Evaluation.Together)));
         if (report.Parts.Any(b => b.Evaluation.Pieces.Count > 1))
         {
-            SurfaceTables.WriteStatistics(html, "pieces-table", "Piece by piece", report.Parts.SelectMany(b => b.Evaluation.Pieces.Select(p => ($"{b.Name}: {p.File}", p.Statistics))));
+            SurfaceTables.WriteStatistics(
+                html,
+                "pieces-table",
+                "Piece by piece",
+                report.Parts.SelectMany(b => b.Evaluation.Pieces.Select(p => ($"{b.Name}: {p.File}", p.Statistics))));
             foreach (var (name, evaluation) in report.Parts)
             {
-                html.Put("p", $"{name}: standard deviations of the pieces differ by {Micrometres.OfMm(evaluation.RangeOfStandardDeviationsMm)} µm.");
+                html.Put(
+                    "p",
+                    $"{name}: standard deviations of the pieces differ by {Micrometres.OfMm(evaluation.RangeOfStandardDeviationsMm)} µm.");
             }
         }
     }
@@ -85,8 +118,14 @@ public static class EvaluationReportHtml
                 var field = FieldFit.Fit(piece.Samples);
                 using (html.In("figure"))
                 {
-                    map.Write(html, $"map{++number}", $"{name}: {piece.File}", (u, v) => 1000 * field.At(u, v), [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
-                    html.Put("figcaption", "Colors between the points are the smooth field that fits them best; numbers are what was measured.");
+                    map.Write(
+                        html,
+                        $"map{++number}",
+                        $"{name}: {piece.File}",
+                        (u, v) => 1000 * field.At(u, v),
+                        [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
+                    html.Put(
+                        "figcaption", "Colors between the points are the smooth field that fits them best; numbers are what was measured.");
                 }
             }
         }
@@ -111,8 +150,18 @@ public static class EvaluationReportHtml
             var first = isCompared ? was!.Pieces[k].Samples : now.Pieces[k].Samples;
             using (html.In("figure"))
             {
-                new ErrorByPointPlot([.. first.Select(s => new PlottedError(ReportNumber.Count(s.Point), 1000 * s.ErrorMm, isCompared && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
-                    .Write(html, $"plot{++number}", $"Error at each point, {way}{now.Pieces[k].File}", isCompared ? "before" : "measured", isCompared ? "after" : "not measured");
+                new ErrorByPointPlot(
+                    [
+                        .. first.Select(s => new PlottedError(
+                            ReportNumber.Count(s.Point),
+                            1000 * s.ErrorMm,
+                            isCompared && after.TryGetValue(s.Point, out var a) ? 1000 * a.ErrorMm : (double?)null))])
+                    .Write(
+                        html,
+                        $"plot{++number}",
+                        $"Error at each point, {way}{now.Pieces[k].File}",
+                        isCompared ? "before" : "measured",
+                        isCompared ? "after" : "not measured");
             }
         }
 

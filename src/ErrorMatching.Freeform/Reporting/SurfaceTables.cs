@@ -6,8 +6,21 @@ namespace ErrorMatching.Freeform;
 internal static class SurfaceTables
 {
     /// <summary>Writes a table of statistics, one per row.</summary>
-    public static void WriteStatistics(HtmlText html, string id, string caption, IEnumerable<(string Name, DeviationStatistics Statistics)> rows) =>
-        HtmlTable.Write(html, id, caption, [new("What"), new("Points", true), new("Mean, µm", true), new("Standard deviation, µm", true), new("Profile, ISO 1101, µm", true), new("Largest − smallest, µm", true)], rows, (row, item) =>
+    public static void WriteStatistics(
+        HtmlText html, string id, string caption, IEnumerable<(string Name, DeviationStatistics Statistics)> rows) =>
+        HtmlTable.Write(
+            html,
+            id,
+            caption,
+            [
+                new("What"),
+                new("Points", true),
+                new("Mean, µm", true),
+                new("Standard deviation, µm", true),
+                new("Profile, ISO 1101, µm", true),
+                new("Largest − smallest, µm", true)],
+            rows,
+            (row, item) =>
         {
             row.Header(item.Name);
             row.Number(ReportNumber.Count(item.Statistics.Count));
@@ -19,7 +32,15 @@ internal static class SurfaceTables
 
     /// <summary>Writes a table of the measured points.</summary>
     public static void WritePoints(HtmlText html, string id, string caption, IReadOnlyList<ErrorSample> samples) =>
-        HtmlTable.Write(html, id, caption, [new("Point"), new("i", true), new("j", true), new("X, mm", true), new("Y, mm", true), new("Z, mm", true), new("Error, µm", true)], samples, (row, s) =>
+        HtmlTable.Write(
+            html,
+            id,
+            caption,
+            [
+                new("Point"), new("i", true), new("j", true), new("X, mm", true), new("Y, mm", true), new("Z, mm", true),
+                new("Error, µm", true)],
+            samples,
+            (row, s) =>
         {
             row.Header(ReportNumber.Count(s.Point));
             row.Number(ReportNumber.Count(s.I));

@@ -43,10 +43,18 @@ public static class GridReader
     {
         if (table.Count > MaxPoints)
         {
-            throw Wrong(table, MaxPoints, "x", MeasurementError.TooManyPoints, $"{table.Count} points", $"at most {MaxPoints}: is this the right file?");
+            throw Wrong(
+                table,
+                MaxPoints,
+                "x",
+                MeasurementError.TooManyPoints,
+                $"{table.Count} points",
+                $"at most {MaxPoints}: is this the right file?");
         }
 
-        return [.. Enumerable.Range(0, table.Count).Select(row => new Point3(Coordinate(table, row, "x"), Coordinate(table, row, "y"), Coordinate(table, row, "z")))];
+        return [
+            .. Enumerable.Range(0, table.Count).Select(row => new Point3(
+                Coordinate(table, row, "x"), Coordinate(table, row, "y"), Coordinate(table, row, "z")))];
     }
 
     private static PointGrid Grid(NumberTable table)
@@ -58,7 +66,13 @@ public static class GridReader
             var at = (Number(table, row, "j"), Number(table, row, "i"));
             if (!rows.TryAdd(at, row))
             {
-                throw Wrong(table, row, "i", MeasurementError.DuplicatePoint, $"a second point with i = {at.Item2} and j = {at.Item1}", $"each point once: line {table.Lines[rows[at]]} has this one already");
+                throw Wrong(
+                    table,
+                    row,
+                    "i",
+                    MeasurementError.DuplicatePoint,
+                    $"a second point with i = {at.Item2} and j = {at.Item1}",
+                    $"each point once: line {table.Lines[rows[at]]} has this one already");
             }
         }
 
@@ -80,7 +94,13 @@ public static class GridReader
 
         return curves.Count > 1
             ? new(curves)
-            : throw Wrong(table, 0, "j", MeasurementError.MissingPoint, "a single curve", "at least two curves, each with a number j of its own: a surface needs points side by side");
+            : throw Wrong(
+                table,
+                0,
+                "j",
+                MeasurementError.MissingPoint,
+                "a single curve",
+                "at least two curves, each with a number j of its own: a surface needs points side by side");
     }
 
     /// <summary>Checks that a curve starts with the common first index, has no gap, and has no coinciding neighbors.</summary>
@@ -113,19 +133,38 @@ public static class GridReader
     }
 
     private static MeasurementException Missing(NumberTable table, int row, string column, string found) =>
-        Wrong(table, row, column, MeasurementError.MissingPoint, found, "curves of at least two points numbered without gaps, i along each curve and j across: measure the missing points, or correct the numbers");
+        Wrong(
+            table,
+            row,
+            column,
+            MeasurementError.MissingPoint,
+            found,
+            "curves of at least two points numbered without gaps, i along each curve and j across: measure the missing points, or "
+                + "correct the numbers");
 
     private static int Number(NumberTable table, int row, string column) =>
         int.TryParse(table[column][row], NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number <= MaxNumber
             ? number
-            : throw Wrong(table, row, column, MeasurementError.NumberOutOfRange, $"\"{table[column][row]}\" in column {column}", $"a whole number from 0 to {MaxNumber}");
+            : throw Wrong(
+                table,
+                row,
+                column,
+                MeasurementError.NumberOutOfRange,
+                $"\"{table[column][row]}\" in column {column}",
+                $"a whole number from 0 to {MaxNumber}");
 
     private static double Coordinate(NumberTable table, int row, string column)
     {
         var value = double.Parse(table[column][row], NumberStyles.Float, CultureInfo.InvariantCulture);
         return Math.Abs(value) <= LargestMm
             ? value
-            : throw Wrong(table, row, column, MeasurementError.ImplausibleNumber, $"\"{table[column][row]}\" in column {column}", "a coordinate within a kilometer: has its decimal sign been lost?");
+            : throw Wrong(
+                table,
+                row,
+                column,
+                MeasurementError.ImplausibleNumber,
+                $"\"{table[column][row]}\" in column {column}",
+                "a coordinate within a kilometer: has its decimal sign been lost?");
     }
 
     private static MeasurementException Wrong(NumberTable table, int row, string column, string code, string found, string expected) =>

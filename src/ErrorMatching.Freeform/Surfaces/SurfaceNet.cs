@@ -19,7 +19,10 @@ public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Pl
             CellsU + 1,
             CellsV + 1,
             [.. Parameters(surface).Select(p => surface.Spline.PointAt(p.U, p.V))],
-            [.. Enumerable.Range(0, CellsU * CellsV).Where(c => !surface.Region.Contains(At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
+            [
+                .. Enumerable.Range(0, CellsU * CellsV).Where(
+                    c => !surface.Region.Contains(
+                        At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
     }
 
     /// <summary>The parameters of the net's places, in order.</summary>

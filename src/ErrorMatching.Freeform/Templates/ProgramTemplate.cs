@@ -36,7 +36,8 @@ public abstract class ProgramTemplate
             throw new FreeformException(
                 "bad-template",
                 File,
-                $"it has no @if {TemplateGrammar.Tool}, but the job names a tool ({key}), which would be left out. Write the call of the tool with "
+                $"it has no @if {TemplateGrammar.Tool}, but the job names a tool ({key}), which would be left out. Write the call of the "
+                    + $"tool with "
                 + $"{{tool.number}} and {{tool.offset}} behind @if {TemplateGrammar.Tool}, or take {key} out of the job.");
         }
     }
@@ -52,12 +53,15 @@ public abstract class ProgramTemplate
         : throw new FreeformException(
             "unknown-template",
             name,
-            $"no {grammar.Extension} template is built in for it; there are {string.Join(", ", grammar.BuiltIn)}. Name one of them, or a file of your "
+            $"no {grammar.Extension} template is built in for it; there are {string.Join(", ", grammar.BuiltIn)}. Name one of them, or a "
+                + $"file of your "
             + $"own, as \"template\" under \"{grammar.Under}\".");
 
     internal static TemplateContent Read(ReadOnlySpan<byte> bytes, string file, TemplateGrammar grammar) => bytes.Length > MaxBytes
         ? throw new FreeformException(
-            "bad-template", file, FormattableString.Invariant($"{bytes.Length} bytes; a template has at most {MaxBytes}. Is this the right file?"))
+            "bad-template",
+            file,
+            FormattableString.Invariant($"{bytes.Length} bytes; a template has at most {MaxBytes}. Is this the right file?"))
         : new TemplateReader(file, grammar).Read(bytes);
 
     private static byte[] Resource(string name, TemplateGrammar grammar)

@@ -40,7 +40,10 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
 
         if (_open.TryPeek(out var open))
         {
-            throw Fail($"{Word(open.Item)} is never closed", open.Item.Kind == TemplateItemKind.Each ? "@next behind it" : "@endif behind it", open.Item.Line);
+            throw Fail(
+                $"{Word(open.Item)} is never closed",
+                open.Item.Kind == TemplateItemKind.Each ? "@next behind it" : "@endif behind it",
+                open.Item.Line);
         }
 
         return _sections.ContainsKey(grammar.Needed)
@@ -58,7 +61,9 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
                 _about = argument;
                 break;
             case "@each" when grammar.HasPoints:
-                Open(argument == "point" && !IsInEach ? TemplateItemKind.Each : throw Fail(line, "@each point, not within another one"), argument);
+                Open(
+                    argument == "point" && !IsInEach ? TemplateItemKind.Each : throw Fail(line, "@each point, not within another one"),
+                    argument);
                 break;
             case "@if":
                 Open(TemplateItemKind.If, Condition(argument, line));
@@ -99,7 +104,8 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         var name = word[1..];
         if (!grammar.Sections.Contains(name, StringComparer.Ordinal))
         {
-            var (sections, loop) = (string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@each point, @next, " : "");
+            var (sections, loop) = (
+                string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@each point, @next, " : "");
             throw Fail(word, $"@about, {sections}, {loop}@if, @else or @endif");
         }
 
@@ -123,7 +129,9 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
     }
 
     private (TemplateItem Item, bool InElse) Top(TemplateItemKind kind, string line) =>
-        _open.TryPeek(out var top) && top.Item.Kind == kind ? top : throw Fail(line, kind == TemplateItemKind.Each ? "@each point before it" : "@if before it, and nothing else open");
+        _open.TryPeek(out var top) && top.Item.Kind == kind
+            ? top
+            : throw Fail(line, kind == TemplateItemKind.Each ? "@each point before it" : "@if before it, and nothing else open");
 
     private void Add(string line)
     {
@@ -132,7 +140,8 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
             return;
         }
 
-        foreach (var place in TemplateText.PlacesOf(line, () => Fail(line.Trim(), "a closing brace behind an opening one; a brace itself is written {{")))
+        foreach (var place in TemplateText.PlacesOf(
+            line, () => Fail(line.Trim(), "a closing brace behind an opening one; a brace itself is written {{")))
         {
             CheckPlace(place);
         }
@@ -163,5 +172,6 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
 
     private static string Word(TemplateItem item) => item.Kind == TemplateItemKind.Each ? "@each" : "@if " + item.Text;
 
-    private FreeformException Fail(string found, string expected, int? line = null) => new("bad-template", file, $"found {found}; expected {expected}.", line ?? Math.Max(1, _line));
+    private FreeformException Fail(string found, string expected, int? line = null) =>
+        new("bad-template", file, $"found {found}; expected {expected}.", line ?? Math.Max(1, _line));
 }

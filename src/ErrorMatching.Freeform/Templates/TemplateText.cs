@@ -46,7 +46,11 @@ internal static class TemplateText
     public static string Fill(string line, Func<string, string> valueOf)
     {
         var text = new StringBuilder();
-        Walk(line, c => text.Append(c), place => text.Append(valueOf(place)), () => new InvalidOperationException("The template was not checked."));
+        Walk(
+            line,
+            c => text.Append(c),
+            place => text.Append(valueOf(place)),
+            () => new InvalidOperationException("The template was not checked."));
         return text.ToString();
     }
 

@@ -63,10 +63,15 @@ internal sealed class BezierPatch
             for (var i = 0; i < piece.Poles.Length; i++)
             {
                 var (pole, weight) = (piece.Poles[i], piece.IsRational ? piece.Weights[i] : 1);
-                (values[4 * i], values[(4 * i) + 1], values[(4 * i) + 2], values[(4 * i) + 3]) = (pole.X * weight, pole.Y * weight, pole.Z * weight, weight);
+                (
+                    values[4 * i],
+                    values[(4 * i) + 1],
+                    values[(4 * i) + 2],
+                    values[(4 * i) + 3]) = (pole.X * weight, pole.Y * weight, pole.Z * weight, weight);
             }
 
-            yield return new(values, piece.CountU, piece.CountV, new(piece.KnotsU.Start, piece.KnotsV.Start), new(piece.KnotsU.End, piece.KnotsV.End));
+            yield return new(
+                values, piece.CountU, piece.CountV, new(piece.KnotsU.Start, piece.KnotsV.Start), new(piece.KnotsU.End, piece.KnotsV.End));
         }
     }
 
@@ -92,7 +97,8 @@ internal sealed class BezierPatch
             || (point - At(0, column)).Length < distance || (point - At(row, 0)).Length < distance;
     }
 
-    public double HighestCorner => Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
+    public double HighestCorner =>
+        Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
 
     /// <summary>Splits the patch across its longer side (de Casteljau).</summary>
     public (BezierPatch First, BezierPatch Second) Halves()

@@ -54,7 +54,8 @@ internal sealed class CenterLine
     public bool HasRaised { get; private set; }
 
     /// <summary>Four segments by their start indices: start points as vectors from the origin, unit directions and lengths.</summary>
-    public void Pieces(int first, int second, int third, int fourth, out FourVectors from, out FourVectors along, out Vector256<double> lengthMm)
+    public void Pieces(
+        int first, int second, int third, int fourth, out FourVectors from, out FourVectors along, out Vector256<double> lengthMm)
     {
         from = FourVectors.Of(Beginning(first), Beginning(second), Beginning(third), Beginning(fourth));
         along = FourVectors.Of(_along[first + 1], _along[second + 1], _along[third + 1], _along[fourth + 1]);

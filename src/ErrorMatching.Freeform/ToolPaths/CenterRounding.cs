@@ -31,7 +31,9 @@ internal sealed class CenterRounding
     public double ReserveMm => Math.Min(_good, 0.87 * IncrementMm);
 
     public Point3 Nearest(Point3 p) => new(
-        Math.Round(p.X * _scale) / _scale, Math.Round(p.Y * _scale) / _scale, (Math.Round((p.Z - _tipBelow) * _scale) / _scale) + _tipBelow);
+        Math.Round(p.X * _scale) / _scale,
+        Math.Round(p.Y * _scale) / _scale,
+        (Math.Round((p.Z - _tipBelow) * _scale) / _scale) + _tipBelow);
 
     /// <summary>Rounds a point, allowing a shift along the curve.</summary>
     /// <param name="p">The exact place.</param>

@@ -11,7 +11,8 @@ public static class FinishingProgram
 {
     /// <summary>What everybody is told first of a program that calls no tool, because the job names none.</summary>
     public const string NoToolCall =
-        "The program has no tool call, because the job names no tool (toolpath.tool): it begins with a stop and an alarm that Cycle Start does not pass. "
+        "The program has no tool call, because the job names no tool (toolpath.tool): it begins with a stop and an alarm that Cycle "
+            + "Start does not pass. "
         + "Name the tool and its length offset in the job and write the program again before you cut.";
 
     /// <summary>The file name of a stage's program: <c>finishing.nc</c>, <c>semi-finishing.nc</c> or <c>roughing.nc</c>.</summary>
@@ -21,7 +22,12 @@ public static class FinishingProgram
     /// <exception cref="ArgumentException">As for the other overload.</exception>
     /// <exception cref="FreeformException">As for the other overload.</exception>
     public static byte[] Write(
-        ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage = CuttingStage.Finishing, Marker? marker = null, FinishingTemplate? template = null)
+        ToolPath path,
+        FreeformJob job,
+        NcDialect dialect,
+        CuttingStage stage = CuttingStage.Finishing,
+        Marker? marker = null,
+        FinishingTemplate? template = null)
     {
         using var stream = new MemoryStream();
         Write(path, job, dialect, stage, stream, marker, template);
@@ -41,7 +47,13 @@ public static class FinishingProgram
     /// <exception cref="FreeformException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or the template would
     /// change the moves of the path (<c>bad-template</c>).</exception>
     public static void Write(
-        ToolPath path, FreeformJob job, NcDialect dialect, CuttingStage stage, Stream stream, Marker? marker = null, FinishingTemplate? template = null)
+        ToolPath path,
+        FreeformJob job,
+        NcDialect dialect,
+        CuttingStage stage,
+        Stream stream,
+        Marker? marker = null,
+        FinishingTemplate? template = null)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(job);
@@ -49,7 +61,8 @@ public static class FinishingProgram
         ArgumentNullException.ThrowIfNull(stream);
         if (path.Decimals != dialect.MetricDecimals)
         {
-            throw new ArgumentException($"The path was rounded to {path.Decimals} decimals, but {dialect.Name} writes {dialect.MetricDecimals}.", nameof(dialect));
+            throw new ArgumentException(
+                $"The path was rounded to {path.Decimals} decimals, but {dialect.Name} writes {dialect.MetricDecimals}.", nameof(dialect));
         }
 
         template ??= FinishingTemplate.For(dialect);

@@ -8,7 +8,9 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
 {
     /// <summary>Names of the placeholders, except those of the tool.</summary>
     public static readonly string[] OfProgram =
-        ["name", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed", "travel"];
+        [
+            "name", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed",
+            "travel"];
 
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
 
@@ -21,7 +23,8 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
         return Encoding.UTF8.GetBytes(text.ToString());
     }
 
-    private bool Holds(string condition) => condition == TemplateGrammar.ToolByName ? job.Toolpath.Tool?.Name is not null : job.Toolpath.Tool is not null;
+    private bool Holds(string condition) =>
+        condition == TemplateGrammar.ToolByName ? job.Toolpath.Tool?.Name is not null : job.Toolpath.Tool is not null;
 
     private string ValueOf(string place) => place switch
     {
@@ -49,9 +52,11 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
         : throw new FreeformException(
             "rounds-to-zero",
             job.File,
-            string.Create(CultureInfo.InvariantCulture, $"{key} of {value} would be written as 0; at least {Math.Pow(10, -decimals)} is expected"));
+            string.Create(
+                CultureInfo.InvariantCulture, $"{key} of {value} would be written as 0; at least {Math.Pow(10, -decimals)} is expected"));
 
-    private static string Number(double value, int decimals) => Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
+    private static string Number(double value, int decimals) =>
+        Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
 
     private static string Count(int value) => value.ToString(CultureInfo.InvariantCulture);
 

@@ -52,7 +52,8 @@ internal sealed class OffsetSurface
         {
             var at = _spline.At(u, v);
             (place, du, dv) = (new(at.Position.X, at.Position.Y, at.Position.Z), at.Du, at.Dv);
-            (velocity, turnU, turnV) = ((du * along.X) + (dv * along.Y), (at.Duu * along.X) + (at.Duv * along.Y), (at.Duv * along.X) + (at.Dvv * along.Y));
+            (velocity, turnU, turnV) = (
+                (du * along.X) + (dv * along.Y), (at.Duu * along.X) + (at.Duv * along.Y), (at.Duv * along.X) + (at.Dvv * along.Y));
         }
 
         var cross = du.Cross(dv);

@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform;
 /// (<see cref="CenterLine.MeasureChord"/>).</remarks>
 internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding, double chordMm, double liftMm)
 {
-    /// <summary>The part of the scallop that a chord out of the material may take: with as much for the ridge, the path has the fewest points.</summary>
+    /// <summary>The part of the scallop that a chord out of the material may take:
+    /// with as much for the ridge, the path has the fewest points.</summary>
     public const double LiftShare = 0.4;
 
     private const int Attempts = 24;
@@ -77,7 +78,8 @@ internal sealed class PassBuilder(OffsetSurface offset, CenterRounding rounding,
         var d = b - a;
         var place = a.Lerp(b, from);
         var p = offset.Moving(place.X, place.Y, d);
-        var longest = Math.Min(to - from, Math.Max((to - from) * piece.LongestStep, 5 * Shortest * rounding.IncrementMm / Math.Max(p.Velocity.Length, 1e-9)));
+        var longest = Math.Min(
+            to - from, Math.Max((to - from) * piece.LongestStep, 5 * Shortest * rounding.IncrementMm / Math.Max(p.Velocity.Length, 1e-9)));
         var (t, step) = (from, longest);
         if (into.Count == 0)
         {

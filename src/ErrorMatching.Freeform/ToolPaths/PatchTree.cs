@@ -8,7 +8,8 @@ internal sealed class PatchTree
 {
     private const int MostPatches = 200_000;
 
-    /// <summary>Patches as small as this are decided by their corners, mm: what they hide is less than the hundredth of a micrometre.</summary>
+    /// <summary>Patches as small as this are decided by their corners, mm:
+    /// what they hide is less than the hundredth of a micrometre.</summary>
     private const double Smallest = 0.01;
 
     private readonly SurfaceRegion _region;
@@ -49,7 +50,8 @@ internal sealed class PatchTree
     /// <param name="point">The point.</param>
     /// <param name="normal">Unit normal of the surface at the point's foot, if it has one. Tests are fastest in this direction.</param>
     /// <param name="distanceMm">The distance.</param>
-    public bool IsNearer(Point3 point, Vector3 normal, double distanceMm) => _root is not null && IsNearer(_root, point, normal, distanceMm);
+    public bool IsNearer(Point3 point, Vector3 normal, double distanceMm) =>
+        _root is not null && IsNearer(_root, point, normal, distanceMm);
 
     /// <summary>The distance of a point from the surface, to a tenth of a micrometer, if it is less than a maximum.</summary>
     public double DistanceBelow(Point3 point, Vector3 normal, double mostMm)
@@ -92,7 +94,8 @@ internal sealed class PatchTree
         }
 
         Halve(node);
-        return (node.First is { } first && IsNearer(first, point, normal, distance)) || (node.Second is { } second && IsNearer(second, point, normal, distance));
+        return (node.First is { } first && IsNearer(first, point, normal, distance))
+            || (node.Second is { } second && IsNearer(second, point, normal, distance));
     }
 
     private double Highest(Node node, double most)
@@ -155,7 +158,10 @@ internal sealed class PatchTree
             for (var i = 0; i < loop.Count; i++)
             {
                 var (a, b) = (loop[i], loop[(i + 1) % loop.Count]);
-                if (Math.Max(a.X, b.X) >= patch.From.X && Math.Min(a.X, b.X) <= patch.To.X && Math.Max(a.Y, b.Y) >= patch.From.Y && Math.Min(a.Y, b.Y) <= patch.To.Y)
+                if (Math.Max(a.X, b.X) >= patch.From.X
+                    && Math.Min(a.X, b.X) <= patch.To.X
+                    && Math.Max(a.Y, b.Y) >= patch.From.Y
+                    && Math.Min(a.Y, b.Y) <= patch.To.Y)
                 {
                     return false;
                 }

@@ -34,13 +34,16 @@ internal sealed partial class PathPlanning
         foreach (var direction in (Vector3[])[at.Normal, new(0, 0, 1)])
         {
             var lead = direction * length;
-            if (IsFree(at.Center, at.Center + lead, at.Normal) && IsFree(at.Center + lead, (at.Center + lead) with { Z = TravelCenterZ }, at.Normal))
+            if (IsFree(at.Center, at.Center + lead, at.Normal)
+                && IsFree(at.Center + lead, (at.Center + lead) with { Z = TravelCenterZ }, at.Normal))
             {
                 return lead;
             }
         }
 
-        _refusal ??= new("no-way-out", $"at {Named(guide)} the tool cannot go up without touching the surface. Trim the surface there, or turn the part.");
+        _refusal ??= new(
+            "no-way-out",
+            $"at {Named(guide)} the tool cannot go up without touching the surface. Trim the surface there, or turn the part.");
         return null;
     }
 

@@ -26,7 +26,9 @@ internal sealed partial class PathPlanning
                 return true;
             }
 
-            if (i + 1 < centers.Length && !(isFree && IsInFreePart(places[i + 1])) && Gouges(Middle(centers[i], centers[i + 1]), Between(line.Normals[i], line.Normals[i + 1])))
+            if (i + 1 < centers.Length
+                && !(isFree && IsInFreePart(places[i + 1]))
+                && Gouges(Middle(centers[i], centers[i + 1]), Between(line.Normals[i], line.Normals[i + 1])))
             {
                 return true;
             }
@@ -45,7 +47,8 @@ internal sealed partial class PathPlanning
         return _free is not null;
     }
 
-    private bool IsInFreePart(Point2 place) => _free is var (from, to) && place.X >= from.X && place.Y >= from.Y && place.X <= to.X && place.Y <= to.Y;
+    private bool IsInFreePart(Point2 place) =>
+        _free is var (from, to) && place.X >= from.X && place.Y >= from.Y && place.X <= to.X && place.Y <= to.Y;
 
     private bool Gouges(Point3 center, Vector3 normal) => _tree.IsNearer(center, normal, NearestMm);
 
@@ -138,7 +141,8 @@ internal sealed partial class PathPlanning
         var depth = _offset.DistanceMm - _tree.DistanceBelow(center, normal, _offset.DistanceMm);
         _refusal ??= new("ball-does-not-fit", string.Create(
             CultureInfo.InvariantCulture,
-            $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep. {Fitting()}, or leave that part out of the surface."));
+            $"at {Named(place)} the ball of {2 * _offset.RadiusMm} mm would cut {depth:0.0000} mm too deep. {Fitting()}, or leave that "
+                + $"part out of the surface."));
         return null;
     }
 
@@ -151,7 +155,9 @@ internal sealed partial class PathPlanning
         {
             for (var j = 0; j <= Samples; j++)
             {
-                var (u, v) = (spline.KnotsU.Start + ((spline.KnotsU.End - spline.KnotsU.Start) * i / Samples), spline.KnotsV.Start + ((spline.KnotsV.End - spline.KnotsV.Start) * j / Samples));
+                var (u, v) = (
+                    spline.KnotsU.Start + ((spline.KnotsU.End - spline.KnotsU.Start) * i / Samples),
+                    spline.KnotsV.Start + ((spline.KnotsV.End - spline.KnotsV.Start) * j / Samples));
                 var (largest, smallest) = spline.At(u, v).PrincipalCurvatures;
                 var its = _offset.Surface.Outside > 0 ? largest : -smallest;
                 hollow = _offset.Surface.Region.Contains(u, v) && its > hollow ? its : hollow;
@@ -159,7 +165,9 @@ internal sealed partial class PathPlanning
         }
 
         return hollow * _offset.DistanceMm > 1 && (1 / hollow) > _offset.StockMm
-            ? string.Create(CultureInfo.InvariantCulture, $"Use a ball of at most {2 * ((1 / hollow) - _offset.StockMm):0.00} mm, twice the smallest hollow radius of the surface")
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $"Use a ball of at most {2 * ((1 / hollow) - _offset.StockMm):0.00} mm, twice the smallest hollow radius of the surface")
             : "Use a smaller ball: it touches another part of the surface";
     }
 
@@ -170,12 +178,18 @@ internal sealed partial class PathPlanning
             var normal = line.Normals[i];
             if (!line.Centers[i].IsFinite || !(normal.Length > 0.5))
             {
-                return new("no-normal", $"at {Named(line.Places[i])} the surface has no normal, so that no tool can be laid against it. Repair the surface, or trim it there.");
+                return new(
+                    "no-normal",
+                    $"at {Named(line.Places[i])} the surface has no normal, so that no tool can be laid against it. Repair the surface, "
+                        + $"or trim it there.");
             }
 
             if (normal.Z < -1e-6)
             {
-                return new("faces-down", $"at {Named(line.Places[i])} the surface faces down, where a tool along Z does not reach. Turn the part, or state \"outside\" if the material lies on the other side.");
+                return new(
+                    "faces-down",
+                    $"at {Named(line.Places[i])} the surface faces down, where a tool along Z does not reach. Turn the part, or state "
+                        + $"\"outside\" if the material lies on the other side.");
             }
         }
 
@@ -186,7 +200,8 @@ internal sealed partial class PathPlanning
     private FreeformRefusal? EdgeInSurface()
     {
         var spline = _offset.Surface.Spline;
-        return EdgeAt(spline.KnotsU, spline.KnotsV, (along, across) => new(across, along)) ?? EdgeAt(spline.KnotsV, spline.KnotsU, (along, across) => new(along, across));
+        return EdgeAt(spline.KnotsU, spline.KnotsV, (along, across) => new(across, along))
+            ?? EdgeAt(spline.KnotsV, spline.KnotsU, (along, across) => new(along, across));
     }
 
     private FreeformRefusal? EdgeAt(KnotVector knots, KnotVector along, Func<double, double, Point2> place)
@@ -207,7 +222,11 @@ internal sealed partial class PathPlanning
                 if (turn * _offset.DistanceMm > 0.5 * _toolpath.ChordMm)
                 {
                     return new("edge-in-surface", string.Create(
-                        CultureInfo.InvariantCulture, $"at {Named(behind)} the surface has an edge: its normal turns by {2 * Math.Asin(Math.Min(1, turn / 2)) * 180 / Math.PI:0.000} degrees at once. Give the faces on both sides as surfaces of their own."));
+                        CultureInfo.InvariantCulture,
+                        $"at {Named(behind)} the surface has an edge: its normal turns by "
+                            + $"{2 * Math.Asin(Math.Min(1, turn / 2)) * 180 / Math.PI:0.000} degrees at once. Give the faces on both "
+                                + $"sides as "
+                            + $"surfaces of their own."));
                 }
             }
         }

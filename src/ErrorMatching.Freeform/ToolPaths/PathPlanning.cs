@@ -9,7 +9,8 @@ internal sealed partial class PathPlanning
     /// <summary>Most points of a path: beyond it a tolerance or a unit is wrong.</summary>
     private const int MostPoints = 50_000_000;
 
-    /// <summary>After so many passes it is told how many points come of all of them, and given up if these are far too many: a surface in meters that are millimeters is not followed for minutes.</summary>
+    /// <summary>After so many passes it is told how many points come of all of them, and given up if these are far too many: a surface in
+    /// meters that are millimeters is not followed for minutes.</summary>
     private const int FirstPasses = 50;
     private const double FarTooMany = 10.0 * MostPoints;
 
@@ -51,7 +52,9 @@ internal sealed partial class PathPlanning
 
     // A part of the planning that runs concurrently with another, with its own state.
     private PathPlanning(PathPlanning whole)
-        : this(new(whole._offset.Surface, whole._offset.RadiusMm, whole._offset.StockMm), whole._rounding, whole._toolpath, whole._decimals) => _edges.AddRange(whole._edges);
+        : this(
+            new(whole._offset.Surface, whole._offset.RadiusMm, whole._offset.StockMm), whole._rounding, whole._toolpath, whole._decimals) =>
+            _edges.AddRange(whole._edges);
 
     // The polyline is within the chordal error of the exact offset. A center nearer than twice that touches elsewhere.
     private double GougeMm => 2 * _toolpath.ChordMm;
@@ -85,8 +88,20 @@ internal sealed partial class PathPlanning
 
         // If chords cut in by more than the height of the ridge, nothing is left over the surface. The height is then 0, not negative.
         var certificate = new ToolPathCertificate(
-            _chord.Mm, PlaceOf(_chord.At), Math.Max(0, _scallop.Mm), PlaceOf(_scallop.At), GougeMm, _raisedPoints, _raised.Mm, PlaceOf(_raised.At));
-        return new ToolPath(() => new(_offset, _rounding, _toolpath.ChordMm, PassBuilder.LiftShare * _toolpath.ScallopMm), _offset, _rounding, _chains, new(_passes, _points, _length, TravelCenterZ, certificate, _decimals));
+            _chord.Mm,
+            PlaceOf(_chord.At),
+            Math.Max(0, _scallop.Mm),
+            PlaceOf(_scallop.At),
+            GougeMm,
+            _raisedPoints,
+            _raised.Mm,
+            PlaceOf(_raised.At));
+        return new ToolPath(
+            () => new(_offset, _rounding, _toolpath.ChordMm, PassBuilder.LiftShare * _toolpath.ScallopMm),
+            _offset,
+            _rounding,
+            _chains,
+            new(_passes, _points, _length, TravelCenterZ, certificate, _decimals));
     }
 
     private Point3 PlaceOf(Point2 at) => _offset.Left(at.X, at.Y).Place;
@@ -322,11 +337,19 @@ internal sealed partial class PathPlanning
     }
 
     private static FreeformRefusal TooLong(string points) =>
-        new("path-too-long", string.Create(CultureInfo.InvariantCulture, $"the path would have {points} points; at most {MostPoints} are made. Check the units of the surface, and scallopMm and chordMm."));
+        new(
+            "path-too-long",
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"the path would have {points} points; at most {MostPoints} are made. Check the units of the surface, and scallopMm and "
+                    + $"chordMm."));
 
     private FreeformRefusal NotReached(string what, double found, double wanted, Point2 at) => new(
         "tolerance-not-reached",
-        string.Create(CultureInfo.InvariantCulture, $"at {Named(at)} the {what} is {found:0.000000} mm, more than {wanted} mm, however close the points are laid. Allow more, or use a dialect with a finer increment than {_rounding.IncrementMm} mm."));
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"at {Named(at)} the {what} is {found:0.000000} mm, more than {wanted} mm, however close the points are laid. Allow more, or "
+                + $"use a dialect with a finer increment than {_rounding.IncrementMm} mm."));
 
     /// <summary>A place in the surface's own parameters and in millimeters.</summary>
     private string Named(Point2 at)

@@ -3,7 +3,8 @@ namespace ErrorMatching.Freeform;
 /// <summary>Finds where lines of constant v are inside the region of a surface.</summary>
 internal sealed class RegionLines
 {
-    // How far inside the region, as a share of its width, its first and last line are looked for: an edge of the region that is such a line belongs to it.
+    // How far inside the region, as a share of its width, its first and last line are looked for:
+    // an edge of the region that is such a line belongs to it.
     private const double Inside = 1e-9;
 
     private readonly SurfaceRegion _region;

@@ -8,7 +8,13 @@ internal sealed partial class StripHeight
 {
     // If the surface is not trimmed and nothing is raised, one line of each pass covers the whole strip, and every place of it is measured.
     private bool Glances(IReadOnlyList<CenterLine> first, IReadOnlyList<CenterLine> second) =>
-        offset.Surface.Region.IsWhole && first.Count == 1 && second.Count == 1 && !first[0].HasRaised && !second[0].HasRaised && first[0].Count > 1 && second[0].Count > 1;
+        offset.Surface.Region.IsWhole
+            && first.Count == 1
+            && second.Count == 1
+            && !first[0].HasRaised
+            && !second[0].HasRaised
+            && first[0].Count > 1
+            && second[0].Count > 1;
 
     /// <summary>At which of four places in ascending order the ridge is surely not higher than a height, one bit each.</summary>
     private uint Lower(Vector256<double> u, double v, CenterLine a, CenterLine b, double mm)

@@ -32,7 +32,14 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
         return (highest, where);
     }
 
-    private void Along(IReadOnlyList<CenterLine> lines, IReadOnlyList<CenterLine> first, double v, IReadOnlyList<CenterLine> second, double next, ref double highest, ref Point2 where)
+    private void Along(
+        IReadOnlyList<CenterLine> lines,
+        IReadOnlyList<CenterLine> first,
+        double v,
+        IReadOnlyList<CenterLine> second,
+        double next,
+        ref double highest,
+        ref Point2 where)
     {
         foreach (var line in lines)
         {
@@ -47,7 +54,12 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
                     lower = 0;
                     if (glances && i + Vector256<double>.Count <= samples)
                     {
-                        lower = Lower(Vector256.Create(Sample(places, i), Sample(places, i + 1), Sample(places, i + 2), Sample(places, i + 3)), v + ((next - v) * 0.5), first[0], second[0], highest);
+                        lower = Lower(
+                            Vector256.Create(Sample(places, i), Sample(places, i + 1), Sample(places, i + 2), Sample(places, i + 3)),
+                            v + ((next - v) * 0.5),
+                            first[0],
+                            second[0],
+                            highest);
                         (_hint, _otherHint) = (_aim.Piece, _otherAim.Piece);
                     }
                 }
@@ -71,7 +83,8 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
     }
 
     // Every point of a line, and halfway between two.
-    private static double Sample(ReadOnlySpan<Point2> places, int i) => (i & 1) == 0 ? places[i >> 1].X : (places[i >> 1].X + places[(i >> 1) + 1].X) / 2;
+    private static double Sample(ReadOnlySpan<Point2> places, int i) =>
+        (i & 1) == 0 ? places[i >> 1].X : (places[i >> 1].X + places[(i >> 1) + 1].X) / 2;
 
     private static CenterLine? Covering(IReadOnlyList<CenterLine> lines, double u)
     {
@@ -132,7 +145,9 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
             }
 
             var (place, normal) = offset.Left(u, at);
-            var height = Math.Min(a is null ? double.PositiveInfinity : Leaves(place, normal, a, ref _hint), b is null ? double.PositiveInfinity : Leaves(place, normal, b, ref _otherHint));
+            var height = Math.Min(
+                a is null ? double.PositiveInfinity : Leaves(place, normal, a, ref _hint),
+                b is null ? double.PositiveInfinity : Leaves(place, normal, b, ref _otherHint));
             height = Edges(place, normal, height);
             (highest, where) = height > highest ? (height, at) : (highest, where);
         }

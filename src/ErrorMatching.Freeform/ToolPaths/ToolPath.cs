@@ -11,10 +11,12 @@ public sealed class ToolPath
     private readonly CenterRounding _rounding;
     private readonly IReadOnlyList<CutChain> _chains;
 
-    internal ToolPath(Func<PassBuilder> builder, OffsetSurface offset, CenterRounding rounding, IReadOnlyList<CutChain> chains, ToolPathPlan plan)
+    internal ToolPath(
+        Func<PassBuilder> builder, OffsetSurface offset, CenterRounding rounding, IReadOnlyList<CutChain> chains, ToolPathPlan plan)
     {
         (_builder, _offset, _rounding, _chains) = (builder, offset, rounding, chains);
-        (Passes, Points, LengthMm, TravelCenterZ, Certificate, Decimals) = (plan.Passes, plan.Points, plan.LengthMm, plan.TravelCenterZ, plan.Certificate, plan.Decimals);
+        (Passes, Points, LengthMm, TravelCenterZ, Certificate, Decimals) = (
+            plan.Passes, plan.Points, plan.LengthMm, plan.TravelCenterZ, plan.Certificate, plan.Decimals);
     }
 
     /// <summary>Radius of the ball in millimeters.</summary>

@@ -13,7 +13,8 @@ namespace ErrorMatching.Freeform;
 /// <param name="RaisedPoints">Number of points raised because the ball would have gouged the surface elsewhere.</param>
 /// <param name="RaisedMm">Largest height by which a point was raised; about that much more material is left there.</param>
 /// <param name="RaisedAt">Its place on the surface.</param>
-public sealed record ToolPathCertificate(double ChordMm, Point3 ChordAt, double ScallopMm, Point3 ScallopAt, double GougeMm, int RaisedPoints, double RaisedMm, Point3 RaisedAt)
+public sealed record ToolPathCertificate(
+    double ChordMm, Point3 ChordAt, double ScallopMm, Point3 ScallopAt, double GougeMm, int RaisedPoints, double RaisedMm, Point3 RaisedAt)
 {
     // A chord that is longer lies inside by what a setter would call a gouge.
     private const double SmallChordMm = 0.01;

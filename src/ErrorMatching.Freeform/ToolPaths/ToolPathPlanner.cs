@@ -45,7 +45,8 @@ public static class ToolPathPlanner
         {
             return new FreeformRefusal("increment-too-coarse", string.Create(
                 CultureInfo.InvariantCulture,
-                $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
+                $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone "
+                    + $"would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
         }
 
         // On a convex surface, chords cut into the stock. The gouge limit is twice the chord, so at half the stock it would be all of it.
@@ -53,7 +54,9 @@ public static class ToolPathPlanner
         {
             return new FreeformRefusal("chord-too-coarse", string.Create(
                 CultureInfo.InvariantCulture,
-                $"toolpath.chordMm is {toolpath.ChordMm} mm, but {stockMm} mm of stock are to stay: straight cuts may lie inside by the chord, so it has to be less than {stockMm / 2} mm, half of the stock. State a smaller chordMm, or leave more stock (stockMm)."));
+                $"toolpath.chordMm is {toolpath.ChordMm} mm, but {stockMm} mm of stock are to stay: straight cuts may lie inside by the "
+                    + $"chord, so it has to be less than {stockMm / 2} mm, half of the stock. State a smaller chordMm, or leave more stock "
+                    + $"(stockMm)."));
         }
 
         var sheet = toolpath.AlongU ? surface : Turned(surface);

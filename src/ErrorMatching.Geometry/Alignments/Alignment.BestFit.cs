@@ -17,7 +17,8 @@ public sealed partial class Alignment
     /// <see cref="GeometryError.CoincidentPoints"/> if the rotation is free and all actual or all theoretical points are within 1e-9 mm;
     /// <see cref="GeometryError.RankDeficient"/> if every rotation fits equally.</exception>
     /// <exception cref="ArgumentException">The lists differ in length.</exception>
-    public static Alignment BestFit(IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical, AlignmentFreedom freedom = AlignmentFreedom.All)
+    public static Alignment BestFit(
+        IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical, AlignmentFreedom freedom = AlignmentFreedom.All)
     {
         var turns = freedom.HasFlag(AlignmentFreedom.Rotation);
         CheckPairs(actual, theoretical, turns ? 2 : 1);
@@ -67,7 +68,8 @@ public sealed partial class Alignment
 
         if (Math.Max(Math.Max(Math.Abs(p), Math.Abs(q)), Math.Max(Math.Abs(d), Math.Abs(f))) <= rounding * scale)
         {
-            throw new GeometryException(GeometryError.RankDeficient, "Every rotation fits the points alike: they do not tell the rotation.");
+            throw new GeometryException(
+                GeometryError.RankDeficient, "Every rotation fits the points alike: they do not tell the rotation.");
         }
 
         return Angle.FromRadians(oneLocked ? LowestMinimum(p, q, d, f) : Math.Atan2(f, d));
@@ -121,6 +123,7 @@ public sealed partial class Alignment
             }
         }
 
-        throw new GeometryException(GeometryError.CoincidentPoints, "All points of the alignment lie on one another: they do not tell the rotation.");
+        throw new GeometryException(
+            GeometryError.CoincidentPoints, "All points of the alignment lie on one another: they do not tell the rotation.");
     }
 }

@@ -62,16 +62,19 @@ public sealed partial class Alignment
     /// <exception cref="GeometryException">Origin and direction point of a datum are within 1e-9 mm
     /// (<see cref="GeometryError.CoincidentPoints"/>), or a coordinate is not finite (<see cref="GeometryError.NotFinite"/>).</exception>
     /// <exception cref="ArgumentException">The lists differ in length.</exception>
-    public static Alignment Datum(Segment2 measuredDatum, Segment2 theoreticalDatum, IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical)
+    public static Alignment Datum(
+        Segment2 measuredDatum, Segment2 theoreticalDatum, IReadOnlyList<Point2> actual, IReadOnlyList<Point2> theoretical)
     {
         CheckPairs(actual, theoretical, 0);
         Samples.Check([measuredDatum.Start, measuredDatum.End, theoreticalDatum.Start, theoreticalDatum.End], 4, "A datum");
         if (Math.Min(measuredDatum.Length, theoreticalDatum.Length) <= Intersect.DefaultTolerance)
         {
-            throw new GeometryException(GeometryError.CoincidentPoints, "The origin of the datum and the point that gives its direction coincide.");
+            throw new GeometryException(
+                GeometryError.CoincidentPoints, "The origin of the datum and the point that gives its direction coincide.");
         }
 
-        var turn = ((theoreticalDatum.End - theoreticalDatum.Start).Direction - (measuredDatum.End - measuredDatum.Start).Direction).Normalized;
+        var turn = (
+            (theoreticalDatum.End - theoreticalDatum.Start).Direction - (measuredDatum.End - measuredDatum.Start).Direction).Normalized;
         return new(Carrying(turn, measuredDatum.Start, theoreticalDatum.Start), actual, theoretical);
     }
 
@@ -87,7 +90,10 @@ public sealed partial class Alignment
         if (actual.Count != theoretical.Count)
         {
             throw new ArgumentException(
-                string.Create(CultureInfo.InvariantCulture, $"{actual.Count} actual points cannot be compared with {theoretical.Count} theoretical ones."), nameof(theoretical));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{actual.Count} actual points cannot be compared with {theoretical.Count} theoretical ones."),
+                nameof(theoretical));
         }
 
         Samples.Check(actual, least, "An alignment");

@@ -136,7 +136,9 @@ public sealed class CircleFit
             }
         }
 
-        throw new GeometryException(GeometryError.NotConverged, string.Create(CultureInfo.InvariantCulture, $"The circle through {points.Count} points did not settle in {MostSteps} steps."));
+        throw new GeometryException(
+            GeometryError.NotConverged,
+            string.Create(CultureInfo.InvariantCulture, $"The circle through {points.Count} points did not settle in {MostSteps} steps."));
     }
 
     private static Vector<double> Step(Circle2 circle, IReadOnlyList<Point2> points, double damping)
@@ -208,10 +210,14 @@ public sealed class CircleFit
             second ??= point;
         }
 
-        throw new GeometryException(GeometryError.CoincidentPoints, $"A circle needs three different points; the {points.Count} given lie on {(second is null ? "one place" : "two places")}.");
+        throw new GeometryException(
+            GeometryError.CoincidentPoints,
+            $"A circle needs three different points; the {points.Count} given lie on {(second is null ? "one place" : "two places")}.");
     }
 
     private static GeometryException Straight(double extent) => new(
         GeometryError.CollinearPoints,
-        string.Create(CultureInfo.InvariantCulture, $"The points lie on a straight line over their extent of {extent:0.###} mm: no circle is determined."));
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"The points lie on a straight line over their extent of {extent:0.###} mm: no circle is determined."));
 }

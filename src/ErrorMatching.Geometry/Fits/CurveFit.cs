@@ -36,7 +36,8 @@ public sealed class CurveFit
         var chord = new Segment2(points[0], points[^1]);
         if (chord.Length <= Intersect.DefaultTolerance)
         {
-            throw new GeometryException(GeometryError.CoincidentPoints, "The first and the last point of the curve coincide: it has no chord.");
+            throw new GeometryException(
+                GeometryError.CoincidentPoints, "The first and the last point of the curve coincide: it has no chord.");
         }
 
         var line = chord.Line;
@@ -71,8 +72,13 @@ public sealed class CurveFit
 
     private static GeometryException Backward(IReadOnlyList<Point2> points, int index) =>
         points[index].DistanceTo(points[index - 1]) <= Intersect.DefaultTolerance
-            ? new(GeometryError.CoincidentPoints, string.Create(CultureInfo.InvariantCulture, $"Points {index} and {index + 1} of the curve coincide."))
+            ? new(
+                GeometryError.CoincidentPoints,
+                string.Create(CultureInfo.InvariantCulture, $"Points {index} and {index + 1} of the curve coincide."))
             : new(
                 GeometryError.FoldedCurve,
-                string.Create(CultureInfo.InvariantCulture, $"Point {index + 1} of the curve lies no farther along its chord than point {index}: the points are out of order or the curve turns back."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Point {index + 1} of the curve lies no farther along its chord than point {index}: the points are out of order or "
+                        + $"the curve turns back."));
 }

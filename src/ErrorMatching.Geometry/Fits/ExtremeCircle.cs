@@ -16,7 +16,8 @@ public sealed class ExtremeCircle
         Circle = circle;
         Contacts = Array.AsReadOnly(contacts);
         Residuals = Array.AsReadOnly([.. points.Select(circle.SignedDistance)]);
-        (CenterStandardError, RadiusStandardError) = Errors([.. contacts.Select(i => (points[i] - circle.Center) / circle.Radius)], pointUncertaintyMm);
+        (CenterStandardError, RadiusStandardError) = Errors(
+            [.. contacts.Select(i => (points[i] - circle.Center) / circle.Radius)], pointUncertaintyMm);
     }
 
     /// <summary>The circle.</summary>
@@ -58,7 +59,8 @@ public sealed class ExtremeCircle
         var (center, reach) = (start.Center, start.Radius);
         for (var step = 0; step < MostSteps; step++)
         {
-            var contacts = Largest([.. points.Select(p => (p - center).Normalize())], [.. points.Select(p => p.DistanceTo(center))], out var move);
+            var contacts = Largest(
+                [.. points.Select(p => (p - center).Normalize())], [.. points.Select(p => p.DistanceTo(center))], out var move);
             center += move;
             if (move.Length <= 1e-13 * (reach + (center - Point2.Origin).Length))
             {
@@ -112,7 +114,8 @@ public sealed class ExtremeCircle
 
         return circle.Radius > Intersect.DefaultTolerance
             ? new(circle, [.. contacts.Order()], points, pointUncertaintyMm)
-            : throw new GeometryException(GeometryError.CoincidentPoints, $"A circle needs three different points; the {points.Count} given lie on one place.");
+            : throw new GeometryException(
+                GeometryError.CoincidentPoints, $"A circle needs three different points; the {points.Count} given lie on one place.");
     }
 
     /// <summary>The largest angle seen from a center between neighboring points: what of a turn they leave open.</summary>
@@ -162,7 +165,9 @@ public sealed class ExtremeCircle
     // Three directions around the center: the first, and the two between which its opposite lies.
     private static int[] Surrounding(Vector2[] u)
     {
-        int[] order = [.. Enumerable.Range(0, u.Length).OrderBy(i => Math.Atan2(u[0].Cross(u[i]), u[0].Dot(u[i])) is var angle && angle < 0 ? angle + (2 * Math.PI) : angle)];
+        int[] order = [
+            .. Enumerable.Range(0, u.Length).OrderBy(
+                i => Math.Atan2(u[0].Cross(u[i]), u[0].Dot(u[i])) is var angle && angle < 0 ? angle + (2 * Math.PI) : angle)];
         var behind = Array.FindIndex(order, i => u[0].Cross(u[i]) < 0);
         if (behind > 1 && u[order[behind - 1]].Cross(u[order[behind]]) > 0)
         {
@@ -171,7 +176,9 @@ public sealed class ExtremeCircle
 
         var gap = LargestGap(Point2.Origin, [.. u.Select(v => Point2.Origin + v)]).Degrees;
         throw new GeometryException(GeometryError.NotAround, string.Create(
-            CultureInfo.InvariantCulture, $"The points leave {gap:0.#} degrees of the circle open; inside of points that leave half a turn open no circle is the largest."));
+            CultureInfo.InvariantCulture,
+            $"The points leave {gap:0.#} degrees of the circle open; inside of points that leave half a turn open no circle is the "
+                + $"largest."));
     }
 
     // Of three contacts r and s in r + u.s = d; of a diameter the radius and the middle.

@@ -27,7 +27,9 @@ public sealed partial class LineFit
 
         if (spreadX <= 1e-12 * largest)
         {
-            throw new GeometryException(GeometryError.RankDeficient, "All points of the line have the same x, so y is no function of x. Fit it by total least squares.");
+            throw new GeometryException(
+                GeometryError.RankDeficient,
+                "All points of the line have the same x, so y is no function of x. Fit it by total least squares.");
         }
 
         var n = points.Count;

@@ -28,7 +28,8 @@ public sealed partial class LineFit
         var difference = Math.Sqrt(Square(sxx - syy) + (4 * sxy * sxy));
         if (difference <= 1e-12 * (sxx + syy))
         {
-            throw new GeometryException(GeometryError.RankDeficient, "The points of the line spread alike in all directions: they have no direction.");
+            throw new GeometryException(
+                GeometryError.RankDeficient, "The points of the line spread alike in all directions: they have no direction.");
         }
 
         // The eigenvector, from the row without cancellation.

@@ -56,7 +56,8 @@ public sealed partial class LineFit
     public LineEquation? Equation { get; private init; }
 
     /// <summary>Standard error of the line's perpendicular position at the foot of a point, in millimeters.</summary>
-    public double OffsetStandardErrorAt(Point2 place) => Math.Sqrt(Square(OffsetStandardError) + Square(Line.Along(place) * AngleStandardError.Radians));
+    public double OffsetStandardErrorAt(Point2 place) =>
+        Math.Sqrt(Square(OffsetStandardError) + Square(Line.Along(place) * AngleStandardError.Radians));
 
     private static double Square(double value) => value * value;
 

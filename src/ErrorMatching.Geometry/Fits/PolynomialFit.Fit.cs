@@ -70,14 +70,16 @@ public sealed partial class PolynomialFit
     {
         if (x.Count != y.Count)
         {
-            throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"{x.Count} abscissae cannot go with {y.Count} ordinates."), nameof(y));
+            throw new ArgumentException(
+                string.Create(CultureInfo.InvariantCulture, $"{x.Count} abscissae cannot go with {y.Count} ordinates."), nameof(y));
         }
 
         if (x.Count < least)
         {
             throw new GeometryException(
                 GeometryError.TooFewPoints,
-                string.Create(CultureInfo.InvariantCulture, $"A polynomial of degree {least - 1} needs at least {least} points; {x.Count} given."));
+                string.Create(
+                    CultureInfo.InvariantCulture, $"A polynomial of degree {least - 1} needs at least {least} points; {x.Count} given."));
         }
 
         for (var i = 0; i < x.Count; i++)
@@ -86,7 +88,8 @@ public sealed partial class PolynomialFit
             {
                 throw new GeometryException(
                     GeometryError.NotFinite,
-                    string.Create(CultureInfo.InvariantCulture, $"Point {i + 1} of {x.Count} has a coordinate that is not a finite number."));
+                    string.Create(
+                        CultureInfo.InvariantCulture, $"Point {i + 1} of {x.Count} has a coordinate that is not a finite number."));
             }
         }
     }
@@ -95,5 +98,7 @@ public sealed partial class PolynomialFit
         ? new(GeometryError.CoincidentPoints, "All points of the polynomial lie on one another.")
         : new(
             GeometryError.RankDeficient,
-            string.Create(CultureInfo.InvariantCulture, $"A polynomial of degree {degree} needs {degree + 1} different abscissae; the points have {distinct}."));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"A polynomial of degree {degree} needs {degree + 1} different abscissae; the points have {distinct}."));
 }

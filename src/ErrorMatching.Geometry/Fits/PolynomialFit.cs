@@ -82,7 +82,8 @@ public sealed partial class PolynomialFit
         StandardErrors = Array.AsReadOnly([.. variances.Select(v => (sigma * DoubleDouble.Sqrt(v)).ToDouble())]);
         _termErrors = [.. basis.SquaredNorms.Take(degree + 1).Select((norm, k) => (sigma * kept[k] / DoubleDouble.Sqrt(norm)).ToDouble())];
         var inT = basis.InPowersOfT(degree);
-        _basisInPowersOfT = Matrix<double>.Build.Dense(degree + 1, degree + 1, (k, j) => j <= k ? (inT[k][j] / DoubleDouble.Sqrt(basis.SquaredNorms[k])).ToDouble() : 0);
+        _basisInPowersOfT = Matrix<double>.Build.Dense(
+            degree + 1, degree + 1, (k, j) => j <= k ? (inT[k][j] / DoubleDouble.Sqrt(basis.SquaredNorms[k])).ToDouble() : 0);
     }
 
     /// <summary>The degree, given or selected.</summary>

@@ -21,7 +21,8 @@ internal static class Samples
             {
                 throw new GeometryException(
                     GeometryError.NotFinite,
-                    string.Create(CultureInfo.InvariantCulture, $"Point {i + 1} of {points.Count} has a coordinate that is not a finite number."));
+                    string.Create(
+                        CultureInfo.InvariantCulture, $"Point {i + 1} of {points.Count} has a coordinate that is not a finite number."));
             }
         }
     }
@@ -31,7 +32,8 @@ internal static class Samples
     {
         if (!(pointUncertaintyMm >= 0) || !double.IsFinite(pointUncertaintyMm))
         {
-            throw new ArgumentOutOfRangeException(nameof(pointUncertaintyMm), pointUncertaintyMm, "A standard uncertainty is zero or more.");
+            throw new ArgumentOutOfRangeException(
+                nameof(pointUncertaintyMm), pointUncertaintyMm, "A standard uncertainty is zero or more.");
         }
     }
 

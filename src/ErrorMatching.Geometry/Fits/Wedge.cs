@@ -67,7 +67,9 @@ public sealed class Wedge
         {
             throw new GeometryException(
                 GeometryError.NearParallel,
-                string.Create(CultureInfo.InvariantCulture, $"The flanks are {fromParallel:0.####} degrees from parallel; at least {NearParallelDegrees} are needed for an apex."));
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"The flanks are {fromParallel:0.####} degrees from parallel; at least {NearParallelDegrees} are needed for an apex."));
         }
 
         return new(first, second, Intersect.Lines(first.Line, second.Line).First);

@@ -89,7 +89,10 @@ public readonly partial record struct DoubleDouble
         var exponent = mark < 0 ? 0 : int.Parse(text[(mark + 1)..], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
         var mantissa = mark < 0 ? text : text[..mark];
         var point = mantissa.IndexOf('.');
-        var digits = BigInteger.Parse(point < 0 ? mantissa : string.Concat(mantissa[..point], mantissa[(point + 1)..]), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+        var digits = BigInteger.Parse(
+            point < 0 ? mantissa : string.Concat(mantissa[..point], mantissa[(point + 1)..]),
+            NumberStyles.AllowLeadingSign,
+            CultureInfo.InvariantCulture);
         exponent -= point < 0 ? 0 : mantissa.Length - point - 1;
         return exponent >= 0 ? (digits * BigInteger.Pow(10, exponent), BigInteger.One) : (digits, BigInteger.Pow(10, -exponent));
     }
@@ -114,7 +117,8 @@ public readonly partial record struct DoubleDouble
         // A quotient of 62 to 63 bits, whose last bit records any remainder, rounds to 53 bits like the exact fraction.
         var magnitude = BigInteger.Abs(numerator);
         var shift = 62 - (int)(magnitude.GetBitLength() - denominator.GetBitLength());
-        var quotient = BigInteger.DivRem(shift >= 0 ? magnitude << shift : magnitude, shift >= 0 ? denominator : denominator << -shift, out var remainder);
+        var quotient = BigInteger.DivRem(
+            shift >= 0 ? magnitude << shift : magnitude, shift >= 0 ? denominator : denominator << -shift, out var remainder);
         var rounded = Math.ScaleB((double)((ulong)quotient | (remainder.IsZero ? 0UL : 1UL)), -shift);
         return numerator.Sign < 0 ? -rounded : rounded;
     }

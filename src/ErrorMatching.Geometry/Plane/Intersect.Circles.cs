@@ -35,35 +35,44 @@ public static partial class Intersect
 
         // Height of the triangle of the two centers and a crossing over the side "distance", by Heron's formula in factors.
         var along = (distance + ((a.Radius - b.Radius) * ((a.Radius + b.Radius) / distance))) / 2;
-        var height = Math.Sqrt((distance + a.Radius + b.Radius) * (a.Radius + b.Radius - distance) * (distance + difference) * (distance - difference)) / (2 * distance);
+        var height = Math.Sqrt(
+            (distance + a.Radius + b.Radius) * (a.Radius + b.Radius - distance) * (distance + difference) * (distance - difference))
+            / (2 * distance);
         var foot = a.Center + (toward * along);
         var (right, left) = (foot - (toward.Left * height), foot + (toward.Left * height));
-        return TurnFromAxis(a, right) <= TurnFromAxis(a, left) ? Two(IntersectionKind.Crossing, right, left) : Two(IntersectionKind.Crossing, left, right);
+        return TurnFromAxis(a, right) <= TurnFromAxis(a, left)
+            ? Two(IntersectionKind.Crossing, right, left)
+            : Two(IntersectionKind.Crossing, left, right);
     }
 
     /// <summary>Intersects a circle and an arc; coincident with the arc's ends, or without ends if the arc is a full circle.</summary>
     /// <param name="a">The circle.</param>
     /// <param name="b">The arc.</param>
     /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
-    public static Intersection2 Circles(Circle2 a, Arc2 b, double tolerance = DefaultTolerance) => Circles(Whole(a), Piece.Of(a), b, Piece.Of(b), tolerance);
+    public static Intersection2 Circles(Circle2 a, Arc2 b, double tolerance = DefaultTolerance) =>
+        Circles(Whole(a), Piece.Of(a), b, Piece.Of(b), tolerance);
 
     /// <summary>Intersects an arc and a circle; coincident with the arc's ends, or without ends if it is a full circle.</summary>
     /// <param name="a">The arc.</param>
     /// <param name="b">The circle.</param>
     /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
-    public static Intersection2 Circles(Arc2 a, Circle2 b, double tolerance = DefaultTolerance) => Circles(a, Piece.Of(a), Whole(b), Piece.Of(b), tolerance);
+    public static Intersection2 Circles(Arc2 a, Circle2 b, double tolerance = DefaultTolerance) =>
+        Circles(a, Piece.Of(a), Whole(b), Piece.Of(b), tolerance);
 
     /// <summary>Intersects two arcs. On the same circle, they are coincident with the ends of the common stretch (the first one along the
     /// first arc if there are two), or tangent if they only meet end to end, in one or two points.</summary>
     /// <param name="a">The first arc.</param>
     /// <param name="b">The second arc.</param>
     /// <param name="tolerance">Tolerance for touching, in millimeters.</param>
-    public static Intersection2 Circles(Arc2 a, Arc2 b, double tolerance = DefaultTolerance) => Circles(a, Piece.Of(a), b, Piece.Of(b), tolerance);
+    public static Intersection2 Circles(Arc2 a, Arc2 b, double tolerance = DefaultTolerance) =>
+        Circles(a, Piece.Of(a), b, Piece.Of(b), tolerance);
 
     private static Intersection2 Circles(Arc2 a, Piece pieceOfA, Arc2 b, Piece pieceOfB, double tolerance)
     {
         var carriers = Circles(a.Circle, b.Circle, tolerance);
-        return carriers.Kind == IntersectionKind.Coincident ? OnOneCircle(a, b, tolerance) : Restrict(carriers, pieceOfA, pieceOfB, tolerance);
+        return carriers.Kind == IntersectionKind.Coincident
+            ? OnOneCircle(a, b, tolerance)
+            : Restrict(carriers, pieceOfA, pieceOfB, tolerance);
     }
 
     private static Intersection2 OnOneCircle(Arc2 a, Arc2 b, double tolerance)

@@ -12,7 +12,8 @@ public static partial class Intersect
         var sine = a.Direction.Cross(b.Direction);
         if (Math.Abs(sine) <= ParallelSine)
         {
-            return Intersection2.Nowhere(Math.Abs(a.SignedDistance(b.Origin)) <= tolerance ? IntersectionKind.Coincident : IntersectionKind.Parallel);
+            return Intersection2.Nowhere(
+                Math.Abs(a.SignedDistance(b.Origin)) <= tolerance ? IntersectionKind.Coincident : IntersectionKind.Parallel);
         }
 
         return One(IntersectionKind.Crossing, a.At((b.Origin - a.Origin).Cross(b.Direction) / sine));

@@ -33,7 +33,9 @@ public readonly record struct Vector2(double X, double Y)
     public Vector2 Normalize()
     {
         var length = Length;
-        return length > 0 ? this / length : throw new GeometryException(GeometryError.CoincidentPoints, "A direction was asked of two points that coincide.");
+        return length > 0
+            ? this / length
+            : throw new GeometryException(GeometryError.CoincidentPoints, "A direction was asked of two points that coincide.");
     }
 
     /// <summary>The components as culture-independent text.</summary>

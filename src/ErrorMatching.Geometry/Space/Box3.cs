@@ -29,7 +29,8 @@ public readonly record struct Box3(Point3 Min, Point3 Max)
     }
 
     /// <summary>Distance of a point from the box, 0 inside.</summary>
-    public double DistanceTo(Point3 p) => new Vector3(Outside(p.X, Min.X, Max.X), Outside(p.Y, Min.Y, Max.Y), Outside(p.Z, Min.Z, Max.Z)).Length;
+    public double DistanceTo(Point3 p) =>
+        new Vector3(Outside(p.X, Min.X, Max.X), Outside(p.Y, Min.Y, Max.Y), Outside(p.Z, Min.Z, Max.Z)).Length;
 
     /// <summary>Distance from another box, 0 if they touch.</summary>
     /// <param name="other">The other box.</param>

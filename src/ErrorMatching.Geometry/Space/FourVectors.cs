@@ -23,7 +23,9 @@ public readonly record struct FourVectors(Vector256<double> X, Vector256<double>
     /// <summary>Combines four vectors.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FourVectors Of(Vector3 first, Vector3 second, Vector3 third, Vector3 fourth) => new(
-        Vector256.Create(first.X, second.X, third.X, fourth.X), Vector256.Create(first.Y, second.Y, third.Y, fourth.Y), Vector256.Create(first.Z, second.Z, third.Z, fourth.Z));
+        Vector256.Create(first.X, second.X, third.X, fourth.X),
+        Vector256.Create(first.Y, second.Y, third.Y, fourth.Y),
+        Vector256.Create(first.Z, second.Z, third.Z, fourth.Z));
 
     /// <summary>One of the vectors.</summary>
     /// <param name="number">0 to 3.</param>
@@ -47,5 +49,6 @@ public readonly record struct FourVectors(Vector256<double> X, Vector256<double>
 
     /// <summary>Pairwise vector products.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public FourVectors Cross(in FourVectors other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));
+    public FourVectors Cross(in FourVectors other) =>
+        new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));
 }

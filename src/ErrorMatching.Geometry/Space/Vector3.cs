@@ -47,6 +47,8 @@ public readonly record struct Vector3(double X, double Y, double Z)
     public Vector3 Normalize()
     {
         var length = Length;
-        return length > 0 && double.IsFinite(length) ? this * (1 / length) : throw new GeometryException(GeometryError.CoincidentPoints, "a direction of length zero");
+        return length > 0 && double.IsFinite(length)
+            ? this * (1 / length)
+            : throw new GeometryException(GeometryError.CoincidentPoints, "a direction of length zero");
     }
 }

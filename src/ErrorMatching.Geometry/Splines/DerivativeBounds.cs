@@ -153,7 +153,9 @@ internal sealed class DerivativeBounds
                 {
                     for (var j = 0; j <= l; j++)
                     {
-                        sum += i + j == 0 ? 0 : Binomial(k, i) * Binomial(l, j) * weight[(i * Orders) + j] * _length[((k - i) * Orders) + l - j];
+                        sum += i + j == 0
+                            ? 0
+                            : Binomial(k, i) * Binomial(l, j) * weight[(i * Orders) + j] * _length[((k - i) * Orders) + l - j];
                     }
                 }
 

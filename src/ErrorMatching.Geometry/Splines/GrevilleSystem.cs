@@ -21,7 +21,10 @@ internal sealed class GrevilleSystem
             var t = knots.Greville(i);
             if (i > 0 && !(t > knots.Greville(i - 1)))
             {
-                throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"the knot {t} is repeated more than {knots.Degree} times; a curve through points cannot jump"));
+                throw new GeometryException(
+                    GeometryError.BadKnots,
+                    FormattableString.Invariant(
+                        $"the knot {t} is repeated more than {knots.Degree} times; a curve through points cannot jump"));
             }
 
             var span = knots.SpanAt(t);

@@ -83,7 +83,8 @@ public sealed partial class KnotVector
     {
         if (!(from >= Start && from < to && to <= End))
         {
-            throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"parameters {from} to {to}; a part of {Start} to {End} is expected"));
+            throw new GeometryException(
+                GeometryError.BadKnots, FormattableString.Invariant($"parameters {from} to {to}; a part of {Start} to {End} is expected"));
         }
 
         double[] ends = [.. Enumerable.Repeat(from, Degree + 1), .. Enumerable.Repeat(to, Degree + 1)];
@@ -102,7 +103,8 @@ public sealed partial class KnotVector
         ArgumentOutOfRangeException.ThrowIfNegative(times);
         if (!(t > Start && t < End))
         {
-            throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"a knot at {t}; one between {Start} and {End} is expected"));
+            throw new GeometryException(
+                GeometryError.BadKnots, FormattableString.Invariant($"a knot at {t}; one between {Start} and {End} is expected"));
         }
 
         var clamped = Clamp();
@@ -116,7 +118,8 @@ public sealed partial class KnotVector
     {
         if (degree < Degree)
         {
-            throw new GeometryException(GeometryError.BadKnots, $"degree {degree} for knots of degree {Degree}; a degree can only be raised");
+            throw new GeometryException(
+                GeometryError.BadKnots, $"degree {degree} for knots of degree {Degree}; a degree can only be raised");
         }
 
         var clamped = Clamp();

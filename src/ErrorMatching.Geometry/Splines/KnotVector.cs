@@ -24,7 +24,8 @@ public sealed partial class KnotVector : IEquatable<KnotVector>
 
         if (values.Length < 2 * (degree + 1))
         {
-            throw new GeometryException(GeometryError.BadKnots, $"{values.Length} knots for degree {degree}; at least {2 * (degree + 1)} are expected");
+            throw new GeometryException(
+                GeometryError.BadKnots, $"{values.Length} knots for degree {degree}; at least {2 * (degree + 1)} are expected");
         }
 
         Check(degree, values);

@@ -64,7 +64,11 @@ internal sealed class LineSearch(Point3 from, Vector3 direction)
         var half = 0.5 * cell.Box.Diagonal;
         var middle = cell.Box.Min + ((cell.Box.Max - cell.Box.Min) * 0.5);
         return Across(middle - from).Length > half + Touch
-            || (cell.IsPiece && SurfaceCell.DistanceToParallelogram(Across(from - cell.Center.Position), Across(cell.Ds), Across(cell.Dt)) > cell.OffPlane + Touch);
+            || (
+                cell.IsPiece
+                    && SurfaceCell.DistanceToParallelogram(
+                        Across(from - cell.Center.Position), Across(cell.Ds), Across(cell.Dt)) > cell.OffPlane
+                        + Touch);
     }
 
     /// <summary>True if the piece need not be halved.</summary>

@@ -114,7 +114,10 @@ public sealed class RollingBall
             return IsFree(bend);
         }
 
-        return (!cell.IsPiece || cell.Box.Diagonal > _radius / 8) && cell.Children() is { } halves && Follow(halves[0], from, to, ref bend) && Follow(halves[1], from, to, ref bend);
+        return (!cell.IsPiece || cell.Box.Diagonal > _radius / 8)
+            && cell.Children() is { } halves
+            && Follow(halves[0], from, to, ref bend)
+            && Follow(halves[1], from, to, ref bend);
     }
 
     /// <summary>A cell of the surface with its proof.</summary>

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A B-spline surface that approximates a function of the same parameters.</summary>
@@ -63,12 +65,16 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
     private static double[] PlacesOf(KnotVector knots)
     {
         var breaks = knots.Breaks;
-        return [.. Enumerable.Range(1, breaks.Count - 1).SelectMany(i => Places.Select(x => breaks[i - 1] + (x * (breaks[i] - breaks[i - 1]))))];
+        return [
+            .. Enumerable.Range(1, breaks.Count - 1).SelectMany(i => Places.Select(
+                x => breaks[i - 1] + (x * (breaks[i] - breaks[i - 1]))))];
     }
 
-    private static double Apart(Func<double, double, Point3> function, SplineSurface surface, double u, double v) => (function(u, v) - surface.PointAt(u, v)).Length;
+    private static double Apart(Func<double, double, Point3> function, SplineSurface surface, double u, double v) =>
+        (function(u, v) - surface.PointAt(u, v)).Length;
 
-    private static SplineSurface Through(Func<double, double, Point3> function, KnotVector u, KnotVector v, double[] nodesU, double[] nodesV)
+    private static SplineSurface Through(
+        Func<double, double, Point3> function, KnotVector u, KnotVector v, double[] nodesU, double[] nodesV)
     {
         var points = new Point3[nodesU.Length * nodesV.Length];
         for (var i = 0; i < points.Length; i++)
@@ -76,7 +82,11 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
             points[i] = function(nodesU[i / nodesV.Length], nodesV[i % nodesV.Length]);
             if (!points[i].IsFinite)
             {
-                throw new GeometryException(GeometryError.NotFinite, FormattableString.Invariant($"the function has no finite value at u = {nodesU[i / nodesV.Length]}, v = {nodesV[i % nodesV.Length]}"));
+                throw new GeometryException(
+                    GeometryError.NotFinite,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"the function has no finite value at u = {nodesU[i / nodesV.Length]}, v = {nodesV[i % nodesV.Length]}"));
             }
         }
 
@@ -99,6 +109,8 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
             }
         }
 
-        return added.Count == 0 || knots.PoleCount + added.Count > MostPoles ? null : new(knots.Degree, [.. knots.Values.ToArray().Concat(added).Order()]);
+        return added.Count == 0 || knots.PoleCount + added.Count > MostPoles
+            ? null
+            : new(knots.Degree, [.. knots.Values.ToArray().Concat(added).Order()]);
     }
 }

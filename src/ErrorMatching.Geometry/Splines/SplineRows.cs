@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Geometry;
 
 /// <summary>A B-spline whose poles are rows of numbers, homogeneous if rational: the common form of a curve (a row is a pole) and of one
@@ -145,14 +147,20 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         var (start, end) = (finer.Start, finer.End);
         if (finer.Degree != Knots.Degree || !finer.IsClamped || start < Knots.Start || end > Knots.End)
         {
-            throw new GeometryException(GeometryError.BadKnots, "the new knots are not clamped, of another degree, or reach beyond the spline's range");
+            throw new GeometryException(
+                GeometryError.BadKnots, "the new knots are not clamped, of another degree, or reach beyond the spline's range");
         }
 
         foreach (var value in Knots.Breaks)
         {
             if (value > start && value < end && finer.Multiplicity(value) < Knots.Multiplicity(value))
             {
-                throw new GeometryException(GeometryError.BadKnots, FormattableString.Invariant($"the new knots have {value} {finer.Multiplicity(value)} times; the spline has it {Knots.Multiplicity(value)} times"));
+                throw new GeometryException(
+                    GeometryError.BadKnots,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"the new knots have {value} {finer.Multiplicity(value)} times; the spline has it {Knots.Multiplicity(value)} "
+                            + $"times"));
             }
         }
     }

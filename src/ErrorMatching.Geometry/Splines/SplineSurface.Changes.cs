@@ -51,7 +51,8 @@ public sealed partial class SplineSurface
     /// <param name="fromV">First parameter along v.</param>
     /// <param name="toV">Last parameter along v.</param>
     /// <exception cref="GeometryException">The part is empty or exceeds the surface.</exception>
-    public SplineSurface Between(double fromU, double toU, double fromV, double toV) => WithKnots(KnotsU.Between(fromU, toU), KnotsV.Between(fromV, toV));
+    public SplineSurface Between(double fromU, double toU, double fromV, double toV) =>
+        WithKnots(KnotsU.Between(fromU, toU), KnotsV.Between(fromV, toV));
 
     /// <summary>The surface before and after a parameter u.</summary>
     /// <param name="u">A parameter inside the range.</param>
@@ -93,7 +94,8 @@ public sealed partial class SplineSurface
         new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), _poles, _weights);
 
     /// <summary>The curve on the surface at a parameter u, along v.</summary>
-    public SplineCurve CurveAtU(double u) => SplineCurve.From(new(KnotsV, new SplineRows(KnotsU, Flat, CountV * Size).RowAt(u), Size), IsRational);
+    public SplineCurve CurveAtU(double u) =>
+        SplineCurve.From(new(KnotsV, new SplineRows(KnotsU, Flat, CountV * Size).RowAt(u), Size), IsRational);
 
     /// <summary>The curve on the surface at a parameter v, along u.</summary>
     public SplineCurve CurveAtV(double v)
@@ -152,7 +154,11 @@ public sealed partial class SplineSurface
     }
 
     /// <summary>Knots and poles after separate operations on the splines along u and along v.</summary>
-    private static (KnotVector U, KnotVector V, double[] Values) Apply((KnotVector U, KnotVector V, double[] Values) parts, int size, Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
+    private static (KnotVector U, KnotVector V, double[] Values) Apply(
+        (KnotVector U, KnotVector V, double[] Values) parts,
+        int size,
+        Func<SplineRows, SplineRows> alongU,
+        Func<SplineRows, SplineRows> alongV)
     {
         var first = alongU(new(parts.U, parts.Values, parts.V.PoleCount * size));
         var countU = first.Knots.PoleCount;
@@ -180,5 +186,6 @@ public sealed partial class SplineSurface
     /// <summary>The poles as numbers, homogeneous if rational.</summary>
     private double[] Flat => SplinePoles.Flatten(_poles, _weights);
 
-    private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV) => From(Apply((KnotsU, KnotsV, Flat), Size, alongU, alongV), IsRational);
+    private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV) =>
+        From(Apply((KnotsU, KnotsV, Flat), Size, alongU, alongV), IsRational);
 }

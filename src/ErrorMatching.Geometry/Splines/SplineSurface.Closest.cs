@@ -52,7 +52,9 @@ public sealed partial class SplineSurface
     {
         if (!p.IsFinite || !(tolerance > 0))
         {
-            throw new GeometryException(GeometryError.NotFinite, "the point to be projected has a coordinate that is no finite number, or the tolerance is not positive");
+            throw new GeometryException(
+                GeometryError.NotFinite,
+                "the point to be projected has a coordinate that is no finite number, or the tolerance is not positive");
         }
 
         return SurfaceSearch.Run(this, Cells, p, tolerance, near);

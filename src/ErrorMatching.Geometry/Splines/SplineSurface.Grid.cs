@@ -33,7 +33,8 @@ public sealed partial class SplineSurface
                 {
                     var factor = basisV[(j * (q + 1)) + k];
                     var at = 4 * (firstV[j] + k);
-                    (x, y, z, w) = (x + (factor * line[at]), y + (factor * line[at + 1]), z + (factor * line[at + 2]), w + (factor * line[at + 3]));
+                    (x, y, z, w) = (
+                        x + (factor * line[at]), y + (factor * line[at + 1]), z + (factor * line[at + 2]), w + (factor * line[at + 3]));
                 }
 
                 result[(i * vs.Length) + j] = _weights is null ? new(x, y, z) : new(x / w, y / w, z / w);

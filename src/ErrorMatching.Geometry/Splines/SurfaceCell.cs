@@ -190,7 +190,9 @@ internal sealed class SurfaceCell
         }
 
         var (before, after) = alongU ? Surface.SplitU(at) : Surface.SplitV(at);
-        return [new(before, before.KnotsU.Spans(), before.KnotsV.Spans(), _count), new(after, after.KnotsU.Spans(), after.KnotsV.Spans(), _count)];
+        return [
+            new(before, before.KnotsU.Spans(), before.KnotsV.Spans(), _count),
+            new(after, after.KnotsU.Spans(), after.KnotsV.Spans(), _count)];
     }
 
     /// <summary>True if the piece bends more along u, or is longer along u and hardly bends.</summary>

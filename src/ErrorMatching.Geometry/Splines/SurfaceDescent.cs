@@ -36,7 +36,11 @@ internal static class SurfaceDescent
             }
 
             // If Newton's step is cut off at the limit of one parameter, it may lead up along the other. Steps against each slope never do.
-            var lower = Lower(surface, p, at, du, dv) ?? (IsCutOff(at.U + du, u0, u1) || IsCutOff(at.V + dv, v0, v1) ? Lower(surface, p, at, Against(d, at.Du), Against(d, at.Dv)) : null);
+            var lower = Lower(surface, p, at, du, dv)
+                ?? (
+                    IsCutOff(at.U + du, u0, u1) || IsCutOff(at.V + dv, v0, v1)
+                        ? Lower(surface, p, at, Against(d, at.Du), Against(d, at.Dv))
+                        : null);
             if (lower is null)
             {
                 break;
@@ -59,7 +63,8 @@ internal static class SurfaceDescent
         var share = 1.0;
         for (var i = 0; i < MaxHalvings; i++)
         {
-            var next = surface.At(Math.Clamp(at.U + (share * du), knotsU.Start, knotsU.End), Math.Clamp(at.V + (share * dv), knotsV.Start, knotsV.End));
+            var next = surface.At(
+                Math.Clamp(at.U + (share * du), knotsU.Start, knotsU.End), Math.Clamp(at.V + (share * dv), knotsV.Start, knotsV.End));
             if ((next.Position - p).Length < distance)
             {
                 return next;
@@ -78,7 +83,8 @@ internal static class SurfaceDescent
         var (gu, gv) = (d.Dot(at.Du), d.Dot(at.Dv));
         var (e, f, g) = (at.Du.Dot(at.Du), at.Du.Dot(at.Dv), at.Dv.Dot(at.Dv));
         var (uu, uv, vv) = (e + d.Dot(at.Duu), f + d.Dot(at.Duv), g + d.Dot(at.Dvv));
-        var (freeU, freeV) = (e > 0 && !(at.U <= u0 && gu > 0) && !(at.U >= u1 && gu < 0), g > 0 && !(at.V <= v0 && gv > 0) && !(at.V >= v1 && gv < 0));
+        var (freeU, freeV) = (
+            e > 0 && !(at.U <= u0 && gu > 0) && !(at.U >= u1 && gu < 0), g > 0 && !(at.V <= v0 && gv > 0) && !(at.V >= v1 && gv < 0));
         if (freeU && freeV)
         {
             var convex = uu > 0 && (uu * vv) - (uv * uv) > 1e-10 * uu * Math.Abs(vv);

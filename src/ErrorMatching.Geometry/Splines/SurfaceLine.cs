@@ -90,15 +90,21 @@ public sealed class SurfaceLine
         var slope = MemoryMarshal.Cast<Vector256<double>, double>(span.Slope)[..place.Length];
         var t = (u - Vector256.Create(span.Middle)) * span.PerUnit;
         var i = place.Length - 4;
-        var (x, y, z, w) = (Vector256.Create(place[i]), Vector256.Create(place[i + 1]), Vector256.Create(place[i + 2]), Vector256.Create(place[i + 3]));
-        var (xv, yv, zv, wv) = (Vector256.Create(slope[i]), Vector256.Create(slope[i + 1]), Vector256.Create(slope[i + 2]), Vector256.Create(slope[i + 3]));
+        var (x, y, z, w) = (
+            Vector256.Create(place[i]), Vector256.Create(place[i + 1]), Vector256.Create(place[i + 2]), Vector256.Create(place[i + 3]));
+        var (xv, yv, zv, wv) = (
+            Vector256.Create(slope[i]), Vector256.Create(slope[i + 1]), Vector256.Create(slope[i + 2]), Vector256.Create(slope[i + 3]));
         var (xu, yu, zu, wu) = (Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero);
         var isRational = _surface.IsRational;
         for (i -= 4; i >= 0; i -= 4)
         {
             (xu, yu, zu) = ((xu * t) + x, (yu * t) + y, (zu * t) + z);
-            (x, y, z) = ((x * t) + Vector256.Create(place[i]), (y * t) + Vector256.Create(place[i + 1]), (z * t) + Vector256.Create(place[i + 2]));
-            (xv, yv, zv) = ((xv * t) + Vector256.Create(slope[i]), (yv * t) + Vector256.Create(slope[i + 1]), (zv * t) + Vector256.Create(slope[i + 2]));
+            (x, y, z) = (
+                (x * t) + Vector256.Create(place[i]), (y * t) + Vector256.Create(place[i + 1]), (z * t) + Vector256.Create(place[i + 2]));
+            (xv, yv, zv) = (
+                (xv * t) + Vector256.Create(slope[i]),
+                (yv * t) + Vector256.Create(slope[i + 1]),
+                (zv * t) + Vector256.Create(slope[i + 2]));
             if (isRational)
             {
                 wu = (wu * t) + w;
@@ -235,6 +241,7 @@ public sealed class SurfaceLine
         /// <summary>The coefficients of its derivative with respect to v.</summary>
         public Vector256<double>[] Slope { get; }
 
-        public bool Holds(Vector256<double> u) => Vector256.GreaterThanOrEqualAll(u, Vector256.Create(From)) && Vector256.LessThanAll(u, Vector256.Create(To));
+        public bool Holds(Vector256<double> u) =>
+            Vector256.GreaterThanOrEqualAll(u, Vector256.Create(From)) && Vector256.LessThanAll(u, Vector256.Create(To));
     }
 }

@@ -9,7 +9,8 @@ namespace ErrorMatching.Geometry;
 /// <param name="Duu">Second derivative with respect to u.</param>
 /// <param name="Duv">Mixed second derivative.</param>
 /// <param name="Dvv">Second derivative with respect to v.</param>
-public readonly record struct SurfacePoint(double U, double V, Point3 Position, Vector3 Du, Vector3 Dv, Vector3 Duu, Vector3 Duv, Vector3 Dvv)
+public readonly record struct SurfacePoint(
+    double U, double V, Point3 Position, Vector3 Du, Vector3 Dv, Vector3 Duu, Vector3 Duv, Vector3 Dvv)
 {
     /// <summary>Unit normal Du x Dv; zero if the surface has none (a pole, a fold).</summary>
     public Vector3 Normal

@@ -85,7 +85,10 @@ internal struct SurfaceSearch(Point3 point, double tolerance)
         var surface = cell.Surface;
 
         // On a border, derivatives may be those of the cell beyond a crease.
-        var inside = _at.U > surface.KnotsU.Start && _at.U < surface.KnotsU.End && _at.V > surface.KnotsV.Start && _at.V < surface.KnotsV.End;
+        var inside = _at.U > surface.KnotsU.Start
+            && _at.U < surface.KnotsU.End
+            && _at.V > surface.KnotsV.Start
+            && _at.V < surface.KnotsV.End;
         var at = _at;
         if (!_settled || !inside)
         {

@@ -19,16 +19,30 @@ internal static unsafe class BoxShadowDrawing
         LibCairo.cairo_fill(cr);
         LibCairo.cairo_destroy(cr);
         LibCairo.cairo_surface_flush(mask);
-        Blur(LibCairo.cairo_image_surface_get_data(mask), LibCairo.cairo_image_surface_get_width(mask), LibCairo.cairo_image_surface_get_height(mask),
+        Blur(
+            LibCairo.cairo_image_surface_get_data(mask),
+            LibCairo.cairo_image_surface_get_width(mask),
+            LibCairo.cairo_image_surface_get_height(mask),
             LibCairo.cairo_image_surface_get_stride(mask), (int)Math.Round(shadow.Blur / 2));
         LibCairo.cairo_surface_mark_dirty(mask);
         LibCairo.cairo_save(target);
 
         // The shadow is visible only outside the box.
         LibCairo.cairo_new_path(target);
-        new CairoGeometry { FillRule = FillRule.EvenOdd, Segments = [.. CairoGeometry.Rectangle(area.Inflate(Math.Abs(shadow.OffsetX) + Math.Abs(shadow.OffsetY))).Segments, .. CairoGeometry.Rounded(rect).Segments] }.AddTo(target);
+        new CairoGeometry
+        {
+            FillRule = FillRule.EvenOdd,
+            Segments = [
+                .. CairoGeometry.Rectangle(area.Inflate(Math.Abs(shadow.OffsetX) + Math.Abs(shadow.OffsetY))).Segments,
+                .. CairoGeometry.Rounded(rect).Segments]
+        }.AddTo(target);
         LibCairo.cairo_clip(target);
-        LibCairo.cairo_set_source_rgba(target, BrushPattern.Unit(shadow.Color.R), BrushPattern.Unit(shadow.Color.G), BrushPattern.Unit(shadow.Color.B), BrushPattern.Unit(shadow.Color.A));
+        LibCairo.cairo_set_source_rgba(
+            target,
+            BrushPattern.Unit(shadow.Color.R),
+            BrushPattern.Unit(shadow.Color.G),
+            BrushPattern.Unit(shadow.Color.B),
+            BrushPattern.Unit(shadow.Color.A));
         LibCairo.cairo_mask_surface(target, mask, area.X + shadow.OffsetX, area.Y + shadow.OffsetY);
         LibCairo.cairo_restore(target);
         LibCairo.cairo_surface_destroy(mask);

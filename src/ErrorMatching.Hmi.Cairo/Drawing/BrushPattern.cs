@@ -23,7 +23,8 @@ internal static unsafe class BrushPattern
         {
             case ISolidColorBrush solid:
                 if (solid.Color.A == 0) return 0;
-                return LibCairo.cairo_pattern_create_rgba(Unit(solid.Color.R), Unit(solid.Color.G), Unit(solid.Color.B), Unit(solid.Color.A) * solid.Opacity);
+                return LibCairo.cairo_pattern_create_rgba(
+                    Unit(solid.Color.R), Unit(solid.Color.G), Unit(solid.Color.B), Unit(solid.Color.A) * solid.Opacity);
             case ILinearGradientBrush linear:
                 {
                     Point a = linear.StartPoint.ToPixels(target), b = linear.EndPoint.ToPixels(target);
@@ -34,7 +35,8 @@ internal static unsafe class BrushPattern
             case IRadialGradientBrush radial:
                 {
                     Point c = radial.Center.ToPixels(target), o = radial.GradientOrigin.ToPixels(target);
-                    double rx = Math.Max(1e-6, radial.RadiusX.ToValue(target.Width)), ry = Math.Max(1e-6, radial.RadiusY.ToValue(target.Height));
+                    double rx = Math.Max(1e-6, radial.RadiusX.ToValue(target.Width)),
+                        ry = Math.Max(1e-6, radial.RadiusY.ToValue(target.Height));
                     pattern = LibCairo.cairo_pattern_create_radial((o.X - c.X) / rx, (o.Y - c.Y) / ry, 0, 0, 0, 1);
                     AddStops(pattern, radial);
                     toPattern = Matrix.CreateTranslation(-c.X, -c.Y) * Matrix.CreateScale(1 / rx, 1 / ry);
@@ -52,11 +54,13 @@ internal static unsafe class BrushPattern
             case IImageBrush { Source: { } source } image:
                 {
                     // The only use of an Avalonia internal: the bitmap behind an image brush (IRef<IBitmapImpl>).
-                    var reference = typeof(IImageBrushSource).GetProperty("Bitmap", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)?.GetValue(source);
+                    var reference = typeof(IImageBrushSource).GetProperty(
+                        "Bitmap", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)?.GetValue(source);
                     if (reference?.GetType().GetProperty("Item")?.GetValue(reference) is not CairoBitmap bitmap) return 0;
                     var whole = new Rect(bitmap.PixelSize.ToSize(1));
                     var area = new Rect(bitmap.PixelSize.ToSizeWithDpi(bitmap.Dpi));
-                    return Tile(image, area, target, (context, m) => { context.Transform = m; context.DrawBitmap(bitmap, 1, whole, area); });
+                    return Tile(
+                        image, area, target, (context, m) => { context.Transform = m; context.DrawBitmap(bitmap, 1, whole, area); });
                 }
             default:
                 return 0;
@@ -74,7 +78,8 @@ internal static unsafe class BrushPattern
     private static void AddStops(nint pattern, IGradientBrush brush)
     {
         foreach (var stop in brush.GradientStops)
-            LibCairo.cairo_pattern_add_color_stop_rgba(pattern, stop.Offset, Unit(stop.Color.R), Unit(stop.Color.G), Unit(stop.Color.B), Unit(stop.Color.A) * brush.Opacity);
+            LibCairo.cairo_pattern_add_color_stop_rgba(
+                pattern, stop.Offset, Unit(stop.Color.R), Unit(stop.Color.G), Unit(stop.Color.B), Unit(stop.Color.A) * brush.Opacity);
         LibCairo.cairo_pattern_set_extend(pattern, brush.SpreadMethod switch
         {
             GradientSpreadMethod.Reflect => LibCairo.ExtendReflect,
@@ -91,8 +96,18 @@ internal static unsafe class BrushPattern
         if (source.Width <= 0 || source.Height <= 0 || place.Width <= 0 || place.Height <= 0) return 0;
         var stretch = brush.Stretch.CalculateScaling(place.Size, source.Size);
         var size = new Size(source.Width * stretch.X, source.Height * stretch.Y);
-        var x = brush.AlignmentX switch { AlignmentX.Left => 0, AlignmentX.Right => place.Width - size.Width, _ => (place.Width - size.Width) / 2 };
-        var y = brush.AlignmentY switch { AlignmentY.Top => 0, AlignmentY.Bottom => place.Height - size.Height, _ => (place.Height - size.Height) / 2 };
+        var x = brush.AlignmentX switch
+        {
+            AlignmentX.Left => 0,
+            AlignmentX.Right => place.Width - size.Width,
+            _ => (place.Width - size.Width) / 2
+        };
+        var y = brush.AlignmentY switch
+        {
+            AlignmentY.Top => 0,
+            AlignmentY.Bottom => place.Height - size.Height,
+            _ => (place.Height - size.Height) / 2
+        };
         const double detail = 2;
         using var tile = new CairoBitmap(PixelSize.FromSize(place.Size, detail), new Vector(96, 96));
         using (var context = tile.CreateDrawingContext())
@@ -103,8 +118,16 @@ internal static unsafe class BrushPattern
             if (brush.Opacity < 1) context.PopOpacity();
         }
         var pattern = LibCairo.cairo_pattern_create_for_surface(tile.Surface); // holds its own reference
-        LibCairo.cairo_pattern_set_extend(pattern, brush.TileMode switch { TileMode.None => LibCairo.ExtendNone, TileMode.Tile => LibCairo.ExtendRepeat, _ => LibCairo.ExtendReflect });
-        LibCairo.cairo_pattern_set_matrix(pattern, ToCairo(Matrix.CreateTranslation(-place.X, -place.Y) * Matrix.CreateScale(detail, detail)));
+        LibCairo.cairo_pattern_set_extend(
+            pattern,
+            brush.TileMode switch
+            {
+                TileMode.None => LibCairo.ExtendNone,
+                TileMode.Tile => LibCairo.ExtendRepeat,
+                _ => LibCairo.ExtendReflect
+            });
+        LibCairo.cairo_pattern_set_matrix(
+            pattern, ToCairo(Matrix.CreateTranslation(-place.X, -place.Y) * Matrix.CreateScale(detail, detail)));
         return pattern;
     }
 

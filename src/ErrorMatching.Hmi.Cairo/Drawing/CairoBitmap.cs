@@ -11,11 +11,13 @@ internal sealed unsafe class CairoBitmap : IWriteableBitmapImpl, IRenderTargetBi
     private readonly double _drawScale;
 
     public CairoBitmap(PixelSize size, Vector dpi, double drawScale = 1)
-        : this(LibCairo.cairo_image_surface_create(LibCairo.FormatArgb32, Math.Max(1, size.Width), Math.Max(1, size.Height)), dpi) => _drawScale = drawScale;
+        : this(LibCairo.cairo_image_surface_create(LibCairo.FormatArgb32, Math.Max(1, size.Width), Math.Max(1, size.Height)), dpi) =>
+            _drawScale = drawScale;
 
     private CairoBitmap(nint surface, Vector dpi)
     {
-        if (LibCairo.cairo_surface_status(surface) is var status and not 0) throw new InvalidDataException($"cairo surface status {status} (only PNG images are supported)");
+        if (LibCairo.cairo_surface_status(surface) is var status and not 0)
+            throw new InvalidDataException($"cairo surface status {status} (only PNG images are supported)");
         Surface = surface;
         Dpi = dpi;
         PixelSize = new PixelSize(LibCairo.cairo_image_surface_get_width(surface), LibCairo.cairo_image_surface_get_height(surface));
@@ -36,7 +38,11 @@ internal sealed unsafe class CairoBitmap : IWriteableBitmapImpl, IRenderTargetBi
     public ILockedFramebuffer Lock()
     {
         LibCairo.cairo_surface_flush(Surface);
-        return new LockedFramebuffer((nint)LibCairo.cairo_image_surface_get_data(Surface), PixelSize, LibCairo.cairo_image_surface_get_stride(Surface), Dpi,
+        return new LockedFramebuffer(
+            (nint)LibCairo.cairo_image_surface_get_data(Surface),
+            PixelSize,
+            LibCairo.cairo_image_surface_get_stride(Surface),
+            Dpi,
             PixelFormat.Bgra8888, Avalonia.Platform.AlphaFormat.Premul, () => { LibCairo.cairo_surface_mark_dirty(Surface); Version++; });
     }
 
@@ -99,8 +105,12 @@ internal sealed unsafe class CairoBitmap : IWriteableBitmapImpl, IRenderTargetBi
     }
 
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
-    private static int Read(nint closure, byte* data, uint length) => PngTransfer.Of(closure).Read(new Span<byte>(data, (int)length)) ? 0 : 10; // CAIRO_STATUS_READ_ERROR
+    // CAIRO_STATUS_READ_ERROR
+    private static int Read(nint closure, byte* data, uint length) =>
+        PngTransfer.Of(closure).Read(new Span<byte>(data, (int)length)) ? 0 : 10;
 
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
-    private static int Write(nint closure, byte* data, uint length) => PngTransfer.Of(closure).Write(new ReadOnlySpan<byte>(data, (int)length)) ? 0 : 11; // CAIRO_STATUS_WRITE_ERROR
+    // CAIRO_STATUS_WRITE_ERROR
+    private static int Write(nint closure, byte* data, uint length) =>
+        PngTransfer.Of(closure).Write(new ReadOnlySpan<byte>(data, (int)length)) ? 0 : 11;
 }

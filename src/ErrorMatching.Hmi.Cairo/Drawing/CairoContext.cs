@@ -80,7 +80,8 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
     {
         LibCairo.cairo_save(_cr);
         LibCairo.cairo_set_operator(_cr, LibCairo.OperatorSource);
-        LibCairo.cairo_set_source_rgba(_cr, BrushPattern.Unit(color.R), BrushPattern.Unit(color.G), BrushPattern.Unit(color.B), BrushPattern.Unit(color.A));
+        LibCairo.cairo_set_source_rgba(
+            _cr, BrushPattern.Unit(color.R), BrushPattern.Unit(color.G), BrushPattern.Unit(color.B), BrushPattern.Unit(color.A));
         LibCairo.cairo_paint(_cr);
         LibCairo.cairo_restore(_cr);
     }
@@ -90,7 +91,8 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         if (pen is not null) Draw(null, pen, new CairoGeometry().Move(p1).Line(p2), new Rect(p1, p2).Normalize());
     }
 
-    public void DrawGeometry(IBrush? brush, IPen? pen, IGeometryImpl geometry) => Draw(brush, pen, (CairoGeometry)geometry, geometry.Bounds);
+    public void DrawGeometry(IBrush? brush, IPen? pen, IGeometryImpl geometry) =>
+        Draw(brush, pen, (CairoGeometry)geometry, geometry.Bounds);
     public void DrawEllipse(IBrush? brush, IPen? pen, Rect rect) => Draw(brush, pen, CairoGeometry.Ellipse(rect), rect);
     public void DrawRegion(IBrush? brush, IPen? pen, IPlatformRenderInterfaceRegion region) => throw new NotSupportedException();
 
@@ -119,7 +121,8 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
         LibCairo.cairo_clip(_cr);
         var pattern = LibCairo.cairo_pattern_create_for_surface(((CairoBitmap)source).Surface);
         double sx = sourceRect.Width / destRect.Width, sy = sourceRect.Height / destRect.Height;
-        LibCairo.cairo_pattern_set_matrix(pattern, new LibCairo.Mat { Xx = sx, Yy = sy, X0 = sourceRect.X - destRect.X * sx, Y0 = sourceRect.Y - destRect.Y * sy });
+        LibCairo.cairo_pattern_set_matrix(
+            pattern, new LibCairo.Mat { Xx = sx, Yy = sy, X0 = sourceRect.X - destRect.X * sx, Y0 = sourceRect.Y - destRect.Y * sy });
         LibCairo.cairo_pattern_set_extend(pattern, LibCairo.ExtendPad);
         var mode = _options.TryPeek(out var o) ? o.BitmapInterpolationMode : BitmapInterpolationMode.Unspecified;
         LibCairo.cairo_pattern_set_filter(pattern, mode == BitmapInterpolationMode.None ? LibCairo.FilterNearest : LibCairo.FilterGood);
@@ -199,7 +202,8 @@ internal sealed unsafe class CairoContext : IDrawingContextImpl
     public void PopRenderOptions()
     {
         _options.Pop();
-        LibCairo.cairo_set_antialias(_cr, _options.TryPeek(out var o) && o.EdgeMode == EdgeMode.Aliased ? LibCairo.AntialiasNone : LibCairo.AntialiasDefault);
+        LibCairo.cairo_set_antialias(
+            _cr, _options.TryPeek(out var o) && o.EdgeMode == EdgeMode.Aliased ? LibCairo.AntialiasNone : LibCairo.AntialiasDefault);
     }
 
     public void PushTextOptions(TextOptions textOptions) { }

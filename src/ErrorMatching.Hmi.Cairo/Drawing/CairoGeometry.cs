@@ -32,7 +32,8 @@ internal class CairoGeometry : IGeometryImpl
     public CairoGeometry Curve(Point a, Point b, Point c) { Segments.Add(new(Op.Curve, a, b, c)); return this; }
     public CairoGeometry Close() { Segments.Add(new(Op.Close, default, default, default)); return this; }
 
-    public static CairoGeometry Rectangle(Rect r) => new CairoGeometry().Move(r.TopLeft).Line(r.TopRight).Line(r.BottomRight).Line(r.BottomLeft).Close();
+    public static CairoGeometry Rectangle(Rect r) =>
+        new CairoGeometry().Move(r.TopLeft).Line(r.TopRight).Line(r.BottomRight).Line(r.BottomLeft).Close();
 
     public static CairoGeometry Ellipse(Rect r)
     {
@@ -57,7 +58,10 @@ internal class CairoGeometry : IGeometryImpl
         tl *= f; tr *= f; br *= f; bl *= f;
         return new CairoGeometry().Move(new(r.X + tl.X, r.Y)).Line(new(r.Right - tr.X, r.Y))
             .Curve(new(r.Right - k * tr.X, r.Y), new(r.Right, r.Y + k * tr.Y), new(r.Right, r.Y + tr.Y)).Line(new(r.Right, r.Bottom - br.Y))
-            .Curve(new(r.Right, r.Bottom - k * br.Y), new(r.Right - k * br.X, r.Bottom), new(r.Right - br.X, r.Bottom)).Line(new(r.X + bl.X, r.Bottom))
+            .Curve(
+                new(r.Right, r.Bottom - k * br.Y),
+                new(r.Right - k * br.X, r.Bottom),
+                new(r.Right - br.X, r.Bottom)).Line(new(r.X + bl.X, r.Bottom))
             .Curve(new(r.X + k * bl.X, r.Bottom), new(r.X, r.Bottom - k * bl.Y), new(r.X, r.Bottom - bl.Y)).Line(new(r.X, r.Y + tl.Y))
             .Curve(new(r.X, r.Y + k * tl.Y), new(r.X + k * tl.X, r.Y), new(r.X + tl.X, r.Y)).Close();
     }
@@ -214,7 +218,8 @@ internal class CairoGeometry : IGeometryImpl
         return false;
     }
 
-    public bool TryGetSegment(double startDistance, double stopDistance, bool startOnBeginFigure, [NotNullWhen(true)] out IGeometryImpl? segmentGeometry)
+    public bool TryGetSegment(
+        double startDistance, double stopDistance, bool startOnBeginFigure, [NotNullWhen(true)] out IGeometryImpl? segmentGeometry)
     {
         var result = new CairoGeometry();
         var at = 0.0;
@@ -270,7 +275,8 @@ internal class CairoGeometry : IGeometryImpl
         public void EndFigure(bool isClosed) { if (isClosed) target.Close(); }
         public void Dispose() { }
 
-        public void ArcTo(Point point, Size size, double rotationAngle, bool isLargeArc, SweepDirection sweepDirection, bool isStroked = true)
+        public void ArcTo(
+            Point point, Size size, double rotationAngle, bool isLargeArc, SweepDirection sweepDirection, bool isStroked = true)
         {
             // SVG's endpoint-to-center conversion, then quarter-turn Beziers.
             double rx = Math.Abs(size.Width), ry = Math.Abs(size.Height), phi = rotationAngle * Math.PI / 180;
@@ -280,7 +286,8 @@ internal class CairoGeometry : IGeometryImpl
             double x1 = cos * dx + sin * dy, y1 = -sin * dx + cos * dy;
             var lambda = x1 * x1 / (rx * rx) + y1 * y1 / (ry * ry);
             if (lambda > 1) { rx *= Math.Sqrt(lambda); ry *= Math.Sqrt(lambda); }
-            var root = Math.Sqrt(Math.Max(0, (rx * rx * ry * ry - rx * rx * y1 * y1 - ry * ry * x1 * x1) / (rx * rx * y1 * y1 + ry * ry * x1 * x1)));
+            var root = Math.Sqrt(Math.Max(
+                0, (rx * rx * ry * ry - rx * rx * y1 * y1 - ry * ry * x1 * x1) / (rx * rx * y1 * y1 + ry * ry * x1 * x1)));
             if (isLargeArc == (sweepDirection == SweepDirection.Clockwise)) root = -root;
             double cx1 = root * rx * y1 / ry, cy1 = -root * ry * x1 / rx;
             double cx = cos * cx1 - sin * cy1 + (_at.X + point.X) / 2, cy = sin * cx1 + cos * cy1 + (_at.Y + point.Y) / 2;

@@ -14,7 +14,8 @@ internal sealed class CairoRenderInterface : IPlatformRenderInterface
         public bool IsLost => false;
         public IReadOnlyDictionary<Type, object> PublicFeatures { get; } = new Dictionary<Type, object>();
         public PixelSize? MaxOffscreenRenderTargetPixelSize => null;
-        public IRenderTarget CreateRenderTarget(IEnumerable<IPlatformRenderSurface> surfaces) => new FrameRenderTarget(surfaces.OfType<FrameSurface>().First());
+        public IRenderTarget CreateRenderTarget(IEnumerable<IPlatformRenderSurface> surfaces) =>
+            new FrameRenderTarget(surfaces.OfType<FrameSurface>().First());
         public IDrawingContextLayerImpl CreateOffscreenRenderTarget(PixelSize pixelSize, Vector scaling, bool enableTextAntialiasing)
             => new CairoBitmap(pixelSize, new Vector(96, 96) * scaling.X, scaling.X);
         public object? TryGetFeature(Type featureType) => null;
@@ -33,7 +34,8 @@ internal sealed class CairoRenderInterface : IPlatformRenderInterface
     public IGeometryImpl CreateLineGeometry(Point p1, Point p2) => new CairoGeometry().Move(p1).Line(p2);
     public IGeometryImpl CreateRectangleGeometry(Rect rect) => CairoGeometry.Rectangle(rect);
     public IStreamGeometryImpl CreateStreamGeometry() => new CairoGeometry.Stream();
-    public IGeometryImpl CreateGeometryGroup(FillRule fillRule, IReadOnlyList<IGeometryImpl> children) => CairoGeometry.Group(fillRule, children);
+    public IGeometryImpl CreateGeometryGroup(FillRule fillRule, IReadOnlyList<IGeometryImpl> children) =>
+        CairoGeometry.Group(fillRule, children);
 
     /// <summary>Cairo has no path booleans. Union and Xor are exact as fills; Exclude is exact if the second geometry is inside the
     /// first.</summary>
@@ -51,19 +53,25 @@ internal sealed class CairoRenderInterface : IPlatformRenderInterface
         return CairoGeometry.FromPath(cr);
     }
 
-    public IGlyphRunImpl CreateGlyphRun(GlyphTypeface glyphTypeface, double fontRenderingEmSize, IReadOnlyList<GlyphInfo> glyphInfos, Point baselineOrigin)
+    public IGlyphRunImpl CreateGlyphRun(
+        GlyphTypeface glyphTypeface, double fontRenderingEmSize, IReadOnlyList<GlyphInfo> glyphInfos, Point baselineOrigin)
         => new CairoGlyphRun(glyphTypeface, fontRenderingEmSize, glyphInfos, baselineOrigin);
 
     public IRenderTargetBitmapImpl CreateRenderTargetBitmap(PixelSize size, Vector dpi) => new CairoBitmap(size, dpi, dpi.X / 96);
-    public IWriteableBitmapImpl CreateWriteableBitmap(PixelSize size, Vector dpi, PixelFormat format, AlphaFormat alphaFormat) => new CairoBitmap(size, dpi);
+    public IWriteableBitmapImpl CreateWriteableBitmap(PixelSize size, Vector dpi, PixelFormat format, AlphaFormat alphaFormat) =>
+        new CairoBitmap(size, dpi);
 
     public IBitmapImpl LoadBitmap(string fileName) => LoadWriteableBitmap(fileName);
     public IBitmapImpl LoadBitmap(Stream stream) => CairoBitmap.FromPng(stream);
     public IBitmapImpl LoadBitmap(PixelFormat format, AlphaFormat alphaFormat, nint data, PixelSize size, Vector dpi, int stride)
         => CairoBitmap.FromPixels(alphaFormat, data, size, dpi, stride);
-    public IBitmapImpl LoadBitmapToWidth(Stream stream, int width, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) => LoadWriteableBitmapToWidth(stream, width, mode);
-    public IBitmapImpl LoadBitmapToHeight(Stream stream, int height, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) => LoadWriteableBitmapToHeight(stream, height, mode);
-    public IBitmapImpl ResizeBitmap(IBitmapImpl bitmapImpl, PixelSize size, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) => ((CairoBitmap)bitmapImpl).Scaled(size);
+    public IBitmapImpl LoadBitmapToWidth(Stream stream, int width, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) =>
+        LoadWriteableBitmapToWidth(stream, width, mode);
+    public IBitmapImpl LoadBitmapToHeight(Stream stream, int height, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) =>
+        LoadWriteableBitmapToHeight(stream, height, mode);
+    public IBitmapImpl ResizeBitmap(
+        IBitmapImpl bitmapImpl, PixelSize size, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality) =>
+        ((CairoBitmap)bitmapImpl).Scaled(size);
     public IWriteableBitmapImpl LoadWriteableBitmap(Stream stream) => CairoBitmap.FromPng(stream);
 
     public IWriteableBitmapImpl LoadWriteableBitmap(string fileName)
@@ -72,13 +80,15 @@ internal sealed class CairoRenderInterface : IPlatformRenderInterface
         return CairoBitmap.FromPng(file);
     }
 
-    public IWriteableBitmapImpl LoadWriteableBitmapToWidth(Stream stream, int width, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality)
+    public IWriteableBitmapImpl LoadWriteableBitmapToWidth(
+        Stream stream, int width, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality)
     {
         using var full = CairoBitmap.FromPng(stream);
         return full.Scaled(new PixelSize(width, Math.Max(1, full.PixelSize.Height * width / full.PixelSize.Width)));
     }
 
-    public IWriteableBitmapImpl LoadWriteableBitmapToHeight(Stream stream, int height, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality)
+    public IWriteableBitmapImpl LoadWriteableBitmapToHeight(
+        Stream stream, int height, BitmapInterpolationMode mode = BitmapInterpolationMode.HighQuality)
     {
         using var full = CairoBitmap.FromPng(stream);
         return full.Scaled(new PixelSize(Math.Max(1, full.PixelSize.Width * height / full.PixelSize.Height), height));

@@ -7,7 +7,8 @@ internal sealed class FrameRenderTarget(FrameSurface surface) : IRenderTarget
 {
     public RenderTargetProperties Properties => new() { RetainsPreviousFrameContents = true, IsSuitableForDirectRendering = true };
 
-    public IDrawingContextImpl CreateDrawingContext(IRenderTarget.RenderTargetSceneInfo sceneInfo, out RenderTargetDrawingContextProperties properties)
+    public IDrawingContextImpl CreateDrawingContext(
+        IRenderTarget.RenderTargetSceneInfo sceneInfo, out RenderTargetDrawingContextProperties properties)
     {
         var keep = surface.Frame?.PixelSize == sceneInfo.Size;
         if (!keep)

@@ -28,11 +28,13 @@ internal static unsafe partial class HarfBuzz
     [LibraryImport(Library)] public static partial void hb_ot_font_set_funcs(nint font);
     [LibraryImport(Library)] public static partial nint hb_buffer_create();
     [LibraryImport(Library)] public static partial void hb_buffer_destroy(nint buffer);
-    [LibraryImport(Library)] public static partial void hb_buffer_add_utf16(nint buffer, char* text, int textLength, uint itemOffset, int itemLength);
+    [LibraryImport(Library)]
+    public static partial void hb_buffer_add_utf16(nint buffer, char* text, int textLength, uint itemOffset, int itemLength);
     [LibraryImport(Library)] public static partial void hb_buffer_guess_segment_properties(nint buffer);
     [LibraryImport(Library)] public static partial void hb_buffer_set_direction(nint buffer, int direction);
     [LibraryImport(Library)] public static partial void hb_buffer_set_language(nint buffer, nint language);
-    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)] public static partial nint hb_language_from_string(string text, int length);
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    public static partial nint hb_language_from_string(string text, int length);
     [LibraryImport(Library)] public static partial GlyphInfo* hb_buffer_get_glyph_infos(nint buffer, out uint length);
     [LibraryImport(Library)] public static partial GlyphPosition* hb_buffer_get_glyph_positions(nint buffer, out uint length);
     [LibraryImport(Library)] public static partial void hb_shape(nint font, nint buffer, Feature* features, uint count);

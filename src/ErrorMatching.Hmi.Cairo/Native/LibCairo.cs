@@ -25,8 +25,12 @@ internal static unsafe partial class LibCairo
     public struct PathData { public int Status; public double* Data; public int Count; }
 
     [LibraryImport(Library)] public static partial nint cairo_image_surface_create(int format, int width, int height);
-    [LibraryImport(Library)] public static partial nint cairo_image_surface_create_from_png_stream(delegate* unmanaged[Cdecl]<nint, byte*, uint, int> read, nint closure);
-    [LibraryImport(Library)] public static partial int cairo_surface_write_to_png_stream(nint surface, delegate* unmanaged[Cdecl]<nint, byte*, uint, int> write, nint closure);
+    [LibraryImport(Library)]
+    public static partial nint cairo_image_surface_create_from_png_stream(
+        delegate* unmanaged[Cdecl]<nint, byte*, uint, int> read, nint closure);
+    [LibraryImport(Library)]
+    public static partial int cairo_surface_write_to_png_stream(
+        nint surface, delegate* unmanaged[Cdecl]<nint, byte*, uint, int> write, nint closure);
     [LibraryImport(Library)] public static partial byte* cairo_image_surface_get_data(nint surface);
     [LibraryImport(Library)] public static partial int cairo_image_surface_get_width(nint surface);
     [LibraryImport(Library)] public static partial int cairo_image_surface_get_height(nint surface);
@@ -58,7 +62,8 @@ internal static unsafe partial class LibCairo
     [LibraryImport(Library)] public static partial void cairo_new_sub_path(nint cr);
     [LibraryImport(Library)] public static partial void cairo_move_to(nint cr, double x, double y);
     [LibraryImport(Library)] public static partial void cairo_line_to(nint cr, double x, double y);
-    [LibraryImport(Library)] public static partial void cairo_curve_to(nint cr, double x1, double y1, double x2, double y2, double x3, double y3);
+    [LibraryImport(Library)]
+    public static partial void cairo_curve_to(nint cr, double x1, double y1, double x2, double y2, double x3, double y3);
     [LibraryImport(Library)] public static partial void cairo_close_path(nint cr);
     [LibraryImport(Library)] public static partial void cairo_rectangle(nint cr, double x, double y, double w, double h);
     [LibraryImport(Library)] public static partial void cairo_fill(nint cr);
@@ -72,15 +77,19 @@ internal static unsafe partial class LibCairo
     [LibraryImport(Library)] public static partial void cairo_set_dash(nint cr, double[]? dashes, int count, double offset);
     [LibraryImport(Library)] public static partial int cairo_in_fill(nint cr, double x, double y);
     [LibraryImport(Library)] public static partial int cairo_in_stroke(nint cr, double x, double y);
-    [LibraryImport(Library)] public static partial void cairo_path_extents(nint cr, out double x1, out double y1, out double x2, out double y2);
-    [LibraryImport(Library)] public static partial void cairo_stroke_extents(nint cr, out double x1, out double y1, out double x2, out double y2);
+    [LibraryImport(Library)]
+    public static partial void cairo_path_extents(nint cr, out double x1, out double y1, out double x2, out double y2);
+    [LibraryImport(Library)]
+    public static partial void cairo_stroke_extents(nint cr, out double x1, out double y1, out double x2, out double y2);
     [LibraryImport(Library)] public static partial PathData* cairo_copy_path(nint cr);
     [LibraryImport(Library)] public static partial void cairo_path_destroy(PathData* path);
     [LibraryImport(Library)] public static partial nint cairo_pattern_create_linear(double x0, double y0, double x1, double y1);
-    [LibraryImport(Library)] public static partial nint cairo_pattern_create_radial(double x0, double y0, double r0, double x1, double y1, double r1);
+    [LibraryImport(Library)]
+    public static partial nint cairo_pattern_create_radial(double x0, double y0, double r0, double x1, double y1, double r1);
     [LibraryImport(Library)] public static partial nint cairo_pattern_create_for_surface(nint surface);
     [LibraryImport(Library)] public static partial nint cairo_pattern_create_rgba(double r, double g, double b, double a);
-    [LibraryImport(Library)] public static partial void cairo_pattern_add_color_stop_rgba(nint pattern, double offset, double r, double g, double b, double a);
+    [LibraryImport(Library)]
+    public static partial void cairo_pattern_add_color_stop_rgba(nint pattern, double offset, double r, double g, double b, double a);
     [LibraryImport(Library)] public static partial void cairo_pattern_set_extend(nint pattern, int extend);
     [LibraryImport(Library)] public static partial void cairo_pattern_set_filter(nint pattern, int filter);
     [LibraryImport(Library)] public static partial void cairo_pattern_set_matrix(nint pattern, in Mat matrix);

@@ -219,5 +219,6 @@ public sealed class ScreenUser(Window window)
 
     private static Point Middle(Visual target) => new Rect(target.Bounds.Size).Center;
 
-    private Point InWindow(Visual target, Point place) => target.TranslatePoint(place, window) ?? throw new InvalidOperationException($"{target} is not in the window.");
+    private Point InWindow(Visual target, Point place) =>
+        target.TranslatePoint(place, window) ?? throw new InvalidOperationException($"{target} is not in the window.");
 }

@@ -45,7 +45,11 @@ internal sealed class CairoGlyphRun : IGlyphRunImpl
         {
             var n = Math.Min(256, Glyphs.Length - start);
             for (var i = 0; i < n; i++)
-                moved[i] = Glyphs[start + i] with { X = Glyphs[start + i].X + BaselineOrigin.X, Y = Glyphs[start + i].Y + BaselineOrigin.Y };
+                moved[i] = Glyphs[start + i] with
+                {
+                    X = Glyphs[start + i].X + BaselineOrigin.X,
+                    Y = Glyphs[start + i].Y + BaselineOrigin.Y
+                };
             LibCairo.cairo_glyph_path(cr, moved, n);
         }
     }

@@ -19,7 +19,15 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
 
     /// <summary>The family for Han characters, by name. For a family that Avalonia knows, it requests each weight separately; for a family
     /// that it got for a single character, it uses the first weight that it encountered for all others.</summary>
-    public IReadOnlyList<FontFallback> HanFallbacks => HanFamily() is { } family ? [new() { FontFamily = new(family), UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)]) }] : [];
+    public IReadOnlyList<FontFallback> HanFallbacks =>
+        HanFamily() is { } family
+            ? [
+                new()
+                {
+                    FontFamily = new(family),
+                    UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)])
+                }]
+            : [];
 
     public string GetDefaultFontFamilyName() => "DejaVu Sans";
 
@@ -47,7 +55,8 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
                && TryMatch(familyName, null, style, weight, out platformTypeface);
     }
 
-    public bool TryCreateGlyphTypeface(Stream stream, FontSimulations fontSimulations, [NotNullWhen(true)] out IPlatformTypeface? platformTypeface)
+    public bool TryCreateGlyphTypeface(
+        Stream stream, FontSimulations fontSimulations, [NotNullWhen(true)] out IPlatformTypeface? platformTypeface)
     {
         platformTypeface = new NativeTypeface(NativeTypeface.Pin(stream), 0, fontSimulations);
         return true;
@@ -72,7 +81,9 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
             _ = FontConfig.FcConfigSubstitute(_config, pattern, 0);
             FontConfig.FcDefaultSubstitute(pattern);
             match = FontConfig.FcFontMatch(_config, pattern, out _);
-            return match != 0 && FontConfig.FcPatternGetCharSet(match, "charset", 0, out var covered) == 0 && FontConfig.FcCharSetHasChar(covered, sample) != 0
+            return match != 0
+                && FontConfig.FcPatternGetCharSet(match, "charset", 0, out var covered) == 0
+                && FontConfig.FcCharSetHasChar(covered, sample) != 0
                 && FontConfig.FcPatternGetString(match, "family", 0, out var name) == 0 ? Marshal.PtrToStringUTF8(name) : null;
         }
         finally
@@ -82,7 +93,8 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
         }
     }
 
-    private bool TryMatch(string? family, int? codepoint, FontStyle style, FontWeight weight, [NotNullWhen(true)] out IPlatformTypeface? typeface)
+    private bool TryMatch(
+        string? family, int? codepoint, FontStyle style, FontWeight weight, [NotNullWhen(true)] out IPlatformTypeface? typeface)
     {
         typeface = null;
         lock (_lock)
@@ -102,7 +114,8 @@ internal sealed unsafe class FontconfigFontManager : IFontManagerImpl
                     FontConfig.FcPatternAddCharSet(pattern, "charset", chars);
                 }
                 FontConfig.FcPatternAddInteger(pattern, "weight", FontConfig.FcWeightFromOpenType((int)weight));
-                FontConfig.FcPatternAddInteger(pattern, "slant", style switch { FontStyle.Italic => 100, FontStyle.Oblique => 110, _ => 0 });
+                FontConfig.FcPatternAddInteger(
+                    pattern, "slant", style switch { FontStyle.Italic => 100, FontStyle.Oblique => 110, _ => 0 });
                 _ = FontConfig.FcConfigSubstitute(_config, pattern, 0);
                 FontConfig.FcDefaultSubstitute(pattern);
                 match = FontConfig.FcFontMatch(_config, pattern, out _);

@@ -29,12 +29,19 @@ internal sealed unsafe class HarfBuzzShaper : ITextShaperImpl
                 HarfBuzz.hb_buffer_add_utf16(buffer, chars, span.Length, 0, span.Length); // clusters count from the start of this run
             HarfBuzz.hb_buffer_guess_segment_properties(buffer);
             HarfBuzz.hb_buffer_set_direction(buffer, (options.BidiLevel & 1) == 0 ? HarfBuzz.Ltr : HarfBuzz.Rtl);
-            HarfBuzz.hb_buffer_set_language(buffer, HarfBuzz.hb_language_from_string((options.Culture ?? CultureInfo.CurrentCulture).Name, -1));
+            HarfBuzz.hb_buffer_set_language(
+                buffer, HarfBuzz.hb_language_from_string((options.Culture ?? CultureInfo.CurrentCulture).Name, -1));
             var features = stackalloc HarfBuzz.Feature[options.FontFeatures?.Count ?? 0];
             for (var i = 0; i < (options.FontFeatures?.Count ?? 0); i++)
             {
                 var f = options.FontFeatures![i];
-                features[i] = new HarfBuzz.Feature { Tag = (uint)OpenTypeTag.Parse(f.Tag), Value = (uint)f.Value, Start = (uint)f.Start, End = (uint)f.End };
+                features[i] = new HarfBuzz.Feature
+                {
+                    Tag = (uint)OpenTypeTag.Parse(f.Tag),
+                    Value = (uint)f.Value,
+                    Start = (uint)f.Start,
+                    End = (uint)f.End
+                };
             }
             HarfBuzz.hb_shape(typeface.HbFont, buffer, features, (uint)(options.FontFeatures?.Count ?? 0));
             var infos = HarfBuzz.hb_buffer_get_glyph_infos(buffer, out var count);

@@ -8,12 +8,15 @@ namespace ErrorMatching.Hmi.Cairo;
 /// <summary>A font file in pinned memory, opened by HarfBuzz (tables, shaping) and FreeType (outlines, for Cairo).</summary>
 internal sealed unsafe class NativeTypeface : IPlatformTypeface
 {
-    private static readonly nint s_freeType = FreeType.FT_Init_FreeType(out var library) == 0 ? library : throw new InvalidOperationException("FreeType");
+    private static readonly nint s_freeType = FreeType.FT_Init_FreeType(out var library) == 0
+        ? library
+        : throw new InvalidOperationException("FreeType");
     private readonly byte[] _data;
     private readonly nint _hbFace;
     private readonly Dictionary<OpenTypeTag, byte[]?> _tables = [];
 
-    public NativeTypeface(byte[] pinned, int index, FontSimulations simulations, string? family = null, FontWeight? weight = null, FontStyle? style = null)
+    public NativeTypeface(
+        byte[] pinned, int index, FontSimulations simulations, string? family = null, FontWeight? weight = null, FontStyle? style = null)
     {
         _data = pinned;
         var address = Marshal.UnsafeAddrOfPinnedArrayElement(pinned, 0);

@@ -18,7 +18,8 @@ internal sealed class MemoryClipboard : IClipboard
 
     public Task FlushAsync() => Task.CompletedTask;
 
-    public Task<IAsyncDataTransfer?> TryGetDataAsync() => Task.FromResult<IAsyncDataTransfer?>(_data is null ? null : new KeptTransfer(_data));
+    public Task<IAsyncDataTransfer?> TryGetDataAsync() =>
+        Task.FromResult<IAsyncDataTransfer?>(_data is null ? null : new KeptTransfer(_data));
 
     public Task<IAsyncDataTransfer?> TryGetInProcessDataAsync() => Task.FromResult(_data);
 }

@@ -49,13 +49,16 @@ internal abstract partial class PlatformWindow : IWindowImpl
     private ulong Now => (ulong)_clock.ElapsedMilliseconds;
 
     /// <summary>Passes on a pointer event, at a position in device-independent units.</summary>
-    public void Mouse(RawPointerEventType type, Point at, RawInputModifiers modifiers) => Input?.Invoke(new RawPointerEventArgs(_mouse, Now, _root!, type, at, modifiers));
+    public void Mouse(RawPointerEventType type, Point at, RawInputModifiers modifiers) =>
+        Input?.Invoke(new RawPointerEventArgs(_mouse, Now, _root!, type, at, modifiers));
 
     /// <summary>Passes on a touch event.</summary>
-    public void Touch(RawPointerEventType type, Point at, long finger = 1) => Input?.Invoke(new RawTouchEventArgs(_touch, Now, _root!, type, at, RawInputModifiers.None, finger));
+    public void Touch(RawPointerEventType type, Point at, long finger = 1) =>
+        Input?.Invoke(new RawTouchEventArgs(_touch, Now, _root!, type, at, RawInputModifiers.None, finger));
 
     /// <summary>Passes on a wheel event.</summary>
-    public void Wheel(Point at, Vector delta, RawInputModifiers modifiers) => Input?.Invoke(new RawMouseWheelEventArgs(_mouse, Now, _root!, at, delta, modifiers));
+    public void Wheel(Point at, Vector delta, RawInputModifiers modifiers) =>
+        Input?.Invoke(new RawMouseWheelEventArgs(_mouse, Now, _root!, at, delta, modifiers));
 
     /// <summary>Passes on a key event.</summary>
     public void Key(RawKeyEventType type, Key key, RawInputModifiers modifiers) =>
@@ -75,7 +78,8 @@ internal abstract partial class PlatformWindow : IWindowImpl
         : featureType == typeof(Avalonia.Input.Platform.IClipboard) ? AvaloniaLocator.Current.GetService(featureType)
         : null;
 
-    public virtual void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application) => Dispatcher.UIThread.Post(() => OnResized(clientSize, reason), DispatcherPriority.Send);
+    public virtual void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application) =>
+        Dispatcher.UIThread.Post(() => OnResized(clientSize, reason), DispatcherPriority.Send);
 
     public virtual void Show(bool activate, bool isDialog)
     {

@@ -28,7 +28,8 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
             .Bind<IPlatformIconLoader>().ToConstant(new NoIcons())
             .Bind<IPlatformSettings>().ToConstant(new DefaultPlatformSettings())
             .Bind<PlatformHotkeyConfiguration>().ToConstant(new PlatformHotkeyConfiguration())
-            .Bind<KeyGestureFormatInfo>().ToConstant(new KeyGestureFormatInfo(new Dictionary<Key, string>(), "Meta", "Ctrl", "Alt", "Shift"));
+            .Bind<KeyGestureFormatInfo>().ToConstant(new KeyGestureFormatInfo(
+                new Dictionary<Key, string>(), "Meta", "Ctrl", "Alt", "Shift"));
         Compositor = new Compositor(null);
     }
 
@@ -36,7 +37,8 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
 
     public ITopLevelImpl CreateEmbeddableTopLevel() => create();
 
-    public IWindowImpl CreateEmbeddableWindow() => throw new PlatformNotSupportedException("Windows inside foreign windows are not supported.");
+    public IWindowImpl CreateEmbeddableWindow() =>
+        throw new PlatformNotSupportedException("Windows inside foreign windows are not supported.");
 
     public ITrayIconImpl? CreateTrayIcon() => null;
 

@@ -20,7 +20,8 @@ internal sealed class DispatcherRenderTimer : IRenderTimer
         {
             // Avalonia sets it while there is something to draw, and clears it otherwise.
             _tick = value;
-            _timer ??= new DispatcherTimer(TimeSpan.FromMilliseconds(16), DispatcherPriority.Render, (_, _) => _tick?.Invoke(_clock.Elapsed));
+            _timer ??= new DispatcherTimer(
+                TimeSpan.FromMilliseconds(16), DispatcherPriority.Render, (_, _) => _tick?.Invoke(_clock.Elapsed));
             _timer.IsEnabled = value is not null;
         }
     }

@@ -123,12 +123,15 @@ internal sealed class X11ClipboardWindow
 
     private unsafe (nint Type, byte[]? Bytes) Take()
     {
-        var status = Xlib.XGetWindowProperty(Display, _window, _property, 0, MostBytes / 4, 1, 0, out var type, out var format, out var items, out var left, out var data);
+        var status = Xlib.XGetWindowProperty(
+            Display, _window, _property, 0, MostBytes / 4, 1, 0, out var type, out var format, out var items, out var left, out var data);
         X11Connection.DrainLater();
         try
         {
             // A 32-bit length precedes pieces; text has 8 bits per character.
-            return status != 0 || left > 0 ? (0, null) : (type, format == 8 ? new ReadOnlySpan<byte>(data, (int)items).ToArray() : type == _pieces ? [] : null);
+            return status != 0 || left > 0
+                ? (0, null)
+                : (type, format == 8 ? new ReadOnlySpan<byte>(data, (int)items).ToArray() : type == _pieces ? [] : null);
         }
         finally
         {

@@ -38,7 +38,8 @@ internal static class X11Connection
         Display = Xlib.XOpenDisplay(name);
         if (Display == 0)
         {
-            throw new PlatformNotSupportedException("No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.");
+            throw new PlatformNotSupportedException(
+                "No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.");
         }
 
         _otherwise = Xlib.XSetErrorHandler(&OnError);

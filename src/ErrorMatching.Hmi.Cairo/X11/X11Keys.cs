@@ -17,8 +17,10 @@ internal static class X11Keys
 
     /// <summary>The modifiers and buttons that were held.</summary>
     public static RawInputModifiers Modifiers(uint state) =>
-        If(state, ShiftBit, RawInputModifiers.Shift) | If(state, ControlBit, RawInputModifiers.Control) | If(state, AltBit, RawInputModifiers.Alt) | If(state, MetaBit, RawInputModifiers.Meta)
-        | If(state, LeftBit, RawInputModifiers.LeftMouseButton) | If(state, MiddleBit, RawInputModifiers.MiddleMouseButton) | If(state, RightBit, RawInputModifiers.RightMouseButton);
+        If(state, ShiftBit, RawInputModifiers.Shift) | If(state, ControlBit, RawInputModifiers.Control)
+            | If(state, AltBit, RawInputModifiers.Alt) | If(state, MetaBit, RawInputModifiers.Meta)
+        | If(state, LeftBit, RawInputModifiers.LeftMouseButton) | If(state, MiddleBit, RawInputModifiers.MiddleMouseButton)
+            | If(state, RightBit, RawInputModifiers.RightMouseButton);
 
     /// <summary>The key of a keysym (X11/keysymdef.h); <see cref="Key.None"/> for one that only types text.</summary>
     public static Key Of(uint keysym) => keysym switch

@@ -22,7 +22,8 @@ internal sealed unsafe class X11Window : PlatformWindow
         X11Connection.Open();
         _screen = Xlib.XDefaultScreen(X11Connection.Display);
         var size = Pixels;
-        _window = Xlib.XCreateSimpleWindow(X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, _screen), 0, 0, (uint)size.Width, (uint)size.Height, 0, 0, 0);
+        _window = Xlib.XCreateSimpleWindow(
+            X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, _screen), 0, 0, (uint)size.Width, (uint)size.Height, 0, 0, 0);
         _ = Xlib.XSelectInput(X11Connection.Display, _window, Xlib.EventMask);
         var protocol = X11Connection.DeleteWindow;
         _ = Xlib.XSetWMProtocols(X11Connection.Display, _window, &protocol, 1);
@@ -44,7 +45,8 @@ internal sealed unsafe class X11Window : PlatformWindow
         }
     }
 
-    protected override PixelSize ScreenSize => new(Xlib.XDisplayWidth(X11Connection.Display, _screen), Xlib.XDisplayHeight(X11Connection.Display, _screen));
+    protected override PixelSize ScreenSize =>
+        new(Xlib.XDisplayWidth(X11Connection.Display, _screen), Xlib.XDisplayHeight(X11Connection.Display, _screen));
 
     private PixelSize Pixels => PixelSize.FromSize(ClientSize, RenderScaling);
 
@@ -137,7 +139,10 @@ internal sealed unsafe class X11Window : PlatformWindow
 
                 break;
             case Xlib.ButtonPress when e.Detail is >= 4 and <= 7:
-                Wheel(at, e.Detail switch { 4 => new Vector(0, 1), 5 => new Vector(0, -1), 6 => new Vector(1, 0), _ => new Vector(-1, 0) }, modifiers);
+                Wheel(
+                    at,
+                    e.Detail switch { 4 => new Vector(0, 1), 5 => new Vector(0, -1), 6 => new Vector(1, 0), _ => new Vector(-1, 0) },
+                    modifiers);
                 break;
             case Xlib.ButtonPress when e.Detail <= 3:
                 Mouse(ButtonEvent(e.Detail, isDown: true), at, modifiers | X11Keys.Button(e.Detail));
@@ -158,7 +163,12 @@ internal sealed unsafe class X11Window : PlatformWindow
             return;
         }
 
-        var surface = Xlib.cairo_xlib_surface_create(X11Connection.Display, _window, Xlib.XDefaultVisual(X11Connection.Display, _screen), frame.PixelSize.Width, frame.PixelSize.Height);
+        var surface = Xlib.cairo_xlib_surface_create(
+            X11Connection.Display,
+            _window,
+            Xlib.XDefaultVisual(X11Connection.Display, _screen),
+            frame.PixelSize.Width,
+            frame.PixelSize.Height);
         var cr = LibCairo.cairo_create(surface);
         LibCairo.cairo_set_operator(cr, LibCairo.OperatorSource);
         LibCairo.cairo_set_source_surface(cr, frame.Surface, 0, 0);
@@ -183,7 +193,8 @@ internal sealed unsafe class X11Window : PlatformWindow
         var buffer = stackalloc byte[32];
         var length = Xlib.XLookupString(ref e, buffer, 32, out var keysym, 0);
         Key(e.Type == Xlib.KeyPress ? RawKeyEventType.KeyDown : RawKeyEventType.KeyUp, X11Keys.Of((uint)keysym), modifiers);
-        if (e.Type != Xlib.KeyPress || (modifiers & (RawInputModifiers.Control | RawInputModifiers.Alt | RawInputModifiers.Meta)) != RawInputModifiers.None)
+        if (e.Type != Xlib.KeyPress
+            || (modifiers & (RawInputModifiers.Control | RawInputModifiers.Alt | RawInputModifiers.Meta)) != RawInputModifiers.None)
         {
             return;
         }

@@ -25,7 +25,8 @@ internal static unsafe class X11WindowState
         }
         else
         {
-            var (full, wide, high) = (Atom("_NET_WM_STATE_FULLSCREEN"), Atom("_NET_WM_STATE_MAXIMIZED_HORZ"), Atom("_NET_WM_STATE_MAXIMIZED_VERT"));
+            var (full, wide, high) = (
+                Atom("_NET_WM_STATE_FULLSCREEN"), Atom("_NET_WM_STATE_MAXIMIZED_HORZ"), Atom("_NET_WM_STATE_MAXIMIZED_VERT"));
             Keep(window, state switch { WindowState.FullScreen => [full], WindowState.Maximized => [wide, high], _ => [] });
             Tell(window, screenNumber, state == WindowState.FullScreen ? Add : Remove, full, 0);
             Tell(window, screenNumber, state == WindowState.Maximized ? Add : Remove, wide, high);
@@ -55,8 +56,18 @@ internal static unsafe class X11WindowState
     // Has an effect while the window is mapped.
     private static void Tell(nint window, int screenNumber, int act, nint first, nint second)
     {
-        var message = new XEvent { Type = Xlib.ClientMessage, Window = window, MessageType = Atom("_NET_WM_STATE"), Format = 32, Data0 = act, Data1 = first, Data2 = second };
-        _ = Xlib.XSendEvent(X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, screenNumber), 0, Xlib.SubstructureMask, ref message);
+        var message = new XEvent
+        {
+            Type = Xlib.ClientMessage,
+            Window = window,
+            MessageType = Atom("_NET_WM_STATE"),
+            Format = 32,
+            Data0 = act,
+            Data1 = first,
+            Data2 = second
+        };
+        _ = Xlib.XSendEvent(
+            X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, screenNumber), 0, Xlib.SubstructureMask, ref message);
     }
 
     private static nint Atom(string name) => Xlib.XInternAtom(X11Connection.Display, name, 0);

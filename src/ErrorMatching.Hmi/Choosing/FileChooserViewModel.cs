@@ -23,7 +23,8 @@ public sealed class FileChooserViewModel : Observable
     /// <param name="samplesFolder">The folder of the samples; null if there is none.</param>
     /// <param name="recent">Recently used folders, latest first.</param>
     /// <param name="clock">Gives the time zone.</param>
-    public FileChooserViewModel(FileChoice choice, string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent, TimeProvider clock)
+    public FileChooserViewModel(
+        FileChoice choice, string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent, TimeProvider clock)
     {
         (_choice, _clock) = (choice ?? throw new ArgumentNullException(nameof(choice)), clock);
         Up = new(() => Enter(Path.GetDirectoryName(Folder)!), () => Path.GetDirectoryName(Folder) is not null);
@@ -89,7 +90,8 @@ public sealed class FileChooserViewModel : Observable
     public bool IsFiltered => _choice.Kind != FileChoiceKind.Folder && _choice.Extensions.Count > 0;
 
     /// <summary>What a tap on the filter does, in words.</summary>
-    public string Filter => _isAll ? Texts.Current.With("Chooser.Only", string.Join(", ", _choice.Extensions)) : Texts.Current["Chooser.All"];
+    public string Filter =>
+        _isAll ? Texts.Current.With("Chooser.Only", string.Join(", ", _choice.Extensions)) : Texts.Current["Chooser.All"];
 
     /// <summary>What the confirm button does, in words.</summary>
     public string ConfirmLabel => Texts.Current[_replaced is not null ? "Chooser.Replace" : "Chooser." + _choice.Kind];
@@ -178,7 +180,10 @@ public sealed class FileChooserViewModel : Observable
                 _listing = listing;
                 Rows.Show(listing.Entries);
                 Typed = _choice.Kind == FileChoiceKind.Open && Chosen is not null ? Typed
-                    : _choice.Kind == FileChoiceKind.Save && Typed.Length > 0 && Path.GetFileName(Typed) is { Length: > 0 } name && !Directory.Exists(Typed)
+                    : _choice.Kind == FileChoiceKind.Save
+                        && Typed.Length > 0
+                        && Path.GetFileName(Typed) is { Length: > 0 } name
+                        && !Directory.Exists(Typed)
                     ? Path.Combine(listing.Folder, name)
                     : listing.Folder;
                 Up.Refresh();
@@ -202,7 +207,11 @@ public sealed class FileChooserViewModel : Observable
     }
 
     // The current folder is not a file: nothing is chosen yet.
-    private bool CanConfirm() => Typed.Trim() is { Length: > 0 } typed && (_choice.Kind == FileChoiceKind.Folder || typed.TrimEnd(Path.DirectorySeparatorChar) != Folder.TrimEnd(Path.DirectorySeparatorChar));
+    private bool CanConfirm() =>
+        Typed.Trim() is { Length: > 0 } typed
+            && (
+                _choice.Kind == FileChoiceKind.Folder
+                    || typed.TrimEnd(Path.DirectorySeparatorChar) != Folder.TrimEnd(Path.DirectorySeparatorChar));
 
     private async Task ConfirmAsync()
     {
@@ -214,7 +223,8 @@ public sealed class FileChooserViewModel : Observable
         }
 
         var path = Path.GetFullPath(Typed.Trim(), Folder);
-        var (isFolder, isFile, isPlaced) = await Task.Run(() => (Directory.Exists(path), File.Exists(path), Directory.Exists(Path.GetDirectoryName(path))));
+        var (isFolder, isFile, isPlaced) = await Task.Run(
+            () => (Directory.Exists(path), File.Exists(path), Directory.Exists(Path.GetDirectoryName(path))));
         switch (_choice.Kind)
         {
             case FileChoiceKind.Folder when !isFile:
@@ -284,10 +294,13 @@ public sealed class FileChooserViewModel : Observable
     {
         var texts = Texts.Current;
         var folders = listing.Entries.Count(e => e.IsFolder);
-        yield return _choice.Kind == FileChoiceKind.Folder ? texts.With("Chooser.Folders", Shown.Count(folders)) : texts.With("Chooser.Both", Shown.Count(folders), Shown.Count(listing.Entries.Count - folders));
+        yield return _choice.Kind == FileChoiceKind.Folder
+            ? texts.With("Chooser.Folders", Shown.Count(folders))
+            : texts.With("Chooser.Both", Shown.Count(folders), Shown.Count(listing.Entries.Count - folders));
         if (listing.Others > 0)
         {
-            yield return texts.With(_choice.Kind == FileChoiceKind.Folder ? "Chooser.Files" : "Chooser.Others", Shown.Count(listing.Others));
+            yield return texts.With(
+                _choice.Kind == FileChoiceKind.Folder ? "Chooser.Files" : "Chooser.Others", Shown.Count(listing.Others));
         }
 
         if (listing.Hidden > 0)

@@ -22,5 +22,11 @@ public sealed record FolderEntry(string Path, bool IsFolder, DateTimeOffset Chan
     public FolderEntry Now(TimeProvider clock) => this with { Changed = Shown.Time(ChangedAt, clock) };
 
     internal static string Visible(string name) =>
-        string.Concat(name.Select(c => char.IsControl(c) || CharUnicodeInfo.GetUnicodeCategory(c) is UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator ? '\u25A1' : c));
+        string.Concat(name.Select(
+            c => char.IsControl(c)
+                || CharUnicodeInfo.GetUnicodeCategory(c) is UnicodeCategory.Format
+                    or UnicodeCategory.LineSeparator
+                    or UnicodeCategory.ParagraphSeparator
+                ? '\u25A1'
+                : c));
 }

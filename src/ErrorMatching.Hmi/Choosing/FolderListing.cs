@@ -45,7 +45,8 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
             {
                 folders.Add(new(found.FullName, IsFolder: true, changed, Shown.Time(changed, clock), ""));
             }
-            else if (extensions is null || (extensions.Count > 0 && !extensions.Contains(found.Extension, StringComparer.OrdinalIgnoreCase)))
+            else if (extensions is null
+                || (extensions.Count > 0 && !extensions.Contains(found.Extension, StringComparer.OrdinalIgnoreCase)))
             {
                 others++;
             }
@@ -58,7 +59,8 @@ internal sealed record FolderListing(string Folder, IReadOnlyList<FolderEntry> E
         return new(folder, [.. Sorted(folders), .. Sorted(files)], hidden, others, seen <= Most);
     }
 
-    private static IOrderedEnumerable<FolderEntry> Sorted(List<FolderEntry> entries) => entries.OrderBy(e => e.Name, StringComparer.OrdinalIgnoreCase).ThenBy(e => e.Name, StringComparer.Ordinal);
+    private static IOrderedEnumerable<FolderEntry> Sorted(List<FolderEntry> entries) =>
+        entries.OrderBy(e => e.Name, StringComparer.OrdinalIgnoreCase).ThenBy(e => e.Name, StringComparer.Ordinal);
 
     private static string SizeOf(FileInfo file)
     {

@@ -8,7 +8,12 @@ namespace ErrorMatching.Hmi;
 public sealed record Place(int Number, string? NameKey, string Path, string Icon)
 {
     /// <summary>Its display name.</summary>
-    public string Name => NameKey is not null ? Texts.Current[NameKey] : System.IO.Path.GetFileName(System.IO.Path.TrimEndingDirectorySeparator(Path)) is { Length: > 0 } name ? FolderEntry.Visible(name) : Path;
+    public string Name =>
+        NameKey is not null
+            ? Texts.Current[NameKey]
+            : System.IO.Path.GetFileName(System.IO.Path.TrimEndingDirectorySeparator(Path)) is { Length: > 0 } name
+            ? FolderEntry.Visible(name)
+            : Path;
 
     public string AutomationId => "place-" + Shown.Id(Number);
 }

@@ -27,7 +27,9 @@ internal static class Places
     /// <summary>Selects the mount points on Linux that a user would call a disk.</summary>
     /// <param name="mounted">The mount points.</param>
     internal static IEnumerable<string> DisksAmong(IEnumerable<string> mounted) =>
-        mounted.Where(d => d == "/" || Mounts.Any(m => d.StartsWith(m.Root + "/", StringComparison.Ordinal) && d.AsSpan(m.Root.Length).Count('/') <= m.Levels));
+        mounted.Where(
+            d => d == "/"
+                || Mounts.Any(m => d.StartsWith(m.Root + "/", StringComparison.Ordinal) && d.AsSpan(m.Root.Length).Count('/') <= m.Levels));
 
     // On Linux, most mount points belong to the system. The disks themselves are not accessed: a disconnected one could block.
     private static IEnumerable<string> Disks() => OperatingSystem.IsWindows()

@@ -27,7 +27,8 @@ public sealed class DemoCell : IAsyncDisposable
     private readonly CancellationTokenSource _stop = new();
     private Task _running = Task.CompletedTask;
 
-    private DemoCell(CellSettings settings, TimeProvider clock, string samples) => (Settings, _clock, _samples) = (settings, clock, samples);
+    private DemoCell(CellSettings settings, TimeProvider clock, string samples) =>
+        (Settings, _clock, _samples) = (settings, clock, samples);
 
     /// <summary>The configuration; a person must approve.</summary>
     public CellSettings Settings { get; }
@@ -64,7 +65,8 @@ public sealed class DemoCell : IAsyncDisposable
 
     /// <summary>The key points of the drawing in the order of cutting, to set up a job from. The apex is left out: it is on the
     /// drawing, but it is not measured.</summary>
-    internal static string Drawing(string theoretical) => string.Concat(File.ReadLines(theoretical).Where(l => !l.StartsWith("3,", StringComparison.Ordinal)).Select(l => l + "\n"));
+    internal static string Drawing(string theoretical) =>
+        string.Concat(File.ReadLines(theoretical).Where(l => !l.StartsWith("3,", StringComparison.Ordinal)).Select(l => l + "\n"));
 
     /// <summary>Opens the cell created in a folder earlier.</summary>
     internal static DemoCell At(string folder, TimeProvider clock) =>
@@ -81,7 +83,8 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>Drops a complete file of a measured part into the gauge's folder.</summary>
     /// <param name="serial">Its serial number.</param>
     /// <param name="spread">Largest distance of its points from the sample's, in mm; 0 gives the sample's part.</param>
-    public void Deliver(int serial, double spread) => Drop(0, "part", serial, DemoPart.Near(Sample("complex-mating", "part.csv"), serial, spread));
+    public void Deliver(int serial, double spread) =>
+        Drop(0, "part", serial, DemoPart.Near(Sample("complex-mating", "part.csv"), serial, spread));
 
     /// <summary>Drops a measured counterpart that deviates from its part about as much as the sample's does, whatever was cut.</summary>
     /// <param name="serial">Serial number of the part.</param>
@@ -104,7 +107,8 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>Drops a complete file of a measured surface into its gauge's folder.</summary>
     /// <param name="serial">Its serial number.</param>
     /// <param name="spread">Largest distance of its points from the sample's, in mm; 0 gives the sample's surface.</param>
-    public void DeliverSurface(int serial, double spread) => Drop(1, "surface", serial, DemoPart.Near(Sample("surface-one", "measured.csv"), serial, spread));
+    public void DeliverSurface(int serial, double spread) =>
+        Drop(1, "surface", serial, DemoPart.Near(Sample("surface-one", "measured.csv"), serial, spread));
 
     /// <summary>Reports that a machine has cut its piece, as the machine would.</summary>
     /// <param name="machine">Its name; null for the first one.</param>
@@ -126,7 +130,8 @@ public sealed class DemoCell : IAsyncDisposable
 
     private void Drop(int gauge, string piece, int serial, string text)
     {
-        var (name, incoming) = (string.Create(CultureInfo.InvariantCulture, $"{piece}-{serial:0000}.csv"), Settings.Gauges[gauge].Incoming!);
+        var (name, incoming) = (
+            string.Create(CultureInfo.InvariantCulture, $"{piece}-{serial:0000}.csv"), Settings.Gauges[gauge].Incoming!);
         var outside = Path.Combine(incoming, "..", name);
         File.WriteAllText(outside, text);
         File.Move(outside, Path.Combine(incoming, name), overwrite: true);

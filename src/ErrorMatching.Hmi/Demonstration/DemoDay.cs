@@ -96,10 +96,14 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     // The part's gauge measures its counterpart, once, as the sent program cuts it, so that the user sees the effect of the job.
     private void Measure(CellStore store, Correction cut)
     {
-        if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report } && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
+        if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report }
+            && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
             && KeptReport.Read(store.Content(report)) is { } match && _measured.Add(number))
         {
-            cell.DeliverCounterpart(number, CutSpreadMm, KeptPiece.Predicted(cut, match).Result.Points.ToDictionary(p => p.Label, p => p.After, StringComparer.Ordinal));
+            cell.DeliverCounterpart(
+                number,
+                CutSpreadMm,
+                KeptPiece.Predicted(cut, match).Result.Points.ToDictionary(p => p.Label, p => p.After, StringComparer.Ordinal));
         }
     }
 

@@ -40,7 +40,8 @@ internal static class DemoPart
     public static string At(string like, IReadOnlyDictionary<string, Point2> places)
     {
         var rows = Rows(like);
-        return Each(like, (row, column, value) => !places.TryGetValue(rows[row][0], out var place) ? value : column == 1 ? place.X : place.Y);
+        return Each(
+            like, (row, column, value) => !places.TryGetValue(rows[row][0], out var place) ? value : column == 1 ? place.X : place.Y);
     }
 
     private static string Each(string csv, Func<int, int, double, double> change)

@@ -60,13 +60,20 @@ public sealed class ColorLegend : Control, IDrawnWords
 
         for (var i = 0; i < DivergingColors.Count; i++)
         {
-            context.FillRectangle(MapColors.Scale[i], new Rect(left + (width * i / DivergingColors.Count), 0, (width / DivergingColors.Count) + DrawnSizes.Overlap, DrawnSizes.ColorBar));
+            context.FillRectangle(
+                MapColors.Scale[i],
+                new Rect(
+                    left + (width * i / DivergingColors.Count),
+                    0,
+                    (width / DivergingColors.Count) + DrawnSizes.Overlap,
+                    DrawnSizes.ColorBar));
         }
 
         // The color for zero is the background's, so the bar needs a frame.
         using (context.PushOpacity(DrawnSizes.FrameOpacity))
         {
-            context.DrawRectangle(null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
+            context.DrawRectangle(
+                null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
         }
 
         foreach (var tick in Ticks)
@@ -75,17 +82,20 @@ public sealed class ColorLegend : Control, IDrawnWords
             var x = left + (width * (0.5 + (tick * (DivergingColors.Count - 1) / DivergingColors.Count / 2)));
             var text = Text(tick);
             context.DrawLine(new Pen(Ink), new(x, DrawnSizes.ColorBar), new(x, DrawnSizes.ColorBar + DrawnSizes.Tick));
-            context.DrawText(text, new(Math.Clamp(x - (text.Width / 2), 0, Bounds.Width - text.Width), DrawnSizes.ColorBar + DrawnSizes.Tick));
+            context.DrawText(
+                text, new(Math.Clamp(x - (text.Width / 2), 0, Bounds.Width - text.Width), DrawnSizes.ColorBar + DrawnSizes.Tick));
         }
     }
 
     /// <inheritdoc/>
-    protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Image, () => $"{Words(-1)}, {Words(1)}");
+    protected override AutomationPeer OnCreateAutomationPeer() =>
+        new DrawnPeer(this, AutomationControlType.Image, () => $"{Words(-1)}, {Words(1)}");
 
     /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize) => new(0, DrawnSizes.ColorBar + DrawnSizes.Tick + Text(1).Height);
 
-    private string Words(double share) => (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm");
+    private string Words(double share) =>
+        (1000 * LimitMm * share).ToString("+0.#;−0.#;0", CultureInfo.InvariantCulture) + (share == 0 ? "" : " µm");
 
     private FormattedText Text(double share) => new(
         Words(share), CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, LabelSize, Ink);

@@ -40,7 +40,8 @@ internal sealed class DisplacedOutline
 
     /// <summary>The displaced boundary.</summary>
     /// <param name="amounts">Displacement at each key point along its normal, mm.</param>
-    public IReadOnlyList<Point2> By(double[] amounts) => [.. _outline.Select((p, i) => p + (_side * Between(_at[i], amounts) * NormalAt(i)))];
+    public IReadOnlyList<Point2> By(double[] amounts) =>
+        [.. _outline.Select((p, i) => p + (_side * Between(_at[i], amounts) * NormalAt(i)))];
 
     private double Between(double at, double[] amounts)
     {

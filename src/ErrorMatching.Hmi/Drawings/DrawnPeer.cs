@@ -9,7 +9,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="owner">The control; its name is the view's.</param>
 /// <param name="type">Its type.</param>
 /// <param name="said">Its current value: the values under the finger, or the selected block; null if there is none.</param>
-internal sealed class DrawnPeer(Control owner, AutomationControlType type, Func<string?> said) : ControlAutomationPeer(owner), IValueProvider
+internal sealed class DrawnPeer(Control owner, AutomationControlType type, Func<string?> said) : ControlAutomationPeer(owner),
+    IValueProvider
 {
     /// <inheritdoc/>
     public bool IsReadOnly => true;

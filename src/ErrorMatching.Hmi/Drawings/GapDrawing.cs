@@ -16,7 +16,14 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsLong">True if one side is much longer than the other.</param>
 /// <param name="IsTurned">True if it is turned clockwise by 90 degrees.</param>
 public sealed record GapDrawing(
-    IReadOnlyList<IReadOnlyList<Point2>> Part, IReadOnlyList<IReadOnlyList<Point2>> Counterpart, IReadOnlyList<(string Label, Point2 At, Point2 Opposite, double GapMm, double PartMm, bool IsOutside)> Points, PlotBox Extent, double Factor, double LargestMm, bool IsLong, bool IsTurned)
+    IReadOnlyList<IReadOnlyList<Point2>> Part,
+    IReadOnlyList<IReadOnlyList<Point2>> Counterpart,
+    IReadOnlyList<(string Label, Point2 At, Point2 Opposite, double GapMm, double PartMm, bool IsOutside)> Points,
+    PlotBox Extent,
+    double Factor,
+    double LargestMm,
+    bool IsLong,
+    bool IsTurned)
 {
     // Share of the drawing that the largest deviation takes.
     private const double Share = 0.08;
@@ -29,7 +36,9 @@ public sealed record GapDrawing(
     {
         get
         {
-            var note = Factor == 1 ? Texts.Current["Detail.TrueToScale"] : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Factor));
+            var note = Factor == 1
+                ? Texts.Current["Detail.TrueToScale"]
+                : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Factor));
             return IsTurned ? Texts.Current.With("Detail.NoteTurned", note) : note;
         }
     }
@@ -46,14 +55,32 @@ public sealed record GapDrawing(
         var factor = FactorOf(piece);
         var (width, height) = SizeOf(piece);
         var (isLong, isTurned) = (Math.Max(width, height) >= LongFactor * Math.Min(width, height), height >= LongFactor * width);
-        var (part, counterpart, labels) = (new List<IReadOnlyList<Point2>>(), new List<IReadOnlyList<Point2>>(), new List<(string, Point2, Point2, double, double, bool)>());
+        var (part, counterpart, labels) = (
+            new List<IReadOnlyList<Point2>>(),
+            new List<IReadOnlyList<Point2>>(),
+            new List<(string, Point2, Point2, double, double, bool)>());
         var all = new List<Point2>();
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
         foreach (var boundary in piece.Boundaries)
         {
-            var points = boundary.Points.Select(p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal))).ToArray();
-            labels.AddRange(points.Select(p => (p.Point.Label, Off(p.Theoretical, p.Point, p.PartMm), Off(p.Theoretical, p.Point, p.PartMm + error(p.Point).NormalMm), -error(p.Point).NormalMm, p.PartMm, piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
-            all.AddRange(points.SelectMany(p => new[] { 0, p.Point.BeforeError.NormalMm, p.Point.AfterError.NormalMm }.Select(e => Off(p.Theoretical, p.Point, p.PartMm + e))));
+            var points = boundary.Points.Select(
+                p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)))
+                .ToArray();
+            labels.AddRange(points.Select(
+                p => (
+                    p.Point.Label,
+                    Off(p.Theoretical, p.Point, p.PartMm),
+                    Off(p.Theoretical, p.Point, p.PartMm + error(p.Point).NormalMm),
+                    -error(p.Point).NormalMm,
+                    p.PartMm,
+                    piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
+            all.AddRange(points.SelectMany(
+                p => new[]
+                {
+                    0,
+                    p.Point.BeforeError.NormalMm,
+                    p.Point.AfterError.NormalMm
+                }.Select(e => Off(p.Theoretical, p.Point, p.PartMm + e))));
             if (boundary.Outline.Count > 1)
             {
                 var outline = new DisplacedOutline(boundary.Outline, [.. points.Select(p => (p.Theoretical, p.Point.Normal))]);
@@ -61,11 +88,20 @@ public sealed record GapDrawing(
                 counterpart.Add(By(p => error(p).NormalMm));
                 all.AddRange([.. part[^1], .. By(p => p.BeforeError.NormalMm), .. By(p => p.AfterError.NormalMm)]);
 
-                Point2[] By(Func<VerifiedPoint, double> further) => [.. outline.By([.. points.Select(p => factor * (p.PartMm + further(p.Point)))]).Select(Lying)];
+                Point2[] By(Func<VerifiedPoint, double> further) =>
+                    [.. outline.By([.. points.Select(p => factor * (p.PartMm + further(p.Point)))]).Select(Lying)];
             }
         }
 
-        return new(part, counterpart, labels, PlotBox.Of(all), factor, piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max(), isLong, isTurned);
+        return new(
+            part,
+            counterpart,
+            labels,
+            PlotBox.Of(all),
+            factor,
+            piece.Result.Points.Select(p => Math.Abs(error(p).NormalMm)).DefaultIfEmpty().Max(),
+            isLong,
+            isTurned);
 
         Point2 Off(Point2 place, VerifiedPoint point, double mm) => Lying(place + (factor * mm * point.Normal));
 
@@ -73,16 +109,25 @@ public sealed record GapDrawing(
     }
 
     private static (double Width, double Height) SizeOf(KeptPiece piece) =>
-        PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points.Select(p => p.Theoretical).Concat(b.Outline))) is { IsEmpty: false } box ? (box.Right - box.Left, box.High - box.Low) : (0, 0);
+        PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points.Select(p => p.Theoretical).Concat(b.Outline))) is { IsEmpty: false } box
+            ? (box.Right - box.Left, box.High - box.Low)
+            : (0, 0);
 
     // The same before and after, so that the two can be compared.
     private static double FactorOf(KeptPiece piece)
     {
         var places = PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points).Select(p => p.Theoretical));
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
-        var largest = piece.Boundaries.SelectMany(b => b.Points).Select(p => Math.Max(Math.Abs((byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)), Math.Abs(byLabel[p.Label].BeforeError.NormalMm))).DefaultIfEmpty().Max();
+        var largest = piece.Boundaries.SelectMany(b => b.Points)
+            .Select(p => Math.Max(
+                Math.Abs((byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)),
+                Math.Abs(byLabel[p.Label].BeforeError.NormalMm)))
+            .DefaultIfEmpty()
+            .Max();
 
         // A round number, so that the factor can be shown.
-        return largest == 0 || places.IsEmpty ? 1 : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(places.Right - places.Left, places.High - places.Low) / largest));
+        return largest == 0 || places.IsEmpty
+            ? 1
+            : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(places.Right - places.Left, places.High - places.Low) / largest));
     }
 }

@@ -11,7 +11,8 @@ public sealed class GapPlot : PlotArea
 
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(PartBrush));
 
-    public static readonly StyledProperty<IBrush?> CounterpartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(CounterpartBrush));
+    public static readonly StyledProperty<IBrush?> CounterpartBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(
+        nameof(CounterpartBrush));
 
     public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
 
@@ -91,12 +92,18 @@ public sealed class GapPlot : PlotArea
             }
         }
 
-        foreach (var (line, pen) in Drawing.Counterpart.Select(l => (l, new Pen(CounterpartBrush, DrawnSizes.Line, DrawnSizes.Dashes))).Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, DrawnSizes.Line)))))
+        foreach (var (line, pen) in Drawing.Counterpart.Select(
+            l => (l, new Pen(CounterpartBrush, DrawnSizes.Line, DrawnSizes.Dashes)))
+            .Concat(Drawing.Part.Select(l => (l, new Pen(PartBrush, DrawnSizes.Line)))))
         {
             Line(context, pen, line, view);
         }
 
-        var labels = new PlotLabels(Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]), [.. Drawing.Points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
+        var labels = new PlotLabels(
+            Drawing.Part.Concat(Drawing.Counterpart).Select(l => (IReadOnlyList<Point>)[.. l.Select(p => view.At(p))]),
+            [.. Drawing.Points.Select(p => view.At(p.At))],
+            DrawnSizes.Dot,
+            Free);
 
         // Without room for all labels, points outside their limits come first.
         foreach (var (name, at, _, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))

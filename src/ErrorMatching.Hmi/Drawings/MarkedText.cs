@@ -36,7 +36,10 @@ public sealed class MarkedText : TextBlock
         set => SetValue(MarkProperty, value);
     }
 
-    internal IReadOnlyList<string> Marked => Line is { } line && Spans is { } spans ? [.. spans.Where(s => s.Start + s.Length <= line.Length).Select(s => line.Substring(s.Start, s.Length))] : [];
+    internal IReadOnlyList<string> Marked =>
+        Line is { } line && Spans is { } spans
+            ? [.. spans.Where(s => s.Start + s.Length <= line.Length).Select(s => line.Substring(s.Start, s.Length))]
+            : [];
 
     /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(TextBlock);
@@ -69,7 +72,13 @@ public sealed class MarkedText : TextBlock
         foreach (var (start, length) in spans.Where(s => s.Start >= at && s.Start + s.Length <= line.Length))
         {
             inlines.Add(new Run(line[at..start]));
-            inlines.Add(new Run(line.Substring(start, length)) { Background = Mark, FontWeight = FontWeight.Bold, TextDecorations = Avalonia.Media.TextDecorations.Underline });
+            inlines.Add(
+                new Run(line.Substring(start, length))
+                {
+                    Background = Mark,
+                    FontWeight = FontWeight.Bold,
+                    TextDecorations = Avalonia.Media.TextDecorations.Underline
+                });
             at = start + length;
         }
 

@@ -10,5 +10,6 @@ internal sealed class MarkedTextPeer(MarkedText owner) : TextBlockAutomationPeer
     protected override string? GetNameCore() => owner.Line;
 
     /// <inheritdoc/>
-    protected override string? GetHelpTextCore() => owner.Marked is { Count: > 0 } marked ? Texts.Current.With("Detail.ChangedWords", string.Join(", ", marked)) : null;
+    protected override string? GetHelpTextCore() =>
+        owner.Marked is { Count: > 0 } marked ? Texts.Current.With("Detail.ChangedWords", string.Join(", ", marked)) : null;
 }

@@ -18,7 +18,8 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
     public static PartDrawing Of(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var known = draft.Features.Select(f => Line(f, [.. f.Flanks.Select(k => k.Select(p => (p.Label, Place(p, f.Plane))).ToArray())])).ToArray();
+        var known = draft.Features.Select(f => Line(
+            f, [.. f.Flanks.Select(k => k.Select(p => (p.Label, Place(p, f.Plane))).ToArray())])).ToArray();
         var (count, total) = (known.Sum(l => l.Points.Count), draft.Features.Sum(f => f.Points.Count()));
         return count > 0 ? new(known, false, count, total) : new(Schematic(draft), true, 0, total);
     }
@@ -39,7 +40,8 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         return Number(first) is { } x && Number(second) is { } y ? new Point2(x, y) : null;
     }
 
-    private static double? Number(string text) => double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number) ? number : null;
+    private static double? Number(string text) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number) ? number : null;
 
     private static List<PartLine> Schematic(MatingDraft draft)
     {
@@ -47,7 +49,10 @@ public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic
         foreach (var feature in draft.Features)
         {
             var (sketch, right) = (feature.Kind.Sketch([.. feature.Flanks.Select(k => k.Count)], Step, Depth), new Vector2(x, 0));
-            lines.Add(new(feature.Name, [.. feature.Points.Zip(sketch.Points, (p, at) => (p.Label, at + right))], [.. sketch.Outline.Select(p => p + right)]));
+            lines.Add(new(
+                feature.Name,
+                [.. feature.Points.Zip(sketch.Points, (p, at) => (p.Label, at + right))],
+                [.. sketch.Outline.Select(p => p + right)]));
             x += sketch.WidthMm;
         }
 

@@ -7,7 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>Draws a part's features with their points and names.</summary>
 public sealed class PartPlot : PlotArea
 {
-    public static readonly StyledProperty<PartDrawing?> DrawingProperty = AvaloniaProperty.Register<PartPlot, PartDrawing?>(nameof(Drawing));
+    public static readonly StyledProperty<PartDrawing?> DrawingProperty = AvaloniaProperty.Register<PartPlot, PartDrawing?>(
+        nameof(Drawing));
 
     public static readonly StyledProperty<IBrush?> PartBrushProperty = AvaloniaProperty.Register<PartPlot, IBrush?>(nameof(PartBrush));
 
@@ -56,7 +57,9 @@ public sealed class PartPlot : PlotArea
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => index < 0 ? null
-        : _points[index] is var (label, at) && Drawing!.IsSchematic ? new(at, label, index) : new(at, $"{label}  x {Shown.Mm(at.X)}  y {Shown.Mm(at.Y)} mm", index);
+        : _points[index] is var (label, at) && Drawing!.IsSchematic
+            ? new(at, label, index)
+            : new(at, $"{label}  x {Shown.Mm(at.X)}  y {Shown.Mm(at.Y)} mm", index);
 
     /// <inheritdoc/>
     protected override void Draw(DrawingContext context, PlotView view)
@@ -68,7 +71,11 @@ public sealed class PartPlot : PlotArea
             Line(context, pen, line.Outline, view);
         }
 
-        var labels = new PlotLabels(Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Outline.Select(p => view.At(p))]), [.. _points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
+        var labels = new PlotLabels(
+            Drawing.Lines.Select(l => (IReadOnlyList<Point>)[.. l.Outline.Select(p => view.At(p))]),
+            [.. _points.Select(p => view.At(p.At))],
+            DrawnSizes.Dot,
+            Free);
         _leftOut.Clear();
         foreach (var (label, at) in _points)
         {

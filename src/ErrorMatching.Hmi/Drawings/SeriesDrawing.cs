@@ -8,7 +8,14 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsHollow">For each place, whether its marks are hollow: predicted, not measured. Empty if none are.</param>
 /// <param name="Unit">The unit of the values, written at their axis.</param>
 /// <param name="IsMagnitude">True if the values have no sign.</param>
-public sealed record SeriesDrawing(IReadOnlyList<string> Labels, IReadOnlyList<string> Values, IReadOnlyList<SeriesLine> Lines, IReadOnlyList<SeriesBand> Bands, IReadOnlyList<bool> IsHollow, string Unit = "mm", bool IsMagnitude = false)
+public sealed record SeriesDrawing(
+    IReadOnlyList<string> Labels,
+    IReadOnlyList<string> Values,
+    IReadOnlyList<SeriesLine> Lines,
+    IReadOnlyList<SeriesBand> Bands,
+    IReadOnlyList<bool> IsHollow,
+    string Unit = "mm",
+    bool IsMagnitude = false)
 {
     /// <summary>Places not joined to the previous place, such as the first of a feature.</summary>
     public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();

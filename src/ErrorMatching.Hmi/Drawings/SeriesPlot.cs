@@ -9,15 +9,18 @@ namespace ErrorMatching.Hmi;
 /// <summary>Draws values over a series of places, with numbered rules and shaded limits. Tapping a place shows its values.</summary>
 public sealed class SeriesPlot : PlotArea
 {
-    public static readonly StyledProperty<SeriesDrawing?> DrawingProperty = AvaloniaProperty.Register<SeriesPlot, SeriesDrawing?>(nameof(Drawing));
+    public static readonly StyledProperty<SeriesDrawing?> DrawingProperty = AvaloniaProperty.Register<SeriesPlot, SeriesDrawing?>(
+        nameof(Drawing));
 
-    public static readonly StyledProperty<IBrush?> BeforeBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BeforeBrush));
+    public static readonly StyledProperty<IBrush?> BeforeBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(
+        nameof(BeforeBrush));
 
     public static readonly StyledProperty<IBrush?> AfterBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(AfterBrush));
 
     public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(BandBrush));
 
-    public static readonly StyledProperty<IBrush?> OutsideBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(nameof(OutsideBrush));
+    public static readonly StyledProperty<IBrush?> OutsideBrushProperty = AvaloniaProperty.Register<SeriesPlot, IBrush?>(
+        nameof(OutsideBrush));
 
     // A mark is at most half as wide as the distance to the next one.
     private const double MarkShare = 0.25;
@@ -70,7 +73,8 @@ public sealed class SeriesPlot : PlotArea
     protected override bool IsTrueToScale => false;
 
     /// <inheritdoc/>
-    protected override Thickness Frame => Drawing is { Lines.Count: > 0 } drawing ? new(DrawnSizes.LeftStrip, LegendHeight(drawing), 0, DrawnSizes.BottomStrip) : default;
+    protected override Thickness Frame =>
+        Drawing is { Lines.Count: > 0 } drawing ? new(DrawnSizes.LeftStrip, LegendHeight(drawing), 0, DrawnSizes.BottomStrip) : default;
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Labels.Count ?? 0;
@@ -98,7 +102,10 @@ public sealed class SeriesPlot : PlotArea
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => Drawing is { } drawing && index >= 0
-        ? new(new(index, drawing.Lines.Reverse().Select(l => l.Values[index]).FirstOrDefault(v => v is not null) ?? 0), drawing.Values[index], index)
+        ? new(
+            new(index, drawing.Lines.Reverse().Select(l => l.Values[index]).FirstOrDefault(v => v is not null) ?? 0),
+            drawing.Values[index],
+            index)
         : null;
 
     /// <inheritdoc/>
@@ -144,7 +151,10 @@ public sealed class SeriesPlot : PlotArea
     {
         for (var i = 1; i < line.Values.Count; i++)
         {
-            if (!Drawing!.Beginnings.Contains(i) && !line.Beginnings.Contains(i) && line.Values[i - 1] is { } from && line.Values[i] is { } to)
+            if (!Drawing!.Beginnings.Contains(i)
+                && !line.Beginnings.Contains(i)
+                && line.Values[i - 1] is { } from
+                && line.Values[i] is { } to)
             {
                 yield return (new(i - 1, from), new(i, to));
             }
@@ -182,7 +192,8 @@ public sealed class SeriesPlot : PlotArea
         Places(context, view, inside);
     }
 
-    private string Number(double value, string decimals) => value.ToString(Drawing!.IsMagnitude ? $"0.{decimals}" : $"+0.{decimals};−0.{decimals};0", CultureInfo.InvariantCulture);
+    private string Number(double value, string decimals) =>
+        value.ToString(Drawing!.IsMagnitude ? $"0.{decimals}" : $"+0.{decimals};−0.{decimals};0", CultureInfo.InvariantCulture);
 
     // Zero and limits first, then the numbers between them. A number without room is left out.
     private void Numbers(DrawingContext context, PlotView view, Rect inside, IEnumerable<(double Value, string Text)> numbers)
@@ -238,7 +249,8 @@ public sealed class SeriesPlot : PlotArea
 
     private static double MarkSize(PlotView view) => Math.Clamp(MarkShare * view.ScaleX, DrawnSizes.LeastMark, DrawnSizes.Mark);
 
-    private Pen PenOf(SeriesKind kind) => new Pen(BrushOf(kind), DrawnSizes.Line, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? DrawnSizes.Dashes : null);
+    private Pen PenOf(SeriesKind kind) =>
+        new Pen(BrushOf(kind), DrawnSizes.Line, kind is SeriesKind.BeforeMean or SeriesKind.AfterMean ? DrawnSizes.Dashes : null);
 
     private IBrush? BrushOf(SeriesKind kind) => kind is SeriesKind.Before or SeriesKind.BeforeMean ? BeforeBrush : AfterBrush;
 

@@ -110,7 +110,8 @@ public sealed class SurfaceCells
     }
 
     // Both corners of one diagonal are above both of the other: a color can enter through all four sides.
-    private static bool IsSaddle(double[] steps) => Math.Min(steps[0], steps[2]) > Math.Max(steps[1], steps[3]) || Math.Min(steps[1], steps[3]) > Math.Max(steps[0], steps[2]);
+    private static bool IsSaddle(double[] steps) =>
+        Math.Min(steps[0], steps[2]) > Math.Max(steps[1], steps[3]) || Math.Min(steps[1], steps[3]) > Math.Max(steps[0], steps[2]);
 
     private void Divide((Point2 At, double Step)[] figure)
     {

@@ -9,7 +9,12 @@ namespace ErrorMatching.Hmi;
 /// <param name="LimitMm">The absolute value of the last color; maps to be compared share it.</param>
 /// <param name="Points">Places on it with a label and the text shown on tapping, in the order of measuring.</param>
 /// <param name="ShowsWay">True if the path from point to point is drawn.</param>
-public sealed record SurfaceDrawing(SurfaceNet Net, IReadOnlyList<double>? ValuesMm, double LimitMm, IReadOnlyList<(string Label, Point2 At, string Values)> Points, bool ShowsWay)
+public sealed record SurfaceDrawing(
+    SurfaceNet Net,
+    IReadOnlyList<double>? ValuesMm,
+    double LimitMm,
+    IReadOnlyList<(string Label, Point2 At, string Values)> Points,
+    bool ShowsWay)
 {
     /// <summary>The areas to draw. They are created with the drawing, off the UI thread if it is.</summary>
     public SurfaceCells Cells { get; } = new(Net, ValuesMm, LimitMm);

@@ -8,7 +8,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>Draws a surface from above, with colors by value or with the path of the stylus. Tapping a point shows its values.</summary>
 public sealed class SurfacePlot : PlotArea
 {
-    public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(nameof(Drawing));
+    public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(
+        nameof(Drawing));
 
     public static readonly StyledProperty<IBrush?> AreaBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(AreaBrush));
 
@@ -84,7 +85,10 @@ public sealed class SurfacePlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(change);
         base.OnPropertyChanged(change);
-        if (change.Property == DrawingProperty || change.Property == InkProperty || change.Property == MapInkProperty || change.Property == LabelSizeProperty)
+        if (change.Property == DrawingProperty
+            || change.Property == InkProperty
+            || change.Property == MapInkProperty
+            || change.Property == LabelSizeProperty)
         {
             _texts = null;
         }
@@ -99,7 +103,8 @@ public sealed class SurfacePlot : PlotArea
     }
 
     /// <inheritdoc/>
-    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing is { } drawing ? new(drawing.Points[index].At, drawing.Points[index].Values, index) : null;
+    protected override PlotDatum? DatumAt(int index) =>
+        index >= 0 && Drawing is { } drawing ? new(drawing.Points[index].At, drawing.Points[index].Values, index) : null;
 
     /// <inheritdoc/>
     protected override void Draw(DrawingContext context, PlotView view)
@@ -218,7 +223,9 @@ public sealed class SurfacePlot : PlotArea
             return;
         }
 
-        var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper ? new ImmutableSolidColorBrush(paper.Color, isMap ? DrawnSizes.MapVeilOpacity : DrawnSizes.VeilOpacity) : null;
+        var veil = (isMap ? MapPaper : Ground) is ISolidColorBrush paper
+            ? new ImmutableSolidColorBrush(paper.Color, isMap ? DrawnSizes.MapVeilOpacity : DrawnSizes.VeilOpacity)
+            : null;
         foreach (var (text, room) in Labels())
         {
             // The background shows through; a line there would cross out the number.
@@ -244,7 +251,18 @@ public sealed class SurfacePlot : PlotArea
             }
         }
 
-        return [.. drawing.Points.Zip(_texts, (point, text) => (text, To(View, point.At) is var place ? new Rect(place.X - (text.Width / 2), place.Y - text.Height - DrawnSizes.NumberAbove, text.Width, text.Height).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)) : default))];
+        return [
+            .. drawing.Points.Zip(
+                _texts,
+                (point, text) => (
+                    text,
+                    To(View, point.At) is var place
+                        ? new Rect(
+                            place.X - (text.Width / 2),
+                            place.Y - text.Height - DrawnSizes.NumberAbove,
+                            text.Width,
+                            text.Height).Inflate(new Thickness(DrawnSizes.VeilBeside, 0))
+                        : default))];
     }
 
     private static bool HaveRoom(List<(FormattedText Text, Rect Room)> labels, Rect seen)

@@ -9,7 +9,14 @@ namespace ErrorMatching.Hmi;
 /// <param name="words">The job's words.</param>
 /// <param name="get">What the draft has there.</param>
 /// <param name="set">The draft with something else there.</param>
-public sealed class ChoiceField(JobEditing editing, string path, string label, IReadOnlyList<string> words, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) : EditField(editing, path, label)
+public sealed class ChoiceField(
+    JobEditing editing,
+    string path,
+    string label,
+    IReadOnlyList<string> words,
+    Func<MatingDraft, string> get,
+    Func<MatingDraft, string, MatingDraft> set)
+    : EditField(editing, path, label)
 {
     private readonly string _label = label;
     private string _shown = "";

@@ -15,7 +15,11 @@ internal static class Decimals
         var longest = all.Select(f => f.Tail ?? 0).DefaultIfEmpty().Max();
         foreach (var (field, tail) in all)
         {
-            field.Missing = tail is not { } length || length >= longest ? "" : length > 0 ? new('0', longest - length) : "." + new string('0', longest - 1);
+            field.Missing = tail is not { } length || length >= longest
+                ? ""
+                : length > 0
+                ? new('0', longest - length)
+                : "." + new string('0', longest - 1);
         }
     }
 
@@ -23,7 +27,8 @@ internal static class Decimals
     private static int? TailOf(string text)
     {
         var number = text.Trim();
-        if (!double.TryParse(number.Replace(',', '.'), NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out _))
+        if (!double.TryParse(
+            number.Replace(',', '.'), NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out _))
         {
             return null;
         }

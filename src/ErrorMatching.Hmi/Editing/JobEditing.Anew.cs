@@ -17,14 +17,17 @@ public sealed partial class JobEditing
     /// <summary>That, and for how many.</summary>
     public string ComputeAnewText => Texts.Current.With("Setup.ComputeAnew", _waiting.Count);
 
-    /// <summary>The first of the corrections that is spoken of where it is said that the job was saved, or that they were computed anew; null if none is.</summary>
+    /// <summary>The first of the corrections that is spoken of where it is said that the job was saved, or that they were computed anew;
+    /// null if none is.</summary>
     public long? FirstWaiting => _notice is null ? null : _first;
 
     // Of all names under which the configuration has this job.
     private Correction[] Undecided(CellJobSettings job)
     {
         var names = _station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).ToArray();
-        return [.. _station.Store.InState(CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed).Where(c => names.Contains(c.Job))];
+        return [
+            .. _station.Store.InState(
+                CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed).Where(c => names.Contains(c.Job))];
     }
 
     // In the order of their lines.
@@ -37,7 +40,8 @@ public sealed partial class JobEditing
 
     private async Task ComputeAnewAsync()
     {
-        var (waiting, by, given, failed) = (_waiting, _who()!, new List<Correction>(), new List<(Correction Correction, Exception Failure)>());
+        var (waiting, by, given, failed) = (
+            _waiting, _who()!, new List<Correction>(), new List<(Correction Correction, Exception Failure)>());
         await Task.Run(() =>
         {
             var anew = new ComputingAnew(_station.Settings, _station.Store);
@@ -58,7 +62,8 @@ public sealed partial class JobEditing
         _notice = () => Sentence.Joined(
         [
             waiting.Count > failed.Count ? Texts.Current.With("Setup.ComputedAnew", waiting.Count - failed.Count) : "",
-            .. failed.Select(f => Texts.Current.With("Setup.NotComputedAnew", CorrectionLabel.Of(f.Correction), Failures.Of(f.Failure, _station.Clock))),
+            .. failed.Select(f => Texts.Current.With(
+                "Setup.NotComputedAnew", CorrectionLabel.Of(f.Correction), Failures.Of(f.Failure, _station.Clock))),
         ]);
 
         _first = given.Concat(failed.Select(f => f.Correction)).FirstOrDefault()?.Id;

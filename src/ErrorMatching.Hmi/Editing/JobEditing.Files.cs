@@ -19,7 +19,8 @@ public sealed partial class JobEditing
             return;
         }
 
-        (_baseSha256, _base, Kept, IsKeptBroken, _isLoaded, _isTold, HasComments) = (sha256, draft ?? new(), kept, isBroken, draft is not null, false, hasComments);
+        (_baseSha256, _base, Kept, IsKeptBroken, _isLoaded, _isTold, HasComments) = (
+            sha256, draft ?? new(), kept, isBroken, draft is not null, false, hasComments);
         Message = message;
         _history.Begin(_base);
         IsChecked = false;
@@ -30,7 +31,8 @@ public sealed partial class JobEditing
         await ReadVersionsAsync(job);
     }
 
-    private (string Sha256, MatingDraft? Draft, bool HasComments, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
+    private (
+        string Sha256, MatingDraft? Draft, bool HasComments, KeptDraft? Kept, bool IsKeptBroken, string? Message) Open(CellJobSettings job)
     {
         KeptDraft? kept = null;
         var (isBroken, message) = (false, (string?)null);
@@ -47,7 +49,13 @@ public sealed partial class JobEditing
         {
             var sha256 = JobEdits.Sha256Of(job);
             var draft = MatingDraftFiles.Open(job.File);
-            return (sha256, draft, MatingDraftFiles.HasComments(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)), kept is { } k && k.BaseSha256 == sha256 && k.Draft.IsSame(draft) ? null : kept, isBroken, message);
+            return (
+                sha256,
+                draft,
+                MatingDraftFiles.HasComments(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)),
+                kept is { } k && k.BaseSha256 == sha256 && k.Draft.IsSame(draft) ? null : kept,
+                isBroken,
+                message);
         }
         catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
         {

@@ -3,7 +3,8 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The job that is being edited at this station, shared by both set-up screens: the draft, the way back, what is wrong with it, and what is kept of it in case of a crash.</summary>
+/// <summary>The job that is being edited at this station, shared by both set-up screens: the draft, the way back, what is wrong with it,
+/// and what is kept of it in case of a crash.</summary>
 public sealed partial class JobEditing : Observable, IDisposable
 {
     private readonly Station _station;
@@ -64,7 +65,8 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Said when what a gauge runs is to change: a person signs that, and then <see cref="SaveSigned"/> saves it.</summary>
     public event Action<JobReplacement>? Asked;
 
-    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and counterpart do, by the name of the first that is not the counterpart's. Behind each those that are saved beside it.</summary>
+    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and
+    /// counterpart do, by the name of the first that is not the counterpart's. Behind each those that are saved beside it.</summary>
     public RowList<CellJobSettings> Jobs { get; } = [];
 
     /// <summary>The job that is edited; null before one is chosen.</summary>
@@ -89,9 +91,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     public string CountText => Texts.Current.Listed(Problems
         .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
         .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
-        .Select(g => Texts.Current.With(g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
+        .Select(g => Texts.Current.With(
+            g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
 
-    /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number. It goes with the next change.</summary>
+    /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number.
+    /// It goes with the next change.</summary>
     public DraftProblem? Typed
     {
         get => _typed;
@@ -108,7 +112,8 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>True once <see cref="Problems"/> are those of the draft as it is now.</summary>
     public bool IsChecked { get; private set; }
 
-    /// <summary>True if mistakes are told at fields that nobody has filled in yet: after the count was tapped, or saving was tried.</summary>
+    /// <summary>True if mistakes are told at fields that nobody has filled in yet:
+    /// after the count was tapped, or saving was tried.</summary>
     public bool IsTold => _isTold;
 
     /// <summary>Unsaved changes from before that wait for a decision; null if there are none.</summary>
@@ -157,7 +162,8 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>Forgets the unsaved changes from before.</summary>
     public LongCommand DiscardKept { get; }
 
-    /// <summary>Saves the draft, if nothing is wrong with it: in the place of the job, by a signature where that is in use; a new job beside it.</summary>
+    /// <summary>Saves the draft, if nothing is wrong with it: in the place of the job, by a signature where that is in use;
+    /// a new job beside it.</summary>
     public LongCommand Save { get; }
 
     /// <summary>Done when a job that was chosen is opened.</summary>
@@ -247,7 +253,11 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>In words how much is to be corrected and to be filled in, as far as there is any.</summary>
     internal static string CountOf(int wrong, int missing) => string.Join(
         " · ",
-        new[] { wrong > 0 ? Texts.Current.With("Setup.Problems", wrong) : "", missing > 0 ? Texts.Current.With("Setup.Missing", missing) : "" }.Where(t => t.Length > 0));
+        new[]
+        {
+            wrong > 0 ? Texts.Current.With("Setup.Problems", wrong) : "",
+            missing > 0 ? Texts.Current.With("Setup.Missing", missing) : ""
+        }.Where(t => t.Length > 0));
 
     private void BeginNew()
     {
@@ -297,7 +307,15 @@ public sealed partial class JobEditing : Observable, IDisposable
             }
             else
             {
-                _drafts.Keep(new() { Job = snapshot.Job.Name, By = snapshot.By, At = snapshot.At, BaseSha256 = snapshot.BaseSha256, Draft = snapshot.Draft });
+                _drafts.Keep(
+                    new()
+                    {
+                        Job = snapshot.Job.Name,
+                        By = snapshot.By,
+                        At = snapshot.At,
+                        BaseSha256 = snapshot.BaseSha256,
+                        Draft = snapshot.Draft
+                    });
             }
         }
         catch (OutputException e)
@@ -306,5 +324,6 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
     }
 
-    private sealed record Snapshot(CellJobSettings Job, MatingDraft Draft, MatingDraft Base, string BaseSha256, string By, DateTimeOffset At);
+    private sealed record Snapshot(
+        CellJobSettings Job, MatingDraft Draft, MatingDraft Base, string BaseSha256, string By, DateTimeOffset At);
 }

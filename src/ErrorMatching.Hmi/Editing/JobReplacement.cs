@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A job that is to be saved where it is in use, or to be put in use: what its gauge runs from then on. It takes a signature.</summary>
+/// <summary>A job that is to be saved where it is in use, or to be put in use: what its gauge runs from then on.
+/// It takes a signature.</summary>
 /// <param name="Place">The cell's job in whose place it comes: its machine and slot stay.</param>
 /// <param name="Name">Its name.</param>
 /// <param name="Before">Name of the one that is used.</param>
@@ -16,7 +17,8 @@ public sealed record JobReplacement(CellJobSettings Place, string Name, string B
         Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told",
         Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
-    /// <summary>What becomes of the corrections that still wait, and of what people wrote into the file; none where there is neither.</summary>
+    /// <summary>What becomes of the corrections that still wait, and of what people wrote into the file;
+    /// none where there is neither.</summary>
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
         Undecided > 0 && IsNew ? new Fact(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention) : null,

@@ -10,8 +10,10 @@ namespace ErrorMatching.Hmi;
 // All that a field needs of a scroll viewer, whose parts would take most of the time in which a screen of fields is opened.
 public sealed class LineScroller : Decorator
 {
-    /// <summary>What a number lacks that others under it or above have behind their decimal signs, such as <c>.000</c>: so much room is left at the right, and the signs stand under each other. What is typed is not touched.</summary>
-    public static readonly AttachedProperty<string?> MissingProperty = AvaloniaProperty.RegisterAttached<LineScroller, Control, string?>("Missing", inherits: true);
+    /// <summary>What a number lacks that others under it or above have behind their decimal signs, such as <c>.000</c>: so much room is
+    /// left at the right, and the signs stand under each other. What is typed is not touched.</summary>
+    public static readonly AttachedProperty<string?> MissingProperty = AvaloniaProperty.RegisterAttached<LineScroller, Control, string?>(
+        "Missing", inherits: true);
 
     private double _offset;
 
@@ -31,7 +33,8 @@ public sealed class LineScroller : Decorator
     public static string? GetMissing(Control field) => (field ?? throw new ArgumentNullException(nameof(field))).GetValue(MissingProperty);
 
     /// <summary>Leaves room in a field for what its number lacks.</summary>
-    public static void SetMissing(Control field, string? digits) => (field ?? throw new ArgumentNullException(nameof(field))).SetValue(MissingProperty, digits);
+    public static void SetMissing(Control field, string? digits) =>
+        (field ?? throw new ArgumentNullException(nameof(field))).SetValue(MissingProperty, digits);
 
     /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize)
@@ -54,7 +57,13 @@ public sealed class LineScroller : Decorator
 
     private double WidthOf(string text)
     {
-        var shown = new FormattedText(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(TextElement.GetFontFamily(this)), TextElement.GetFontSize(this), null);
+        var shown = new FormattedText(
+            text,
+            CultureInfo.InvariantCulture,
+            FlowDirection.LeftToRight,
+            new Typeface(TextElement.GetFontFamily(this)),
+            TextElement.GetFontSize(this),
+            null);
         shown.SetFontFeatures(TextElement.GetFontFeatures(this));
         return shown.Width;
     }

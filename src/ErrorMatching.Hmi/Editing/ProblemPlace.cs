@@ -25,16 +25,26 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
     public const int Gauge = 4;
 
     /// <summary>The place of a path.</summary>
-    public static ProblemPlace Of(MatingDraft draft, string path) => IsOfPoints(draft, path) ? new(Screens.Points, 0) : new(Screens.System, path switch
-    {
-        _ when path.Contains('/', StringComparison.Ordinal) || path.StartsWith("$.part", StringComparison.Ordinal) || path.StartsWith("$.otherPoints", StringComparison.Ordinal) => Coordinates,
-        _ when path.EndsWith(']') && path.Contains(".points[", StringComparison.Ordinal) && path.StartsWith("$.features", StringComparison.Ordinal) => Coordinates,
-        _ when path.Contains(".blocks", StringComparison.Ordinal) || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
-        _ when path.StartsWith("$.features", StringComparison.Ordinal) || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) => Tolerances,
-        _ when path.StartsWith("$.counterpart", StringComparison.Ordinal) || path.StartsWith("$.alignment", StringComparison.Ordinal) || path.StartsWith("$.originCheck", StringComparison.Ordinal)
-            || path.StartsWith("$.compensation", StringComparison.Ordinal) => Machine,
-        _ => Gauge,
-    });
+    public static ProblemPlace Of(MatingDraft draft, string path) =>
+        IsOfPoints(draft, path) ? new(Screens.Points, 0) : new(Screens.System, path switch
+        {
+            _ when path.Contains('/', StringComparison.Ordinal)
+                || path.StartsWith("$.part", StringComparison.Ordinal)
+                || path.StartsWith("$.otherPoints", StringComparison.Ordinal) =>
+                Coordinates,
+            _ when path.EndsWith(']')
+                && path.Contains(".points[", StringComparison.Ordinal)
+                && path.StartsWith("$.features", StringComparison.Ordinal) =>
+                Coordinates,
+            _ when path.Contains(".blocks", StringComparison.Ordinal) || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
+            _ when path.StartsWith("$.features", StringComparison.Ordinal) || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) =>
+                Tolerances,
+            _ when path.StartsWith("$.counterpart", StringComparison.Ordinal)
+                || path.StartsWith("$.alignment", StringComparison.Ordinal)
+                || path.StartsWith("$.originCheck", StringComparison.Ordinal)
+                || path.StartsWith("$.compensation", StringComparison.Ordinal) => Machine,
+            _ => Gauge,
+        });
 
     private static bool IsOfPoints(MatingDraft draft, string path)
     {
@@ -43,7 +53,10 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
             return true;
         }
 
-        return Flank().Match(path) is { Success: true } match && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature) && feature < draft.Features.Count && draft.Features[feature].Kind.LeastPoints.Count > 1;
+        return Flank().Match(path) is { Success: true } match
+            && int.TryParse(match.Groups["feature"].ValueSpan, NumberStyles.None, CultureInfo.InvariantCulture, out var feature)
+            && feature < draft.Features.Count
+            && draft.Features[feature].Kind.LeastPoints.Count > 1;
     }
 
     [GeneratedRegex(

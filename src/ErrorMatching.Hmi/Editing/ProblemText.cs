@@ -9,7 +9,8 @@ internal static partial class ProblemText
 {
     private static readonly string[] OfNumbers = ["wrong-type", "text-for-number", "not-a-number"];
 
-    /// <summary>The text of a problem: the field's own where it has one, else that of the code, with what it is about; the reader's sentence where the station has none.</summary>
+    /// <summary>The text of a problem: the field's own where it has one, else that of the code, with what it is about; the reader's
+    /// sentence where the station has none.</summary>
     /// <param name="problem">The problem.</param>
     /// <param name="isEmpty">True if nothing stands in the field: then it is not a wrong number but none.</param>
     public static string Of(DraftProblem problem, bool isEmpty = false)
@@ -17,12 +18,15 @@ internal static partial class ProblemText
         var key = "Problem." + (isEmpty && OfNumbers.Contains(problem.Code) ? "too-short" : problem.Code);
         var field = Index().Replace(problem.Field[(problem.Field.LastIndexOf('.') + 1)..], "");
         var text = Texts.Current.Or($"{key}.{field}", Texts.Current.Or(key, ""));
-        return text.Length > 0 ? string.Format(CultureInfo.InvariantCulture, text, About(problem), problem.Amount) : CodeText.Of(problem.Code, problem.Message);
+        return text.Length > 0
+            ? string.Format(CultureInfo.InvariantCulture, text, About(problem), problem.Amount)
+            : CodeText.Of(problem.Code, problem.Message);
     }
 
     // Numbers and names are said in every language; of the reader's words only those of a bound are.
     private static string About(DraftProblem problem) =>
-        Bound().Match(problem.Expected) is { Success: true } bound ? Texts.Current.With("Problem.Bound." + bound.Groups["word"].Value.Replace(' ', '-'), bound.Groups["number"].Value)
+        Bound().Match(problem.Expected) is { Success: true } bound
+            ? Texts.Current.With("Problem.Bound." + bound.Groups["word"].Value.Replace(' ', '-'), bound.Groups["number"].Value)
         : problem.Expected.Length > 0 ? problem.Expected : problem.Found.Length > 0 ? problem.Found : problem.Message;
 
     [GeneratedRegex(

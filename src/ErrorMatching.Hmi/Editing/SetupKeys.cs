@@ -13,7 +13,11 @@ internal static class SetupKeys
     /// <summary>Undo and redo by keys.</summary>
     public static void OnKey(SetupViewModel? setup, KeyEventArgs e)
     {
-        if (setup is null || e.Handled || !setup.IsInFront || !e.KeyModifiers.HasFlag(KeyModifiers.Control) || e.Key is not (Key.Z or Key.Y))
+        if (setup is null
+            || e.Handled
+            || !setup.IsInFront
+            || !e.KeyModifiers.HasFlag(KeyModifiers.Control)
+            || e.Key is not (Key.Z or Key.Y))
         {
             return;
         }
@@ -27,7 +31,9 @@ internal static class SetupKeys
     /// <returns>False if it is not seen, or not yet.</returns>
     public static bool Focus(Visual screen, string id)
     {
-        if (screen.GetVisualDescendants().OfType<InputElement>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is not Control field)
+        if (screen.GetVisualDescendants()
+            .OfType<InputElement>()
+            .FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible) is not Control field)
         {
             return false;
         }

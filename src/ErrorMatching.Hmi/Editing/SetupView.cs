@@ -94,7 +94,9 @@ public abstract class SetupView : UserControl
     // That of a field is spoken of.
     private void OnFocus(object? sender, FocusChangedEventArgs e)
     {
-        if (e.Source is Control field && AutomationProperties.GetAutomationId(field) is { } id && id.StartsWith(EditField.IdStart, StringComparison.Ordinal))
+        if (e.Source is Control field
+            && AutomationProperties.GetAutomationId(field) is { } id
+            && id.StartsWith(EditField.IdStart, StringComparison.Ordinal))
         {
             _setup?.Look(id);
         }

@@ -50,7 +50,14 @@ public abstract class SetupViewModel : ScreenViewModel
     public bool HasWaiting => Editing.FirstWaiting is not null;
 
     /// <summary>What the job is called, as it is on the screen; by its name in the cell while it has none.</summary>
-    public string JobTitle => Editing.Job is not { } job ? "" : Editing.Draft.Name.Trim() is { Length: > 0 } name ? name : Editing.Draft.IsBegunAnew ? Texts.Current["Setup.NewJob"] : job.Name;
+    public string JobTitle =>
+        Editing.Job is not { } job
+            ? ""
+            : Editing.Draft.Name.Trim() is { Length: > 0 } name
+            ? name
+            : Editing.Draft.IsBegunAnew
+            ? Texts.Current["Setup.NewJob"]
+            : job.Name;
 
     /// <summary>In which of the cell's jobs it stands or may come, and whether it is saved and in use there.</summary>
     public string JobState => Editing.Place is not { } job ? "" : Editing.IsChanged ? Texts.Current.With("Setup.JobUnsaved", job.Name)
@@ -74,7 +81,8 @@ public abstract class SetupViewModel : ScreenViewModel
     public bool IsStepNext => MissingThere > 0 && !IsIncomplete;
 
     /// <summary>How much is wrong, and how much is still to be filled in here; else how much is asked about, in words.</summary>
-    public string ProblemCount => IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
+    public string ProblemCount =>
+        IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
 
     /// <summary>How much is asked about, in words.</summary>
     public string AskedText => Texts.Current.With("Setup.Asked", Editing.Doubts.Count);
@@ -88,7 +96,8 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>How much is wrong, in words.</summary>
     public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
 
-    /// <summary>How much is still to be filled in on this screen, in words: what is done here does not let the number of this screen grow by what follows from it on the other.</summary>
+    /// <summary>How much is still to be filled in on this screen, in words: what is done here does not let the number of this screen grow
+    /// by what follows from it on the other.</summary>
     public string MissingText => Texts.Current.With("Setup.Missing", MissingHere);
 
     /// <summary>True if something is wrong.</summary>
@@ -106,19 +115,23 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>Whether the draft is what stands there.</summary>
     public string StateText => Editing.Place is not { } job ? ""
         : !Editing.IsChanged ? Texts.Current.With(Editing.IsBeside ? "Setup.Beside" : "Setup.AsSaved", job.Machine, job.Slot, job.Name)
-        : Sentence.Joined(Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name), Editing.HasComments && !Editing.Draft.IsBegunAnew ? Texts.Current["Setup.CommentsLost"] : "");
+        : Sentence.Joined(
+            Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name),
+            Editing.HasComments && !Editing.Draft.IsBegunAnew ? Texts.Current["Setup.CommentsLost"] : "");
 
     /// <summary>What a new job is for, and what becomes of the one that is there.</summary>
     public string? AnewHelp => Editing.Place is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
 
     /// <summary>In whose place the job comes where it is put in use; null before one is chosen.</summary>
-    public string? PutInUseHelp => Editing.Place is { } job ? Texts.Current.With("Setup.ReplaceHelp", job.Name, job.Machine, job.Slot) : null;
+    public string? PutInUseHelp =>
+        Editing.Place is { } job ? Texts.Current.With("Setup.ReplaceHelp", job.Name, job.Machine, job.Slot) : null;
 
     /// <summary>True where nothing is said in the place of <see cref="StateText"/>.</summary>
     public bool IsQuiet => Trouble is null && Editing.Notice is null && !HasKept;
 
     /// <summary>Why nothing can be edited; null if it can.</summary>
-    public string? Forbidden => Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
+    public string? Forbidden =>
+        Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
 
     /// <summary>True if there are unsaved changes from before to decide about.</summary>
     public bool HasKept => Editing.Kept is not null || Editing.IsKeptBroken;
@@ -133,7 +146,10 @@ public abstract class SetupViewModel : ScreenViewModel
     /// The field that is spoken of: the one with the focus, or that had it last, where something is wrong with it; else the first such one
     /// of what is open of the screen. Null if there is none.
     /// </summary>
-    public EditField? Told => TellableFields() is var fields && fields.FirstOrDefault(f => f.AutomationId == _at) is { } at ? at : fields.FirstOrDefault(f => f.IsToMend);
+    public EditField? Told =>
+        TellableFields() is var fields && fields.FirstOrDefault(f => f.AutomationId == _at) is { } at
+            ? at
+            : fields.FirstOrDefault(f => f.IsToMend);
 
     /// <summary>True if nothing is in front of the screen.</summary>
     public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
@@ -240,7 +256,11 @@ public abstract class SetupViewModel : ScreenViewModel
 
     // What is typed itself: of everything else is spoken where it stands.
     private EditField[] TellableFields() =>
-        [.. Fields.Where(f => f.HasProblem && f is not NoteField && (Key == Screens.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
+        [
+            .. Fields.Where(
+                f => f.HasProblem
+                    && f is not NoteField
+                    && (Key == Screens.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
 
     // What was said of the draft as it was is over.
     private void Forget()
@@ -261,15 +281,19 @@ public abstract class SetupViewModel : ScreenViewModel
 
     // Each problem stands at the field with the longest path that leads to it.
     private ILookup<EditField?, DraftProblem> ByField(EditField[] fields, IEnumerable<DraftProblem> problems) =>
-        problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key).ToLookup(p => fields.Where(f => Leads(f, p.Field)).MaxBy(f => f.Path.Length));
+        problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key).ToLookup(
+            p => fields.Where(f => Leads(f, p.Field)).MaxBy(f => f.Path.Length));
 
     private static bool Leads(EditField field, string path) =>
-        path == field.Path || (field is not NoteField && path.StartsWith(field.Path, StringComparison.Ordinal) && path[field.Path.Length] is '[' or '.');
+        path == field.Path
+            || (field is not NoteField && path.StartsWith(field.Path, StringComparison.Ordinal) && path[field.Path.Length] is '[' or '.');
 
     // As they are read: this screen after the other, its sides from the left, its fields from above.
     private void GoToFirst()
     {
-        var places = (Editing.Problems.Count > 0 ? Editing.Problems : Editing.Doubts).Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
+        var places = (
+            Editing.Problems.Count > 0 ? Editing.Problems : Editing.Doubts)
+            .Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
         var first = places.MinBy(p => (p.Key.Screen == Screens.Points ? 0 : 1, p.Key.Side));
         if (first is null)
         {

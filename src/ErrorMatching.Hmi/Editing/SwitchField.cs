@@ -8,7 +8,9 @@ namespace ErrorMatching.Hmi;
 /// <param name="label">Key of its name.</param>
 /// <param name="get">What the draft has there.</param>
 /// <param name="set">The draft with something else there.</param>
-public sealed class SwitchField(JobEditing editing, string path, string label, Func<MatingDraft, bool> get, Func<MatingDraft, bool, MatingDraft> set) : EditField(editing, path, label)
+public sealed class SwitchField(
+    JobEditing editing, string path, string label, Func<MatingDraft, bool> get, Func<MatingDraft, bool, MatingDraft> set)
+    : EditField(editing, path, label)
 {
     private bool _shown;
 

@@ -8,8 +8,16 @@ namespace ErrorMatching.Hmi;
 /// <param name="label">Key of its name.</param>
 /// <param name="get">What the draft has there.</param>
 /// <param name="set">The draft with something else there.</param>
-/// <param name="misread">Code of what is wrong with a text that the draft has no place for, null for every other; null if it has a place for all of them.</param>
-public sealed class TextField(JobEditing editing, string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set, Func<string, string?>? misread = null) : EditField(editing, path, label)
+/// <param name="misread">Code of what is wrong with a text that the draft has no place for, null for every other;
+/// null if it has a place for all of them.</param>
+public sealed class TextField(
+    JobEditing editing,
+    string path,
+    string label,
+    Func<MatingDraft, string> get,
+    Func<MatingDraft, string, MatingDraft> set,
+    Func<string, string?>? misread = null)
+    : EditField(editing, path, label)
 {
     private string _shown = "";
     private string _missing = "";
@@ -24,7 +32,16 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
     public string? Example { get; init; }
 
     /// <summary>What stands in the empty field.</summary>
-    public string Placeholder => IsToFillIn ? Texts.Current["Setup.FillIn"] : Example is { } example ? Texts.Current[example] : MayBeEmpty?.Invoke(Editing.Draft) != true ? "" : Default is { } value ? Texts.Current.With("Setup.Default", value) : Texts.Current["Setup.Optional"];
+    public string Placeholder =>
+        IsToFillIn
+            ? Texts.Current["Setup.FillIn"]
+            : Example is { } example
+            ? Texts.Current[example]
+            : MayBeEmpty?.Invoke(Editing.Draft) != true
+            ? ""
+            : Default is { } value
+            ? Texts.Current.With("Setup.Default", value)
+            : Texts.Current["Setup.Optional"];
 
     /// <summary>What stands there.</summary>
     public string Text
@@ -47,7 +64,8 @@ public sealed class TextField(JobEditing editing, string path, string label, Fun
         }
     }
 
-    /// <summary>What the number lacks to as many decimals as others of its column have (<see cref="Decimals"/>); empty if nothing.</summary>
+    /// <summary>What the number lacks to as many decimals as others of its column have (<see cref="Decimals"/>);
+    /// empty if nothing.</summary>
     public string Missing
     {
         get => _missing;

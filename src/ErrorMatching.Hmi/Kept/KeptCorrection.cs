@@ -29,7 +29,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     public bool LacksToolCall { get; init; }
 
     /// <summary>What the machine needs and its program lacks, in words; null if nothing.</summary>
-    public string? Missing => !LacksToolCall ? null : Texts.Current[Surface?.CallsTool is null ? "Head.NoToolCall" : "Head.StopsWithoutTool"];
+    public string? Missing =>
+        !LacksToolCall ? null : Texts.Current[Surface?.CallsTool is null ? "Head.NoToolCall" : "Head.StopsWithoutTool"];
 
     /// <summary>True if the slot still has this correction's program, so that the previous one can be restored.</summary>
     public bool IsInSlot { get; init; }
@@ -41,7 +42,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     public string? JobName => Report?.JobName ?? Surface?.JobName ?? Correction.Job;
 
     /// <summary>The workpiece, its number, and its serial number or file.</summary>
-    public string Subject => JobName is { Length: > 0 } name ? $"{name} · {CorrectionLabel.Of(Correction)}" : CorrectionLabel.Of(Correction);
+    public string Subject =>
+        JobName is { Length: > 0 } name ? $"{name} · {CorrectionLabel.Of(Correction)}" : CorrectionLabel.Of(Correction);
 
     /// <summary>Reads it. Slow: do not call it on the UI thread.</summary>
     /// <param name="store">The store.</param>
@@ -55,7 +57,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
         var (report, surface) = json is null ? (null, null) : (KeptReport.Read(json), KeptSurface.Read(json));
         var program = correction.ProgramSha256 is { } made ? store.Content(made) : null;
         var lines = program is null ? null
-            : correction.BaseSha256 is { } was ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
+            : correction.BaseSha256 is { } was
+                ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
             : surface is not null ? new ProgramLines(program, program, [])
             : null;
         return new(correction, store.StepsOf(correction.Id), report, lines)
@@ -63,8 +66,14 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
             Surface = surface,
             LacksToolCall = surface is { CallsTool: var calls } && program is not null
                 && !(calls ?? program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) < 0),
-            Before = correction.PreviousSha256 is { } previous ? store.Search(new() { Program = previous, Most = Looked }).FirstOrDefault(c => c.ProgramSha256 == previous && c.Id < correction.Id) : null,
-            IsInSlot = correction is { Machine: { } machine, Slot: { } slot, ProgramSha256: not null } && store.Slot(machine, slot) is var held && held.ProgramSha256 == correction.ProgramSha256 && (held.Correction is null || held.Correction == correction.Id),
+            Before = correction.PreviousSha256 is { } previous
+                ? store.Search(new() { Program = previous, Most = Looked }).FirstOrDefault(
+                    c => c.ProgramSha256 == previous && c.Id < correction.Id)
+                : null,
+            IsInSlot = correction is { Machine: { } machine, Slot: { } slot, ProgramSha256: not null }
+                && store.Slot(machine, slot) is var held
+                && held.ProgramSha256 == correction.ProgramSha256
+                && (held.Correction is null || held.Correction == correction.Id),
         };
     }
 }

@@ -14,7 +14,15 @@ namespace ErrorMatching.Hmi;
 /// <param name="Quantities">Its lengths and angles.</param>
 /// <param name="Outline">The boundary that the original program cuts, in the part's frame.</param>
 public sealed record KeptFeature(
-    string Name, string Kind, string Decision, double LowerMm, double UpperMm, double LargestMm, double UncertaintyMm, IReadOnlyList<KeptQuantity> Quantities, IReadOnlyList<Point2> Outline)
+    string Name,
+    string Kind,
+    string Decision,
+    double LowerMm,
+    double UpperMm,
+    double LargestMm,
+    double UncertaintyMm,
+    IReadOnlyList<KeptQuantity> Quantities,
+    IReadOnlyList<Point2> Outline)
 {
     internal static KeptFeature Read(JsonElement json)
     {
@@ -28,9 +36,13 @@ public sealed record KeptFeature(
             tolerance[1].GetDouble(),
             json.GetProperty("largestMm").GetDouble(),
             json.GetProperty("uncertaintyMm").GetDouble(),
-            [.. json.GetProperty("theoretical").EnumerateObject().Select(q => new KeptQuantity(q.Name, q.Value.GetDouble(), Number(actual, q.Name), Number(corrected, q.Name)))],
+            [
+                .. json.GetProperty("theoretical")
+                    .EnumerateObject()
+                    .Select(q => new KeptQuantity(q.Name, q.Value.GetDouble(), Number(actual, q.Name), Number(corrected, q.Name)))],
             [.. json.GetProperty("outline").GetProperty("theoretical").EnumerateArray().Select(KeptPoint.Place)]);
     }
 
-    private static double? Number(JsonElement json, string name) => json.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.Number ? value.GetDouble() : null;
+    private static double? Number(JsonElement json, string name) =>
+        json.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.Number ? value.GetDouble() : null;
 }

@@ -11,7 +11,13 @@ namespace ErrorMatching.Hmi;
 /// <param name="Result">The mating errors.</param>
 /// <param name="Boundaries">The boundaries of the features.</param>
 /// <param name="IsBeforeMeasured">True if the counterpart without compensation was measured, false if its nominal shape is used.</param>
-public sealed record KeptPiece(Correction Correction, Correction? Counterpart, string JobName, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
+public sealed record KeptPiece(
+    Correction Correction,
+    Correction? Counterpart,
+    string JobName,
+    VerificationResult Result,
+    IReadOnlyList<VerifiedBoundary> Boundaries,
+    bool IsBeforeMeasured)
 {
     /// <summary>True if the counterpart cut with the compensation was measured.</summary>
     public bool IsMeasured => Counterpart is not null;
@@ -51,11 +57,14 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
 
             var measured = Result.Points.ToDictionary(p => p.Label, p => p.AfterError.NormalMm, StringComparer.Ordinal);
             var uncertainty = Match.Features.ToDictionary(f => f.Name, f => f.UncertaintyMm, StringComparer.Ordinal);
-            return [.. Match.Points.Where(p => measured.ContainsKey(p.Point)).Select(p => new PredictionMiss(p.Point, p.PredictedMm, measured[p.Point], uncertainty[p.Feature]))];
+            return [
+                .. Match.Points.Where(p => measured.ContainsKey(p.Point)).Select(p => new PredictionMiss(
+                    p.Point, p.PredictedMm, measured[p.Point], uncertainty[p.Feature]))];
         }
     }
 
-    private OutsideLimits Limits => OutsideLimits.Of(Result.Points.Select(p => (p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
+    private OutsideLimits Limits =>
+        OutsideLimits.Of(Result.Points.Select(p => (p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
 
     /// <summary>The boundary of a key point.</summary>
     public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));
@@ -68,13 +77,24 @@ public sealed record KeptPiece(Correction Correction, Correction? Counterpart, s
     public static KeptPiece Predicted(Correction correction, KeptReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
-        VerifiedPoint[] points = [.. report.Points.Select(p => new VerifiedPoint(p.Point, p.Actual, p.Actual + (-p.DecidedMm * p.Normal), p.Actual + (p.PredictedMm * p.Normal), p.Normal))];
+        VerifiedPoint[] points = [
+            .. report.Points.Select(p => new VerifiedPoint(
+                p.Point, p.Actual, p.Actual + (-p.DecidedMm * p.Normal), p.Actual + (p.PredictedMm * p.Normal), p.Normal))];
         var byLabel = points.ToDictionary(p => p.Label, StringComparer.Ordinal);
         var boundaries = report.Features
-            .Select(f => new VerifiedBoundary(f.Name, new(f.LowerMm, f.UpperMm), [.. report.Points.Where(p => p.Feature == f.Name).Select(p => (p.Point, p.Theoretical))], f.Outline))
+            .Select(f => new VerifiedBoundary(
+                f.Name,
+                new(f.LowerMm, f.UpperMm),
+                [.. report.Points.Where(p => p.Feature == f.Name).Select(p => (p.Point, p.Theoretical))],
+                f.Outline))
             .ToArray();
         return new(
-            correction, null, report.JobName, new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]), boundaries, correction.Piece == "counterpart")
+            correction,
+            null,
+            report.JobName,
+            new(points, [.. boundaries.Select(b => VerifiedFeature.DeviationOf(b.Name, [.. b.Points.Select(p => byLabel[p.Label])]))]),
+            boundaries,
+            correction.Piece == "counterpart")
         {
             Match = report,
             Before = correction.Piece == "counterpart" ? new(correction.FileName, correction.MeasurementSha256) : null,

@@ -21,7 +21,10 @@ public sealed class KeptPieces
         var pieces = new List<KeptPiece>();
 
         // Rejected and superseded corrections were never cut.
-        foreach (var correction in store.Reported(jobs, most).Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded)).OrderBy(c => c.Turn).ThenBy(c => c.Id))
+        foreach (var correction in store.Reported(jobs, most)
+            .Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))
+            .OrderBy(c => c.Turn)
+            .ThenBy(c => c.Id))
         {
             var (match, verification) = Report(store, correction.ReportSha256!);
             if (match is not null)
@@ -32,7 +35,17 @@ public sealed class KeptPieces
             {
                 // A measurement replaces the piece's prediction.
                 var at = pieces.FindLastIndex(p => p.Correction.MeasurementSha256 == correction.PartSha256);
-                var measured = new KeptPiece(at >= 0 ? pieces[at].Correction : correction, correction, verification.JobName, verification.Result, verification.Boundaries, verification.IsBeforeMeasured) { Before = verification.Before, Match = at >= 0 ? pieces[at].Match : null };
+                var measured = new KeptPiece(
+                    at >= 0 ? pieces[at].Correction : correction,
+                    correction,
+                    verification.JobName,
+                    verification.Result,
+                    verification.Boundaries,
+                    verification.IsBeforeMeasured)
+                {
+                    Before = verification.Before,
+                    Match = at >= 0 ? pieces[at].Match : null
+                };
                 if (at >= 0)
                 {
                     pieces[at] = measured;

@@ -16,7 +16,17 @@ namespace ErrorMatching.Hmi;
 /// <param name="PredictedMm">The part of it predicted to remain on the corrected counterpart.</param>
 /// <param name="Blocks">Blocks of the original program that cut the point.</param>
 public sealed record KeptPoint(
-    string Point, string Feature, Point2 Theoretical, Point2 Actual, Vector2 Correction, Vector2 Normal, double NormalMm, double DecidedMm, double ExcessMm, double PredictedMm, IReadOnlyList<string> Blocks)
+    string Point,
+    string Feature,
+    Point2 Theoretical,
+    Point2 Actual,
+    Vector2 Correction,
+    Vector2 Normal,
+    double NormalMm,
+    double DecidedMm,
+    double ExcessMm,
+    double PredictedMm,
+    IReadOnlyList<string> Blocks)
 {
     internal static KeptPoint Read(JsonElement json) => new(
         json.GetProperty("point").GetString()!,

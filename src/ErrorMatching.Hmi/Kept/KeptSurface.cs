@@ -80,7 +80,12 @@ public sealed record KeptSurface
             IsMirror = compensation.GetProperty("method").GetString() == "mirror",
             Gain = compensation.GetProperty("gain").GetDouble(),
             LargestMoveMm = Millimeters(compensation, "largestMoveUm"),
-            IsSystematic = root.GetProperty("structure").GetProperty("verdict").GetString() switch { "systematic" => true, "noise" => false, _ => null },
+            IsSystematic = root.GetProperty("structure").GetProperty("verdict").GetString() switch
+            {
+                "systematic" => true,
+                "noise" => false,
+                _ => null
+            },
             Before = Statistics(root.GetProperty("before")),
             Mirror = Statistics(predicted.GetProperty("mirror")),
             ToolRadius = Statistics(predicted.GetProperty("toolRadius")),
@@ -89,10 +94,12 @@ public sealed record KeptSurface
             Map = ReadMap(map),
             ToolPath = root.TryGetProperty("toolpath", out var path) ? KeptToolPath.Read(path) : null,
             Proof = root.TryGetProperty("proof", out var proof) ? KeptProof.Read(proof) : null,
-            CallsTool = root.GetProperty("program") is { ValueKind: JsonValueKind.Object } program && program.TryGetProperty("toolCall", out var calls)
+            CallsTool = root.GetProperty("program") is { ValueKind: JsonValueKind.Object } program
+                && program.TryGetProperty("toolCall", out var calls)
                 ? calls.GetBoolean()
                 : null,
-            Warnings = [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!).Where(w => w != FinishingProgram.NoToolCall)],
+            Warnings = [
+                .. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!).Where(w => w != FinishingProgram.NoToolCall)],
         };
     }
 
@@ -100,14 +107,22 @@ public sealed record KeptSurface
     internal static double Millimeters(JsonElement json, string name) => json.GetProperty(name).GetDouble() / 1000;
 
     private static DeviationStatistics Statistics(JsonElement json) => new(
-        json.GetProperty("count").GetInt32(), Millimeters(json, "meanUm"), Millimeters(json, "standardDeviationUm"), Millimeters(json, "profileIsoUm"), Millimeters(json, "profileRangeUm"));
+        json.GetProperty("count").GetInt32(),
+        Millimeters(json, "meanUm"),
+        Millimeters(json, "standardDeviationUm"),
+        Millimeters(json, "profileIsoUm"),
+        Millimeters(json, "profileRangeUm"));
 
     private static ErrorMap ReadMap(JsonElement json)
     {
         double[] Numbers(string name) => [.. json.GetProperty(name).EnumerateArray().Select(v => v.GetDouble())];
         double[] InMm(string name) => Array.ConvertAll(Numbers(name), um => um / 1000);
         return new(
-            new(json.GetProperty("countU").GetInt32(), json.GetProperty("countV").GetInt32(), [.. Numbers("x").Zip(Numbers("y"), (x, y) => new Point3(x, y, 0))], [.. Numbers("outside").Select(c => (int)c)]),
+            new(
+                json.GetProperty("countU").GetInt32(),
+                json.GetProperty("countV").GetInt32(),
+                [.. Numbers("x").Zip(Numbers("y"), (x, y) => new Point3(x, y, 0))],
+                [.. Numbers("outside").Select(c => (int)c)]),
             InMm("errorUm"),
             InMm("mirrorUm"),
             InMm("toolRadiusUm"));

@@ -11,7 +11,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="GougeMm">How far the ball gouges beyond what is allowed, at most.</param>
 /// <param name="RaisedPoints">Number of points raised because the ball does not fit.</param>
 /// <param name="RaisedMm">The largest amount by which they were raised.</param>
-public sealed record KeptToolPath(int Passes, int Points, double LengthMm, double ChordMm, double ScallopMm, double GougeMm, int RaisedPoints, double RaisedMm)
+public sealed record KeptToolPath(
+    int Passes, int Points, double LengthMm, double ChordMm, double ScallopMm, double GougeMm, int RaisedPoints, double RaisedMm)
 {
     internal static KeptToolPath Read(JsonElement json) => new(
         json.GetProperty("passes").GetInt32(),

@@ -11,7 +11,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Result">How well both counterparts fit the part.</param>
 /// <param name="Boundaries">The boundaries of the features.</param>
 /// <param name="IsBeforeMeasured">True if the counterpart without compensation was measured, false if its nominal shape is used.</param>
-public sealed record KeptVerification(string JobName, string? WorkOrder, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
+public sealed record KeptVerification(
+    string JobName, string? WorkOrder, VerificationResult Result, IReadOnlyList<VerifiedBoundary> Boundaries, bool IsBeforeMeasured)
 {
     /// <summary>The measurement of the counterpart without compensation; null if its nominal shape is used.</summary>
     public KeptBase? Before { get; init; }
@@ -31,24 +32,39 @@ public sealed record KeptVerification(string JobName, string? WorkOrder, Verific
         return new(
             job.GetProperty("name").GetString()!,
             job.GetProperty("workOrder").GetString(),
-            new([.. root.GetProperty("points").EnumerateArray().Select(Point)], [.. root.GetProperty("features").EnumerateArray().Select(Feature)]),
+            new(
+                [.. root.GetProperty("points").EnumerateArray().Select(Point)],
+                [.. root.GetProperty("features").EnumerateArray().Select(Feature)]),
             [.. root.GetProperty("boundaries").EnumerateArray().Select(Boundary)],
             root.GetProperty("beforeMeasured").GetBoolean())
         {
-            Before = root.GetProperty("inputs").EnumerateArray().Where(i => i.GetProperty("role").GetString() == "counterpart").Select(i => new KeptBase(i.GetProperty("file").GetString()!, i.GetProperty("sha256").GetString()!)).FirstOrDefault(),
+            Before = root.GetProperty("inputs")
+                .EnumerateArray()
+                .Where(i => i.GetProperty("role").GetString() == "counterpart")
+                .Select(i => new KeptBase(i.GetProperty("file").GetString()!, i.GetProperty("sha256").GetString()!))
+                .FirstOrDefault(),
         };
     }
 
     private static VerifiedPoint Point(JsonElement json)
     {
         var part = KeptPoint.Place(json.GetProperty("part"));
-        return new(json.GetProperty("point").GetString()!, part, part + Error(json.GetProperty("before")), part + Error(json.GetProperty("after")), KeptPoint.Place(json.GetProperty("normal")) - Point2.Origin);
+        return new(
+            json.GetProperty("point").GetString()!,
+            part,
+            part + Error(json.GetProperty("before")),
+            part + Error(json.GetProperty("after")),
+            KeptPoint.Place(json.GetProperty("normal")) - Point2.Origin);
     }
 
     private static Vector2 Error(JsonElement json) => new(json.GetProperty("dx").GetDouble(), json.GetProperty("dy").GetDouble());
 
     private static VerifiedFeature Feature(JsonElement json) => new(
-        json.GetProperty("name").GetString()!, VerifiedQuantity.Of(json.GetProperty("quantity").GetString()!), json.GetProperty("wanted").GetDouble(), json.GetProperty("before").GetDouble(), json.GetProperty("after").GetDouble())
+        json.GetProperty("name").GetString()!,
+        VerifiedQuantity.Of(json.GetProperty("quantity").GetString()!),
+        json.GetProperty("wanted").GetDouble(),
+        json.GetProperty("before").GetDouble(),
+        json.GetProperty("after").GetDouble())
     {
         // Older reports lack this list.
         Points = json.TryGetProperty("points", out var points) ? [.. points.EnumerateArray().Select(p => p.GetString()!)] : [],
@@ -60,7 +76,10 @@ public sealed record KeptVerification(string JobName, string? WorkOrder, Verific
         return new(
             json.GetProperty("name").GetString()!,
             new(band[0].GetDouble(), band[1].GetDouble()),
-            [.. json.GetProperty("points").EnumerateArray().Select(p => (p.GetProperty("point").GetString()!, KeptPoint.Place(p.GetProperty("theoretical"))))],
+            [
+                .. json.GetProperty("points")
+                    .EnumerateArray()
+                    .Select(p => (p.GetProperty("point").GetString()!, KeptPoint.Place(p.GetProperty("theoretical"))))],
             [.. json.GetProperty("outline").EnumerateArray().Select(KeptPoint.Place)]);
     }
 }

@@ -7,7 +7,13 @@ namespace ErrorMatching.Hmi;
 /// <param name="Modified">The new text.</param>
 /// <param name="OriginalSpans">Replaced spans: start and length.</param>
 /// <param name="ModifiedSpans">New spans: start and length.</param>
-public sealed record ProgramLine(int Index, int? Block, string Original, string Modified, IReadOnlyList<(int Start, int Length)> OriginalSpans, IReadOnlyList<(int Start, int Length)> ModifiedSpans)
+public sealed record ProgramLine(
+    int Index,
+    int? Block,
+    string Original,
+    string Modified,
+    IReadOnlyList<(int Start, int Length)> OriginalSpans,
+    IReadOnlyList<(int Start, int Length)> ModifiedSpans)
 {
     /// <summary>Its line number in the new program, from 1, as the control's screen counts.</summary>
     public string Number => Shown.Id(Index + 1);

@@ -18,7 +18,8 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     /// <param name="modified">The bytes of the new program.</param>
     /// <param name="blocks">The report's changed blocks.</param>
     /// <param name="marker">The inserted comment that tells the origin of the new program; null if there is none.</param>
-    public ProgramLines(ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks, string? marker = null)
+    public ProgramLines(
+        ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks, string? marker = null)
     {
         (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
         _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
@@ -111,7 +112,8 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
         var more = _modified.BlockCount - _original.BlockCount;
         for (var (was, now) = (0, 0); more > 0 && now < _modified.BlockCount; now++)
         {
-            var isSame = was < _original.BlockCount && (_changed.ContainsKey(was) || _original.BytesOf(_original[was]).SequenceEqual(_modified.BytesOf(_modified[now])));
+            var isSame = was < _original.BlockCount
+                && (_changed.ContainsKey(was) || _original.BytesOf(_original[was]).SequenceEqual(_modified.BytesOf(_modified[now])));
             if (isSame)
             {
                 was++;

@@ -18,7 +18,8 @@ public static class Later
     private const int Parts = 3;
 
     /// <summary>The rows of a list, instead of <see cref="ItemsControl.ItemsSource"/>.</summary>
-    public static readonly AttachedProperty<IEnumerable?> RowsProperty = AvaloniaProperty.RegisterAttached<ItemsControl, IEnumerable?>("Rows", typeof(Later));
+    public static readonly AttachedProperty<IEnumerable?> RowsProperty = AvaloniaProperty.RegisterAttached<ItemsControl, IEnumerable?>(
+        "Rows", typeof(Later));
 
     static Later() => RowsProperty.Changed.AddClassHandler<ItemsControl>((list, _) =>
     {
@@ -35,7 +36,8 @@ public static class Later
     public static IEnumerable? GetRows(ItemsControl list) => (list ?? throw new ArgumentNullException(nameof(list))).GetValue(RowsProperty);
 
     /// <summary>Sets the rows of a list: the first ones after the screen is drawn, later changes at once.</summary>
-    public static void SetRows(ItemsControl list, IEnumerable? rows) => (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
+    public static void SetRows(ItemsControl list, IEnumerable? rows) =>
+        (list ?? throw new ArgumentNullException(nameof(list))).SetValue(RowsProperty, rows);
 
     /// <summary>Focuses a control as soon as it is visible, because a screen appears part by part.</summary>
     public static void Focus(InputElement control)
@@ -83,7 +85,8 @@ public static class Later
         }
     }
 
-    private static void OnLaidOut(object? sender, EventArgs e) => Dispatcher.UIThread.Post(() => GiveWhenSeen((ItemsControl)sender!), After);
+    private static void OnLaidOut(object? sender, EventArgs e) =>
+        Dispatcher.UIThread.Post(() => GiveWhenSeen((ItemsControl)sender!), After);
 
     private static void GiveRoom(ItemsControl list, double room, int parts)
     {

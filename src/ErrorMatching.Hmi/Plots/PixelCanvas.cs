@@ -47,7 +47,9 @@ internal sealed class PixelCanvas
             if (isDashed)
             {
                 // Dash by position, not by length: consecutive pieces of less than a pixel then look like one dashed line.
-                if ((x + y & int.MaxValue) % (DrawnSizes.RapidDash + DrawnSizes.RapidGap) < DrawnSizes.RapidDash && Has(x, y) && _pixels[(y * Width) + x] == 0)
+                if ((x + y & int.MaxValue) % (DrawnSizes.RapidDash + DrawnSizes.RapidGap) < DrawnSizes.RapidDash
+                    && Has(x, y)
+                    && _pixels[(y * Width) + x] == 0)
                 {
                     _pixels[(y * Width) + x] = color;
                 }
@@ -67,7 +69,9 @@ internal sealed class PixelCanvas
     }
 
     /// <summary>Half the width of a disk in each row, from the center outwards, in pixels.</summary>
-    public static int[] Disk(double radius) => [.. Enumerable.Range(0, (int)Math.Max(1, radius) + 1).Select(row => (int)Math.Sqrt(Math.Max(0, (Math.Max(1, radius) * Math.Max(1, radius)) - (row * row))))];
+    public static int[] Disk(double radius) => [
+        .. Enumerable.Range(0, (int)Math.Max(1, radius) + 1).Select(
+            row => (int)Math.Sqrt(Math.Max(0, (Math.Max(1, radius) * Math.Max(1, radius)) - (row * row))))];
 
     /// <summary>Draws a disk. The center is in pixels.</summary>
     public void Dot(int x, int y, int color, int[] disk)

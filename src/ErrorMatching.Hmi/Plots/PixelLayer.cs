@@ -7,7 +7,8 @@ using Avalonia.Platform;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Shows a <see cref="PixelCanvas"/> as a bitmap, for drawings with too many lines or dots to draw as shapes.</summary>
-[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "A drawing lets its picture go whenever it leaves the screen, and may come back.")]
+[System.Diagnostics.CodeAnalysis.SuppressMessage(
+    "Design", "CA1001", Justification = "A drawing lets its picture go whenever it leaves the screen, and may come back.")]
 internal sealed class PixelLayer
 {
     private WriteableBitmap? _bitmap;
@@ -15,7 +16,8 @@ internal sealed class PixelLayer
     public PixelCanvas Canvas { get; } = new();
 
     /// <summary>The pixel value of a solid color brush; 0 for other brushes.</summary>
-    public static int ColorOf(IBrush? brush) => brush is ISolidColorBrush { Color: var c } ? unchecked((int)((0xFFu << 24) | ((uint)c.R << 16) | ((uint)c.G << 8) | c.B)) : 0;
+    public static int ColorOf(IBrush? brush) =>
+        brush is ISolidColorBrush { Color: var c } ? unchecked((int)((0xFFu << 24) | ((uint)c.R << 16) | ((uint)c.G << 8) | c.B)) : 0;
 
     /// <summary>Copies the canvas to the bitmap.</summary>
     public void Take()

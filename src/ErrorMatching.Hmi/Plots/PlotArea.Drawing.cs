@@ -76,7 +76,11 @@ public abstract partial class PlotArea
         var seen = new List<Point2>();
         for (var i = 0; i < points.Count; i++)
         {
-            if (view.ToScreen(points[i]) is var at && at.X >= -radius && at.X <= view.Width + radius && at.Y >= -radius && at.Y <= view.Height + radius)
+            if (view.ToScreen(points[i]) is var at
+                && at.X >= -radius
+                && at.X <= view.Width + radius
+                && at.Y >= -radius
+                && at.Y <= view.Height + radius)
             {
                 seen.Add(at);
             }

@@ -164,7 +164,11 @@ public abstract partial class PlotArea
         var button = new Button
         {
             Classes = { "plot" },
-            Content = new Avalonia.Controls.Shapes.Path { Classes = { "icon" }, [!Avalonia.Controls.Shapes.Path.DataProperty] = new DynamicResourceExtension("Icon." + icon) },
+            Content = new Avalonia.Controls.Shapes.Path
+            {
+                Classes = { "icon" },
+                [!Avalonia.Controls.Shapes.Path.DataProperty] = new DynamicResourceExtension("Icon." + icon)
+            },
             [!AutomationProperties.NameProperty] = new ReflectionBinding($"[{text}]") { Source = Texts.Current, Mode = BindingMode.OneWay },
         };
         button.Click += (_, _) => act();
@@ -184,7 +188,9 @@ public abstract partial class PlotArea
         // In a narrow plot, values below each other hide less.
         FormattedText[] texts = [Label(datum.Text), Label(datum.Text.Replace("  ", "\n", StringComparison.Ordinal))];
         var fitting = texts.Where(t => SizeOf(t).Width <= Bounds.Width - ButtonsRoom).ToArray();
-        var rooms = fitting.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y)))).Concat(fitting.Select(t => (Text: t, Box: Corner(SizeOf(t), datum)))).Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
+        var rooms = fitting.Select(t => (Text: t, Box: FreeRoom(SizeOf(t), new(x, y))))
+            .Concat(fitting.Select(t => (Text: t, Box: Corner(SizeOf(t), datum))))
+            .Append((Text: texts[1], Box: FarCorner(SizeOf(texts[1]), new(x, y))));
         var (text, box) = rooms.Where(r => r.Box is not null).Select(r => (r.Text, r.Box!.Value)).First();
         ValuesRoom = box;
         context.DrawRectangle(Ground, new Pen(Ink, DrawnSizes.Thin), box);
@@ -206,13 +212,19 @@ public abstract partial class PlotArea
 
     // If there is no such position: the farthest corner that does not hide the marked item.
     private Rect? Corner(Size size, PlotDatum datum) =>
-        Corners(size).Select(c => new Rect(c, size)).Where(c => !IsAskedIn(datum, BoxOf(c))).OrderByDescending(c => Point.Distance(c.Center, View.At(datum.At))).Select(c => (Rect?)c).FirstOrDefault();
+        Corners(size).Select(c => new Rect(c, size))
+            .Where(c => !IsAskedIn(datum, BoxOf(c)))
+            .OrderByDescending(c => Point.Distance(c.Center, View.At(datum.At)))
+            .Select(c => (Rect?)c)
+            .FirstOrDefault();
 
     private Rect FarCorner(Size size, Point at) => Corners(size).Select(c => new Rect(c, size)).MaxBy(c => Point.Distance(c.Center, at));
 
-    private Point[] Corners(Size size) => RoomsEnd(size) is var (right, low) ? [new(0, 0), new(0, low), new(right, low), new(right, 0)] : [];
+    private Point[] Corners(Size size) =>
+        RoomsEnd(size) is var (right, low) ? [new(0, 0), new(0, low), new(right, low), new(right, 0)] : [];
 
-    private (double Right, double Low) RoomsEnd(Size size) => (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
+    private (double Right, double Low) RoomsEnd(Size size) =>
+        (Math.Max(0, Bounds.Width - ButtonsRoom - size.Width), Math.Max(0, Bounds.Height - size.Height));
 
     private PlotBox BoxOf(Rect room)
     {

@@ -15,7 +15,8 @@ namespace ErrorMatching.Hmi;
 /// and find the datum near a place (<see cref="DatumNear"/>). They call <see cref="Renew"/> when the data change. The data
 /// themselves belong to view models. Keys: arrows pan, plus and minus zoom, 0 shows all, Space or Enter shows the values nearest
 /// to the center, Page Up and Page Down go to the previous and next datum.</remarks>
-[System.Diagnostics.CodeAnalysis.SuppressMessage("Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
+[System.Diagnostics.CodeAnalysis.SuppressMessage(
+    "Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
 public abstract partial class PlotArea : Control, IDrawnWords
 {
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ink));
@@ -30,12 +31,14 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
 
-    public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(nameof(Values), p => p.Values);
+    public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(
+        nameof(Values), p => p.Values);
 
     // Zoom out to a quarter of the fitted size at most. Zoom in no further than needed to see a micrometer of a meter.
     private const double LeastShare = 0.25, MostFactor = 1000;
 
-    private static readonly Typeface Plain = new(FontFamily.Default), Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
+    private static readonly Typeface Plain = new(FontFamily.Default),
+        Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
 
     private readonly StackPanel _buttons;
     private readonly HashSet<(string Words, Typeface Typeface)> _words = [];
@@ -53,8 +56,17 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     protected PlotArea()
     {
-        _buttons = new StackPanel { Classes = { "near", "buttons" }, HorizontalAlignment = HorizontalAlignment.Right, VerticalAlignment = VerticalAlignment.Top };
-        _buttons.Children.AddRange([MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)), MakeButton("Plot.Further", "minus", () => ZoomStep(-1)), MakeButton("Plot.All", "all", ShowAllInBoth)]);
+        _buttons = new StackPanel
+        {
+            Classes = { "near", "buttons" },
+            HorizontalAlignment = HorizontalAlignment.Right,
+            VerticalAlignment = VerticalAlignment.Top
+        };
+        _buttons.Children.AddRange(
+            [
+                MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)),
+                MakeButton("Plot.Further", "minus", () => ZoomStep(-1)),
+                MakeButton("Plot.All", "all", ShowAllInBoth)]);
         LogicalChildren.Add(_buttons);
         VisualChildren.Add(_buttons);
     }
@@ -127,7 +139,8 @@ public abstract partial class PlotArea : Control, IDrawnWords
     public bool ShowsAll => _view == _whole;
 
     /// <inheritdoc/>
-    IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => [.. _words, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
+    IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords =>
+        [.. _words, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
 
     /// <summary>Words that are redrawn in later frames without being recreated.</summary>
     protected virtual IEnumerable<string> KeptWords => [];
@@ -155,7 +168,8 @@ public abstract partial class PlotArea : Control, IDrawnWords
     {
         // Neither the buttons nor the side labels may hide part of it.
         var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom);
-        var fit = PlotView.Fit(Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
+        var fit = PlotView.Fit(
+            Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
         _whole = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new((left - right) / 2, (top - bottom) / 2));
         View = _whole;
     }
@@ -222,7 +236,8 @@ public abstract partial class PlotArea : Control, IDrawnWords
     /// <summary>The datum nearest to a point of the screen; null if none is within reach.</summary>
     /// <param name="screen">The point.</param>
     /// <param name="reach">Largest distance, in screen units.</param>
-    protected virtual PlotDatum? DatumNear(Point2 screen, double reach) => DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
+    protected virtual PlotDatum? DatumNear(Point2 screen, double reach) =>
+        DatumAt(_index.Nearest(View.ToPlot(screen), View.ScaleX, View.ScaleY, reach));
 
     /// <summary>A datum by its index, from 0; null if there is none, as for -1.</summary>
     protected virtual PlotDatum? DatumAt(int index) => null;
@@ -298,7 +313,10 @@ public abstract partial class PlotArea : Control, IDrawnWords
         ArgumentNullException.ThrowIfNull(text);
         if (Ground is ISolidColorBrush ground)
         {
-            context.FillRectangle(new ImmutableSolidColorBrush(ground.Color, DrawnSizes.VeilOpacity), new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)), (float)DrawnSizes.VeilRound);
+            context.FillRectangle(
+                new ImmutableSolidColorBrush(ground.Color, DrawnSizes.VeilOpacity),
+                new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)),
+                (float)DrawnSizes.VeilRound);
         }
 
         context.DrawText(text, at);
@@ -330,7 +348,10 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     // Keeps the drawing in sight: the center of the view stays within its box.
     private PlotView Kept(PlotView view) => Extent is { IsEmpty: false } extent
-        ? view with { Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High)) }
+        ? view with
+        {
+            Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High))
+        }
         : view;
 
     /// <inheritdoc/>

@@ -20,10 +20,12 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
     public static PlotBox Of(IEnumerable<Point2> points) => points.Aggregate(Empty, (box, p) => box.With(p));
 
     /// <summary>The box extended by a point, unless the point is not finite.</summary>
-    public PlotBox With(Point2 p) => p.IsFinite ? new(Math.Min(Left, p.X), Math.Min(Low, p.Y), Math.Max(Right, p.X), Math.Max(High, p.Y)) : this;
+    public PlotBox With(Point2 p) =>
+        p.IsFinite ? new(Math.Min(Left, p.X), Math.Min(Low, p.Y), Math.Max(Right, p.X), Math.Max(High, p.Y)) : this;
 
     /// <summary>The box extended by another one.</summary>
-    public PlotBox With(PlotBox other) => new(Math.Min(Left, other.Left), Math.Min(Low, other.Low), Math.Max(Right, other.Right), Math.Max(High, other.High));
+    public PlotBox With(PlotBox other) =>
+        new(Math.Min(Left, other.Left), Math.Min(Low, other.Low), Math.Max(Right, other.Right), Math.Max(High, other.High));
 
     /// <summary>True if a point is inside or on the border.</summary>
     public bool Contains(Point2 p) => p.X >= Left && p.X <= Right && p.Y >= Low && p.Y <= High;

@@ -60,7 +60,10 @@ internal sealed class PlotLabels
         var best = Best(isSpare ? around.Take(Beside) : around, at, isName, isAway: false);
         foreach (var further in Further.TakeWhile(_ => !isSpare && best is not { Cost: < LinesADot }))
         {
-            best = Best(Around(text, at, further * away, isName).Where(_within.Contains), at, isName, isAway: true) is { } found && !(found.Cost >= best?.Cost) ? found : best;
+            best = Best(Around(text, at, further * away, isName).Where(_within.Contains), at, isName, isAway: true) is { } found
+                && !(found.Cost >= best?.Cost)
+                ? found
+                : best;
         }
 
         if (best is not var (room, isAway, cost) || (isSpare && cost > 0))
@@ -85,14 +88,22 @@ internal sealed class PlotLabels
         var (right, left, above, below, slant) = (at.X + away, at.X - away - w, at.Y - away - h, at.Y + away, SlantShare * away);
         Rect[] beside = [new(right, at.Y - (h / 2), w, h), new(left, at.Y - (h / 2), w, h)];
         Rect[] over = [new(at.X - (w / 2), above, w, h), new(at.X - (w / 2), below, w, h)];
-        Rect[] corners = [new(at.X + slant, at.Y - slant - h, w, h), new(at.X - slant - w, at.Y - slant - h, w, h), new(at.X + slant, at.Y + slant, w, h), new(at.X - slant - w, at.Y + slant, w, h)];
+        Rect[] corners = [
+            new(at.X + slant, at.Y - slant - h, w, h),
+            new(at.X - slant - w, at.Y - slant - h, w, h),
+            new(at.X + slant, at.Y + slant, w, h),
+            new(at.X - slant - w, at.Y + slant, w, h)];
         return isBelow ? [.. over.Reverse(), .. corners, .. beside] : [.. beside, .. over, .. corners];
     }
 
     // Of equally good positions, the first one.
     private (Rect Room, bool IsAway, int Cost)? Best(IEnumerable<Rect> rooms, Point at, bool isName, bool isAway)
     {
-        var free = rooms.Where(r => !_leaders.Exists(l => Crosses(l, r)) && !_taken.Exists(t => t.Intersects(r) || (isAway && Crosses((at, NearestOf(r, at)), t)))).Select(r => (Room: r, IsAway: isAway, Cost: CostOf(r, at, isName, isAway))).ToArray();
+        var free = rooms.Where(
+            r => !_leaders.Exists(l => Crosses(l, r))
+                && !_taken.Exists(t => t.Intersects(r) || (isAway && Crosses((at, NearestOf(r, at)), t))))
+            .Select(r => (Room: r, IsAway: isAway, Cost: CostOf(r, at, isName, isAway)))
+            .ToArray();
         return free.Length == 0 ? null : free.MinBy(r => r.Cost);
     }
 
@@ -100,18 +111,30 @@ internal sealed class PlotLabels
     // no leader line.
     private int CostOf(Rect room, Point at, bool isName, bool isAway)
     {
-        var (own, covered, leader) = (PlainlyFurtherFactor * Point.Distance(at, NearestOf(room, at)), room.Inflate(_dot), (at, NearestOf(room, at)));
-        var dots = _dots.Count(d => covered.Contains(d) || (d != at && (isAway ? Crosses(leader, new Rect(d, default(Size)).Inflate(_dot)) : !isName && Point.Distance(d, NearestOf(room, d)) < own)));
+        var (own, covered, leader) = (
+            PlainlyFurtherFactor * Point.Distance(at, NearestOf(room, at)), room.Inflate(_dot), (at, NearestOf(room, at)));
+        var dots = _dots.Count(
+            d => covered.Contains(d)
+                || (
+                    d != at
+                        && (
+                            isAway
+                                ? Crosses(leader, new Rect(d, default(Size)).Inflate(_dot))
+                                : !isName && Point.Distance(d, NearestOf(room, d)) < own)));
         return (LinesADot * dots) + _lines.Count(l => Crosses(l, room));
     }
 
-    private static Point NearestOf(Rect room, Point to) => new(Math.Clamp(to.X, room.Left, room.Right), Math.Clamp(to.Y, room.Top, room.Bottom));
+    private static Point NearestOf(Rect room, Point to) =>
+        new(Math.Clamp(to.X, room.Left, room.Right), Math.Clamp(to.Y, room.Top, room.Bottom));
 
     // Liang and Barsky 1984: the part of the line between the four borders is not empty.
     private static bool Crosses((Point From, Point To) line, Rect room)
     {
         var (dx, dy, begin, end) = (line.To.X - line.From.X, line.To.Y - line.From.Y, 0.0, 1.0);
-        return Cut(-dx, line.From.X - room.Left) && Cut(dx, room.Right - line.From.X) && Cut(-dy, line.From.Y - room.Top) && Cut(dy, room.Bottom - line.From.Y);
+        return Cut(-dx, line.From.X - room.Left)
+            && Cut(dx, room.Right - line.From.X)
+            && Cut(-dy, line.From.Y - room.Top)
+            && Cut(dy, room.Bottom - line.From.Y);
 
         bool Cut(double outward, double inside)
         {

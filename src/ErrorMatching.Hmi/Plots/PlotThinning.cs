@@ -13,7 +13,9 @@ public sealed class PlotThinning
     private Point2? _end;
     private (Point2 First, Point2 Low, Point2 High, Point2 Last, bool LowFirst)? _column;
 
-    private PlotThinning(PlotView view) => (_view, _seen) = (view, new(-DrawnSizes.Beyond, -DrawnSizes.Beyond, view.Width + DrawnSizes.Beyond, view.Height + DrawnSizes.Beyond));
+    private PlotThinning(PlotView view) =>
+        (_view, _seen) = (
+            view, new(-DrawnSizes.Beyond, -DrawnSizes.Beyond, view.Width + DrawnSizes.Beyond, view.Height + DrawnSizes.Beyond));
 
     /// <summary>The points to draw, in screen units; a point that begins a piece is not joined to the previous one.</summary>
     /// <param name="line">The line in plot units; a point that is not finite interrupts it.</param>

@@ -11,7 +11,11 @@ namespace ErrorMatching.Hmi;
 public readonly record struct PlotView(double ScaleX, double ScaleY, Point2 Middle, double Width, double Height)
 {
     /// <summary>The visible box, in plot units.</summary>
-    public PlotBox Seen => new(Middle.X - (Width / 2 / ScaleX), Middle.Y - (Height / 2 / ScaleY), Middle.X + (Width / 2 / ScaleX), Middle.Y + (Height / 2 / ScaleY));
+    public PlotBox Seen => new(
+        Middle.X - (Width / 2 / ScaleX),
+        Middle.Y - (Height / 2 / ScaleY),
+        Middle.X + (Width / 2 / ScaleX),
+        Middle.Y + (Height / 2 / ScaleY));
 
     /// <summary>The view that shows a whole box, centered and as large as possible.</summary>
     /// <param name="box">The box to show.</param>
@@ -30,14 +34,19 @@ public readonly record struct PlotView(double ScaleX, double ScaleY, Point2 Midd
         var unit = Math.Max(Math.Min(width, height), 1);
         return new(double.IsFinite(scaleX) ? scaleX : unit, double.IsFinite(scaleY) ? scaleY : unit, box.Middle, width, height);
 
-        double Scale(double room, double extent) => extent > 0 && Math.Max(room - (2 * around), 1) / extent is var scale && double.IsFinite(scale) ? scale : double.PositiveInfinity;
+        double Scale(double room, double extent) =>
+            extent > 0 && Math.Max(room - (2 * around), 1) / extent is var scale && double.IsFinite(scale)
+                ? scale
+                : double.PositiveInfinity;
     }
 
     /// <summary>The screen position of a plot position, from the upper left corner of the drawing.</summary>
-    public Point2 ToScreen(Point2 place) => new((Width / 2) + ((place.X - Middle.X) * ScaleX), (Height / 2) - ((place.Y - Middle.Y) * ScaleY));
+    public Point2 ToScreen(Point2 place) =>
+        new((Width / 2) + ((place.X - Middle.X) * ScaleX), (Height / 2) - ((place.Y - Middle.Y) * ScaleY));
 
     /// <summary>The plot position at a point of the screen.</summary>
-    public Point2 ToPlot(Point2 screen) => new(Middle.X + ((screen.X - (Width / 2)) / ScaleX), Middle.Y - ((screen.Y - (Height / 2)) / ScaleY));
+    public Point2 ToPlot(Point2 screen) =>
+        new(Middle.X + ((screen.X - (Width / 2)) / ScaleX), Middle.Y - ((screen.Y - (Height / 2)) / ScaleY));
 
     /// <summary>Zooms by a factor; the place under a point of the screen stays there.</summary>
     public PlotView Zoom(double factor, Point2 about) => Zoom(factor, factor, about);

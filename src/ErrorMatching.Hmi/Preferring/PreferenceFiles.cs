@@ -34,7 +34,8 @@ public sealed class PreferenceFiles(string folder)
         "preferences.schema.json"));
 
     /// <summary>The file of a user. User names may have any characters; file names may not.</summary>
-    public string Of(string user) => Path.Combine(folder, $"station-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(user)))[..16]}.json");
+    public string Of(string user) =>
+        Path.Combine(folder, $"station-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(user)))[..16]}.json");
 
     /// <summary>The preferences of a user; null if none are stored.</summary>
     /// <exception cref="InputException">The file cannot be read.</exception>
@@ -51,7 +52,11 @@ public sealed class PreferenceFiles(string folder)
         var document = JsonInput.Read(InputFile.Open(file, f => JsonInput.Load(f, limits)), file, limits);
         return Schema.Value.Check(document) is { Count: > 0 } problems
             ? throw new JsonDocumentException(file, problems)
-            : new(Enum.Parse<Language>(document["language"].Text), document["theme"].Text == "dark", Enum.Parse<TouchSize>(document["targets"].Text), [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
+            : new(
+                Enum.Parse<Language>(document["language"].Text),
+                document["theme"].Text == "dark",
+                Enum.Parse<TouchSize>(document["targets"].Text),
+                [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
     }
 
     /// <summary>Stores the preferences of a user.</summary>

@@ -28,7 +28,12 @@ public sealed class MovePicture
         ArgumentNullException.ThrowIfNull(path);
         _motions = path.Motions;
         _plane = path.Motions.FirstOrDefault(m => m.IsCut).Plane;
-        _axes = _plane switch { CoordinatePlane.ZX => AxisSet.Z | AxisSet.X, CoordinatePlane.YZ => AxisSet.Y | AxisSet.Z, _ => AxisSet.X | AxisSet.Y };
+        _axes = _plane switch
+        {
+            CoordinatePlane.ZX => AxisSet.Z | AxisSet.X,
+            CoordinatePlane.YZ => AxisSet.Y | AxisSet.Z,
+            _ => AxisSet.X | AxisSet.Y
+        };
         var count = _motions.Length;
         (_ends, _kinds) = (new Point2[count], new Kind[count]);
         var (boxes, cuts) = (new PlotBox[(count + Leaf - 1) / Leaf], new bool[(count + Leaf - 1) / Leaf]);
@@ -130,7 +135,9 @@ public sealed class MovePicture
     {
         if (Is(motion, Kind.Arc) && _motions[motion] is var m)
         {
-            return m.Plane == _plane ? m.Arc.At(m.Arc.NearestFraction(place)) : Chords(m, 64).Select(c => c.At(c.NearestFraction(place))).MinBy(p => p.DistanceTo(place));
+            return m.Plane == _plane
+                ? m.Arc.At(m.Arc.NearestFraction(place))
+                : Chords(m, 64).Select(c => c.At(c.NearestFraction(place))).MinBy(p => p.DistanceTo(place));
         }
 
         var segment = new Segment2(StartOf(motion), _ends[motion]);
@@ -139,7 +146,11 @@ public sealed class MovePicture
 
     // Slightly larger than the visible box, so that line ends and joins at its border stay invisible.
     private static PlotBox Around(PlotView view) => view.Seen is var s
-        ? new(s.Left - (DrawnSizes.Beyond / view.ScaleX), s.Low - (DrawnSizes.Beyond / view.ScaleY), s.Right + (DrawnSizes.Beyond / view.ScaleX), s.High + (DrawnSizes.Beyond / view.ScaleY))
+        ? new(
+            s.Left - (DrawnSizes.Beyond / view.ScaleX),
+            s.Low - (DrawnSizes.Beyond / view.ScaleY),
+            s.Right + (DrawnSizes.Beyond / view.ScaleX),
+            s.High + (DrawnSizes.Beyond / view.ScaleY))
         : default;
 
     private bool Visit(int level, int index, Seeing seeing)
@@ -186,7 +197,10 @@ public sealed class MovePicture
             }
 
             from = isPending ? from : StartOf(i);
-            isPending = !Is(i, Kind.Arc | Kind.StartsElsewhere) && i + 1 < behind && _kinds[i + 1] == _kinds[i] && seeing.IsNear(from, _ends[i]);
+            isPending = !Is(i, Kind.Arc | Kind.StartsElsewhere)
+                && i + 1 < behind
+                && _kinds[i + 1] == _kinds[i]
+                && seeing.IsNear(from, _ends[i]);
             if (!isPending && !(Is(i, Kind.Arc) ? Add(i, seeing) : seeing.Add(from, _ends[i], _motions.BlockOf(i), Is(i, Kind.Rapid))))
             {
                 return false;
@@ -206,7 +220,8 @@ public sealed class MovePicture
 
         var arc = _motions[motion];
         var radius = Math.Max(arc.Arc.Radius * Math.Max(seeing.View.ScaleX, seeing.View.ScaleY) / seeing.Pixel, ChordError);
-        var chords = (int)Math.Clamp(Math.Ceiling(Math.Abs(arc.Arc.Sweep.Radians) / (2 * Math.Acos(1 - (ChordError / radius)))), 1, MostChords);
+        var chords = (int)Math.Clamp(
+            Math.Ceiling(Math.Abs(arc.Arc.Sweep.Radians) / (2 * Math.Acos(1 - (ChordError / radius)))), 1, MostChords);
         foreach (var chord in Chords(arc, chords))
         {
             if (!seeing.Add(chord.Start, chord.End, block, isRapid))
@@ -228,7 +243,9 @@ public sealed class MovePicture
         if (level > 0)
         {
             // Nearest box first: the others can then often be skipped.
-            var children = Enumerable.Range(index * Branch, Math.Min(Branch, _boxes[level - 1].Length - (index * Branch))).OrderBy(c => Distance(_boxes[level - 1][c], place));
+            var children = Enumerable.Range(
+                index * Branch,
+                Math.Min(Branch, _boxes[level - 1].Length - (index * Branch))).OrderBy(c => Distance(_boxes[level - 1][c], place));
             foreach (var child in children)
             {
                 Search(level - 1, child, place, penalty, ref found);
@@ -255,7 +272,9 @@ public sealed class MovePicture
 
     private static double Distance(PlotBox box, Point2 place) => box.IsEmpty
         ? double.PositiveInfinity
-        : new Vector2(Math.Max(0, Math.Max(box.Left - place.X, place.X - box.Right)), Math.Max(0, Math.Max(box.Low - place.Y, place.Y - box.High))).Length;
+        : new Vector2(
+            Math.Max(0, Math.Max(box.Left - place.X, place.X - box.Right)),
+            Math.Max(0, Math.Max(box.Low - place.Y, place.Y - box.High))).Length;
 
     private (int First, int Behind) Motions(int level, int index)
     {
@@ -270,16 +289,22 @@ public sealed class MovePicture
 
     private bool Is(int motion, Kind kind) => (_kinds[motion] & kind) != Kind.Straight;
 
-    private Point2 StartOf(int motion) => Is(motion, Kind.StartsElsewhere) ? StartOf(_motions[motion]) : motion == 0 ? _ends[0] : _ends[motion - 1];
+    private Point2 StartOf(int motion) =>
+        Is(motion, Kind.StartsElsewhere) ? StartOf(_motions[motion]) : motion == 0 ? _ends[0] : _ends[motion - 1];
 
     // If only the machine knows the start, the motion is drawn as a point at its end.
-    private Point2 StartOf(NcMotion motion) => (motion.UnknownStart & _axes) == AxisSet.None ? _plane.Project(motion.Start) : _plane.Project(motion.End);
+    private Point2 StartOf(NcMotion motion) =>
+        (motion.UnknownStart & _axes) == AxisSet.None ? _plane.Project(motion.Start) : _plane.Project(motion.End);
 
     private Kind KindOf(NcMotion motion, Point2? before)
     {
         var kind = motion.Kind is MotionKind.Rapid or MotionKind.Reference ? Kind.Rapid : Kind.Straight;
         kind |= (motion.UnknownEnd & _axes) != AxisSet.None || !_plane.Project(motion.End).IsFinite ? Kind.Unknown : Kind.Straight;
-        kind |= motion is { IsArc: true, IsKnownInPlane: true } && (motion.Flags & MotionFlags.BadArc) == MotionFlags.None && motion.PlaneStart != motion.Center ? Kind.Arc : Kind.Straight;
+        kind |= motion is { IsArc: true, IsKnownInPlane: true }
+            && (motion.Flags & MotionFlags.BadArc) == MotionFlags.None
+            && motion.PlaneStart != motion.Center
+            ? Kind.Arc
+            : Kind.Straight;
         return kind | (StartOf(motion) != (before ?? _plane.Project(motion.End)) ? Kind.StartsElsewhere : Kind.Straight);
     }
 
@@ -310,7 +335,8 @@ public sealed class MovePicture
     // Splits an arc into chords in the plane of the picture; a helix rises evenly.
     private IEnumerable<Segment2> Chords(NcMotion motion, int count)
     {
-        var (from, rise, arc) = (motion.Plane.Height(motion.Start), motion.Plane.Height(motion.End) - motion.Plane.Height(motion.Start), motion.Arc);
+        var (from, rise, arc) = (
+            motion.Plane.Height(motion.Start), motion.Plane.Height(motion.End) - motion.Plane.Height(motion.Start), motion.Arc);
         var last = StartOf(motion);
         for (var i = 1; i <= count; i++)
         {
@@ -323,7 +349,8 @@ public sealed class MovePicture
 
     private sealed record Seeing(PlotView View, PlotBox Seen, double Pixel, Func<MoveStroke, bool> Draw)
     {
-        public bool IsNear(Point2 a, Point2 b) => Math.Abs(a.X - b.X) * View.ScaleX < Pixel / 2 && Math.Abs(a.Y - b.Y) * View.ScaleY < Pixel / 2;
+        public bool IsNear(Point2 a, Point2 b) =>
+            Math.Abs(a.X - b.X) * View.ScaleX < Pixel / 2 && Math.Abs(a.Y - b.Y) * View.ScaleY < Pixel / 2;
 
         public bool Add(Point2 from, Point2 to, int block, bool isRapid)
         {

@@ -31,7 +31,9 @@ public sealed class OpenedProgram
     /// <summary>Why the program could not be interpreted to its end, or what in it is not understood; null if nothing.</summary>
     public string? Problem => Path.Refusal is { } refusal
         ? CodeText.Of(refusal.Code, refusal.Message)
-        : Path.Problems.Count > 0 ? Texts.Current.With("Program.Problems", Shown.Count(Path.Problems.Count), Shown.Id(Path.Problems[0].Block + 1)) : null;
+        : Path.Problems.Count > 0
+            ? Texts.Current.With("Program.Problems", Shown.Count(Path.Problems.Count), Shown.Id(Path.Problems[0].Block + 1))
+            : null;
 
     /// <summary>Opens a program.</summary>
     /// <param name="bytes">Its bytes. They are not copied: do not change them afterwards.</param>
@@ -65,7 +67,10 @@ public sealed class OpenedProgram
     }
 
     /// <summary>The block number as written in the program, or the line number if there is none.</summary>
-    public string NameOf(int block) => Path.Program.NumberOf(Path.Program[block]) is { Length: > 0 } number ? number : Texts.Current.With("Program.Line", Shown.Id(block + 1));
+    public string NameOf(int block) =>
+        Path.Program.NumberOf(Path.Program[block]) is { Length: > 0 } number
+            ? number
+            : Texts.Current.With("Program.Line", Shown.Id(block + 1));
 
     /// <summary>The first and last motion of a range of blocks, in the order of execution; null if there are none.</summary>
     public (int First, int Last)? MotionsOf(BlockRange range)
@@ -120,8 +125,11 @@ public sealed class OpenedProgram
     public string TellMotion(int motion)
     {
         var m = Path.Motions[motion];
-        var feed = m.IsCut && m.Feed > 0 ? Texts.Current.With("Program.Feed", m.Feed.ToString("0.###", System.Globalization.CultureInfo.InvariantCulture)) : "";
-        return $"{NameOf(m.Block)}\nX {Coordinate(m.End.X, AxisSet.X)}  Y {Coordinate(m.End.Y, AxisSet.Y)}  Z {Coordinate(m.End.Z, AxisSet.Z)} mm{feed}";
+        var feed = m.IsCut && m.Feed > 0
+            ? Texts.Current.With("Program.Feed", m.Feed.ToString("0.###", System.Globalization.CultureInfo.InvariantCulture))
+            : "";
+        return $"{NameOf(m.Block)}\nX {Coordinate(m.End.X, AxisSet.X)}  Y {Coordinate(m.End.Y, AxisSet.Y)}  Z "
+            + $"{Coordinate(m.End.Z, AxisSet.Z)} mm{feed}";
 
         string Coordinate(double value, AxisSet axis) => (m.UnknownEnd & axis) == AxisSet.None ? Shown.Mm(value) : Shown.Nothing;
     }

@@ -11,13 +11,15 @@ namespace ErrorMatching.Hmi;
 /// <param name="Rapid">Color of rapids, as alpha, red, green and blue bytes.</param>
 /// <param name="Cut">Color of cuts.</param>
 /// <param name="Lit">Color of the selection.</param>
-internal sealed record PathFrame(OpenedProgram Program, PlotView View, double Pixel, BlockRange? Chosen, BitArray? Featured, int Rapid, int Cut, int Lit)
+internal sealed record PathFrame(
+    OpenedProgram Program, PlotView View, double Pixel, BlockRange? Chosen, BitArray? Featured, int Rapid, int Cut, int Lit)
 {
     public int Width => (int)Math.Ceiling(View.Width / Pixel);
 
     public int Height => (int)Math.Ceiling(View.Height / Pixel);
 
-    public static StrokeKind KindOf(in MoveStroke stroke, BlockRange? chosen, BitArray? featured) => chosen is { } range && range.Contains(stroke.Block) ? StrokeKind.Chosen
+    public static StrokeKind KindOf(in MoveStroke stroke, BlockRange? chosen, BitArray? featured) =>
+        chosen is { } range && range.Contains(stroke.Block) ? StrokeKind.Chosen
         : stroke.IsRapid ? StrokeKind.Rapid
         : featured?[stroke.Block] == true ? StrokeKind.Feature : StrokeKind.Cut;
 
@@ -29,7 +31,14 @@ internal sealed record PathFrame(OpenedProgram Program, PlotView View, double Pi
         Program.Moves.Strokes(View, Pixel, stroke =>
         {
             var kind = KindOf(stroke, Chosen, Featured);
-            canvas.Line(stroke.X1 * scale, stroke.Y1 * scale, stroke.X2 * scale, stroke.Y2 * scale, colors[(int)kind], kind >= StrokeKind.Feature ? thick : 1, kind == StrokeKind.Rapid);
+            canvas.Line(
+                stroke.X1 * scale,
+                stroke.Y1 * scale,
+                stroke.X2 * scale,
+                stroke.Y2 * scale,
+                colors[(int)kind],
+                kind >= StrokeKind.Feature ? thick : 1,
+                kind == StrokeKind.Rapid);
             return true;
         });
     }

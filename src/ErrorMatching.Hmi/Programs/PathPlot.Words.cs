@@ -12,7 +12,11 @@ public sealed partial class PathPlot
     private void DrawLabels(DrawingContext context, PlotView view, OpenedProgram program)
     {
         var points = Picture!.Points.Where(p => view.Seen.Contains(p.At)).OrderByDescending(p => IsStrong(p.Feature)).ToArray();
-        var labels = new PlotLabels(_strokes.Select(s => (IReadOnlyList<Point>)[new(s.X1, s.Y1), new(s.X2, s.Y2)]), [.. points.Select(p => view.At(p.At))], DrawnSizes.Dot, Free);
+        var labels = new PlotLabels(
+            _strokes.Select(s => (IReadOnlyList<Point>)[new(s.X1, s.Y1), new(s.X2, s.Y2)]),
+            [.. points.Select(p => view.At(p.At))],
+            DrawnSizes.Dot,
+            Free);
         foreach (var point in points.Where(p => IsStrong(p.Feature)))
         {
             Write(context, labels, point.Label, view.At(point.At), isStrong: true, isName: false);
@@ -31,7 +35,12 @@ public sealed partial class PathPlot
         // Drawn last, so that no label's background covers them.
         foreach (var point in points)
         {
-            Diamond(context, IsStrong(point.Feature) ? Ink : QuietBrush, null, view.At(point.At), IsStrong(point.Feature) ? DrawnSizes.Mark : DrawnSizes.QuietMark);
+            Diamond(
+                context,
+                IsStrong(point.Feature) ? Ink : QuietBrush,
+                null,
+                view.At(point.At),
+                IsStrong(point.Feature) ? DrawnSizes.Mark : DrawnSizes.QuietMark);
         }
     }
 
@@ -41,7 +50,9 @@ public sealed partial class PathPlot
         var named = new HashSet<string>(StringComparer.Ordinal);
         foreach (var mark in Picture!.Marks)
         {
-            if (mark.Ranges.Count > 0 && program.MotionsOf(mark.Ranges[0]) is var (first, last) && program.Moves.EndsOf((first + last) / 2) is var (from, to))
+            if (mark.Ranges.Count > 0
+                && program.MotionsOf(mark.Ranges[0]) is var (first, last)
+                && program.Moves.EndsOf((first + last) / 2) is var (from, to))
             {
                 named.Add(mark.Name);
                 yield return (mark.Name, from.Lerp(to, 0.5));

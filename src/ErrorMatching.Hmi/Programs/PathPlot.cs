@@ -11,7 +11,8 @@ namespace ErrorMatching.Hmi;
 /// that the cost of a frame depends on the screen and not on the program.</remarks>
 public sealed partial class PathPlot : PlotArea
 {
-    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<PathPlot, ProgramPicture?>(nameof(Picture));
+    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<PathPlot, ProgramPicture?>(
+        nameof(Picture));
 
     public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(ChosenBrush));
 
@@ -55,7 +56,12 @@ public sealed partial class PathPlot : PlotArea
     public Task Painting { get; private set; } = Task.CompletedTask;
 
     /// <inheritdoc/>
-    protected override PlotBox Extent => Picture is not { Program.Moves.Extent: var path } ? PlotBox.Empty : PlotBox.Of(Picture.Points.Select(p => p.At)) is var points && points.Touches(path) ? path.With(points) : path;
+    protected override PlotBox Extent =>
+        Picture is not { Program.Moves.Extent: var path }
+            ? PlotBox.Empty
+            : PlotBox.Of(Picture.Points.Select(p => p.At)) is var points && points.Touches(path)
+            ? path.With(points)
+            : path;
 
     /// <inheritdoc/>
     protected override int DatumCount => Picture?.Program.Moves.Count ?? 0;
@@ -123,21 +129,28 @@ public sealed partial class PathPlot : PlotArea
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) =>
-        Picture is { Program: var program } && program.Moves.EndsOf(index) is var (_, end) ? new(end, program.TellMotion(index), index) : null;
+        Picture is { Program: var program } && program.Moves.EndsOf(index) is var (_, end)
+            ? new(end, program.TellMotion(index), index)
+            : null;
 
     /// <inheritdoc/>
     protected override bool IsDrawnIn(PlotBox box)
     {
         var (width, height) = ((box.Right - box.Left) * View.ScaleX, (box.High - box.Low) * View.ScaleY);
         var (room, view) = (new PlotBox(0, 0, width, height), View with { Middle = box.Middle, Width = width, Height = height });
-        return Picture is { Program.Moves: var moves } && (Picture.Points.Any(p => box.Contains(p.At)) || !moves.Strokes(view, Pixel, s => room.PartOf(new(s.X1, s.Y1), new(s.X2, s.Y2)) is null));
+        return Picture is { Program.Moves: var moves }
+            && (
+                Picture.Points.Any(p => box.Contains(p.At))
+                    || !moves.Strokes(view, Pixel, s => room.PartOf(new(s.X1, s.Y1), new(s.X2, s.Y2)) is null));
     }
 
     /// <inheritdoc/>
     protected override bool IsAskedIn(PlotDatum datum, PlotBox box)
     {
         ArgumentNullException.ThrowIfNull(datum);
-        return Picture is { Program.Moves: var moves } && moves.StrokesOf(datum.Index, View).Any(s => box.PartOf(View.ToPlot(new(s.X1, s.Y1)), View.ToPlot(new(s.X2, s.Y2))) is not null);
+        return Picture is { Program.Moves: var moves }
+            && moves.StrokesOf(datum.Index, View).Any(
+                s => box.PartOf(View.ToPlot(new(s.X1, s.Y1)), View.ToPlot(new(s.X2, s.Y2))) is not null);
     }
 
     /// <inheritdoc/>
@@ -159,7 +172,17 @@ public sealed partial class PathPlot : PlotArea
             // The selection is drawn immediately and on top, unless it has too many strokes as well.
             _strokes.Clear();
             var isLarge = !KeepChosen(program, view);
-            DrawPixels(context, new(program, view, Pixel, isLarge ? Picture.Selection : null, _featured, PixelLayer.ColorOf(Rule), PixelLayer.ColorOf(Ink), PixelLayer.ColorOf(ChosenBrush)));
+            DrawPixels(
+                context,
+                new(
+                    program,
+                    view,
+                    Pixel,
+                    isLarge ? Picture.Selection : null,
+                    _featured,
+                    PixelLayer.ColorOf(Rule),
+                    PixelLayer.ColorOf(Ink),
+                    PixelLayer.ColorOf(ChosenBrush)));
         }
 
         foreach (var kind in Enum.GetValues<StrokeKind>())
@@ -248,7 +271,9 @@ public sealed partial class PathPlot : PlotArea
         var program = Picture!.Program;
         return program.MotionsOf(look.Blocks) is not var (first, last) ? PlotBox.Empty : Enumerable.Range(first, last - first + 1)
             .Where(m => look.Blocks.Contains(program.Path.Motions.BlockOf(m)))
-            .Aggregate(PlotBox.Of(Picture.Points.Where(p => p.Feature == look.Feature).Select(p => p.At)), (box, m) => box.With(program.Moves.BoxOf(m)));
+            .Aggregate(
+                PlotBox.Of(Picture.Points.Where(p => p.Feature == look.Feature).Select(p => p.At)),
+                (box, m) => box.With(program.Moves.BoxOf(m)));
     }
 
     private void Sort()
@@ -325,7 +350,9 @@ public sealed partial class PathPlot : PlotArea
         var (corner, scale) = (frame.View.At(painted.View.ToPlot(new(0, 0))), frame.View.ScaleX / painted.View.ScaleX);
 
         // A bitmap aligned to whole pixels is copied, which takes a tenth of the time.
-        corner = scale == 1 ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel) : corner;
+        corner = scale == 1
+            ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel)
+            : corner;
         _layer.Show(context, new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
     }
 
@@ -336,7 +363,8 @@ public sealed partial class PathPlot : PlotArea
             (_wanted, _painting) = (null, frame);
 
             // Starts while a frame is drawn, when no redraw may be requested; so the continuation is always posted.
-            await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
+            await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(
+                ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
             _painting = null;
             if (!_isSeen)
             {

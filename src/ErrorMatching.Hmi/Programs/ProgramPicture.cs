@@ -125,14 +125,20 @@ public sealed class ProgramPicture : Observable
     }
 
     /// <summary>The selection in words.</summary>
-    public string Chosen => Selection is not { } range ? Look is { } look && look.Feature == Feature ? Texts.Current.With(_isWhole ? "Program.Looked" : look.IsAtEnd ? "Program.LookedEnd" : "Program.LookedBegin", look.Feature, NameOf(look.Blocks)) : Texts.Current["Program.NothingChosen"]
+    public string Chosen =>
+        Selection is not { } range
+            ? Look is { } look && look.Feature == Feature
+            ? Texts.Current.With(
+                _isWhole ? "Program.Looked" : look.IsAtEnd ? "Program.LookedEnd" : "Program.LookedBegin", look.Feature, NameOf(look.Blocks))
+            : Texts.Current["Program.NothingChosen"]
         : IsPicking && !_isMoving ? Texts.Current.With("Program.MovesNothing", NameOf(range)) : NameOf(range);
 
     /// <summary>The whole text of the block selected last, which may be cut off in the list; empty if none is selected.</summary>
     public string ChosenLine => Selection is null ? "" : Program.LineAt(Cursor);
 
     /// <summary>The label of <see cref="Take"/>.</summary>
-    public string TakeText => Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With(IsFirst ? "Program.TakeFor" : "Program.ReplaceFor", Feature);
+    public string TakeText =>
+        Feature is null ? Texts.Current["Program.Take"] : Texts.Current.With(IsFirst ? "Program.TakeFor" : "Program.ReplaceFor", Feature);
 
     /// <summary>True if <see cref="Take"/> replaces nothing.</summary>
     public bool IsFirst => !Marks.Any(m => m.Name == Feature && m.Ranges.Count > 0);
@@ -225,7 +231,9 @@ public sealed class ProgramPicture : Observable
         try
         {
             var selected = BlockSelector.Select(program, [.. feature.Blocks.Select(BlockSelector.Parse)]);
-            return selected.IsUsable ? new(feature.Name, BlockRange.Of(selected.Value), null) : new(feature.Name, [], CodeText.Of(selected.Refusal.Code, selected.Refusal.Message));
+            return selected.IsUsable
+                ? new(feature.Name, BlockRange.Of(selected.Value), null)
+                : new(feature.Name, [], CodeText.Of(selected.Refusal.Code, selected.Refusal.Message));
         }
         catch (NcException e)
         {

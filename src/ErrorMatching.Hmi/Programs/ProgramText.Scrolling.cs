@@ -89,7 +89,9 @@ public sealed partial class ProgramText : ILogicalScrollable
 
     /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize) =>
-        new(double.IsFinite(availableSize.Width) ? availableSize.Width : 0, double.IsFinite(availableSize.Height) ? availableSize.Height : 0);
+        new(
+            double.IsFinite(availableSize.Width) ? availableSize.Width : 0,
+            double.IsFinite(availableSize.Height) ? availableSize.Height : 0);
 
     /// <inheritdoc/>
     protected override void OnSizeChanged(SizeChangedEventArgs e)
@@ -181,7 +183,16 @@ public sealed partial class ProgramText : ILogicalScrollable
             return;
         }
 
-        int? lines = e.Key switch { Key.Up => -1, Key.Down => 1, Key.PageUp => -RowsSeen, Key.PageDown => RowsSeen, Key.Home => -count, Key.End => count, _ => null };
+        int? lines = e.Key switch
+        {
+            Key.Up => -1,
+            Key.Down => 1,
+            Key.PageUp => -RowsSeen,
+            Key.PageDown => RowsSeen,
+            Key.Home => -count,
+            Key.End => count,
+            _ => null
+        };
         if (lines is { } by)
         {
             picture.Move(by, e.KeyModifiers == KeyModifiers.Shift);

@@ -16,7 +16,8 @@ namespace ErrorMatching.Hmi;
 /// blocks are picked for.</remarks>
 public sealed partial class ProgramText : Control, IDrawnWords
 {
-    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<ProgramText, ProgramPicture?>(nameof(Picture));
+    public static readonly StyledProperty<ProgramPicture?> PictureProperty = AvaloniaProperty.Register<ProgramText, ProgramPicture?>(
+        nameof(Picture));
 
     public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ink));
 
@@ -24,11 +25,14 @@ public sealed partial class ProgramText : Control, IDrawnWords
 
     public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(Ground));
 
-    public static readonly StyledProperty<IBrush?> ChosenGroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenGround));
+    public static readonly StyledProperty<IBrush?> ChosenGroundProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(
+        nameof(ChosenGround));
 
-    public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(nameof(ChosenBrush));
+    public static readonly StyledProperty<IBrush?> ChosenBrushProperty = AvaloniaProperty.Register<ProgramText, IBrush?>(
+        nameof(ChosenBrush));
 
-    public static readonly StyledProperty<FontFamily> FontFamilyProperty = AvaloniaProperty.Register<ProgramText, FontFamily>(nameof(FontFamily), FontFamily.Default);
+    public static readonly StyledProperty<FontFamily> FontFamilyProperty = AvaloniaProperty.Register<ProgramText, FontFamily>(
+        nameof(FontFamily), FontFamily.Default);
 
     public static readonly StyledProperty<double> TextSizeProperty = AvaloniaProperty.Register<ProgramText, double>(nameof(TextSize), 1);
 
@@ -41,7 +45,15 @@ public sealed partial class ProgramText : Control, IDrawnWords
 
     static ProgramText()
     {
-        AffectsRender<ProgramText>(InkProperty, NumberInkProperty, GroundProperty, ChosenGroundProperty, ChosenBrushProperty, FontFamilyProperty, TextSizeProperty, RowHeightProperty);
+        AffectsRender<ProgramText>(
+            InkProperty,
+            NumberInkProperty,
+            GroundProperty,
+            ChosenGroundProperty,
+            ChosenBrushProperty,
+            FontFamilyProperty,
+            TextSizeProperty,
+            RowHeightProperty);
         FocusableProperty.OverrideDefaultValue<ProgramText>(true);
         ClipToBoundsProperty.OverrideDefaultValue<ProgramText>(true);
     }
@@ -119,14 +131,21 @@ public sealed partial class ProgramText : Control, IDrawnWords
     internal IEnumerable<(int Block, double End)> RowsEnd => _rows.Select(r => (r.Key, r.Value.End));
 
     /// <summary>Width of the line numbers and feature names, over which dragging selects.</summary>
-    internal double Gutter => Math.Max(DrawnSizes.LeastGutter, DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart + (_nameWidth > 0 ? _nameWidth + DrawnSizes.TextApart : 0));
+    internal double Gutter => Math.Max(
+        DrawnSizes.LeastGutter,
+        DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart
+            + (_nameWidth > 0 ? _nameWidth + DrawnSizes.TextApart : 0));
 
     // Width of the visible part of a line.
     private double Room => Math.Max(1, Bounds.Width - Gutter - (2 * DrawnSizes.TextApart));
 
     /// <inheritdoc/>
     IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => Picture is not { Program: var program } ? []
-        : [.. _rows.Keys.SelectMany(b => new[] { Shown.Id(b + 1), program.LineAt(b) }).Append("…").Select(w => (w, new Typeface(FontFamily))), .. _names.Keys.Select(n => (n, NameFace))];
+        : [
+            .. _rows.Keys.SelectMany(b => new[] { Shown.Id(b + 1), program.LineAt(b) })
+                .Append("…")
+                .Select(w => (w, new Typeface(FontFamily))),
+            .. _names.Keys.Select(n => (n, NameFace))];
 
     /// <inheritdoc/>
     public override void Render(DrawingContext context)
@@ -174,7 +193,12 @@ public sealed partial class ProgramText : Control, IDrawnWords
             (Offset, _begun) = (default, null);
         }
 
-        if (change.Property == PictureProperty || change.Property == InkProperty || change.Property == NumberInkProperty || change.Property == FontFamilyProperty || change.Property == TextSizeProperty || change.Property == RowHeightProperty)
+        if (change.Property == PictureProperty
+            || change.Property == InkProperty
+            || change.Property == NumberInkProperty
+            || change.Property == FontFamilyProperty
+            || change.Property == TextSizeProperty
+            || change.Property == RowHeightProperty)
         {
             Measure();
         }
@@ -221,7 +245,9 @@ public sealed partial class ProgramText : Control, IDrawnWords
         }
 
         // Aligned to whole pixels, so that it is copied and not resampled.
-        context.DrawImage(row.Picture, new Rect(0, Math.Round(top / Pixel) * Pixel, row.Picture.PixelSize.Width * Pixel, row.Picture.PixelSize.Height * Pixel));
+        context.DrawImage(
+            row.Picture,
+            new Rect(0, Math.Round(top / Pixel) * Pixel, row.Picture.PixelSize.Width * Pixel, row.Picture.PixelSize.Height * Pixel));
         var left = DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth + DrawnSizes.TextApart;
         if (picture.FeatureOf(block) is { } name)
         {
@@ -255,7 +281,8 @@ public sealed partial class ProgramText : Control, IDrawnWords
         var row = new RenderTargetBitmap(new((int)Math.Ceiling(width / Pixel), (int)Math.Ceiling(RowHeight / Pixel)));
         using var context = row.CreateDrawingContext();
         using var scaled = context.PushTransform(Matrix.CreateScale(1 / Pixel, 1 / Pixel));
-        context.DrawText(number, new Point(DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
+        context.DrawText(
+            number, new Point(DrawnSizes.TextBar + DrawnSizes.TextApart + _numberWidth - number.Width, (RowHeight - number.Height) / 2));
         using var beside = context.PushClip(new Rect(Gutter, 0, Math.Max(0, width - Gutter), RowHeight));
         context.DrawText(line, new Point(Gutter + DrawnSizes.TextApart - Offset.X, (RowHeight - line.Height) / 2));
         return new(row, isCut, end);
@@ -320,7 +347,12 @@ public sealed partial class ProgramText : Control, IDrawnWords
             _numberWidth = Text(new string('8', Shown.Id(picture.Program.Count).Length), NumberInk).Width;
             foreach (var mark in picture.Marks.Where(m => m.Ranges.Count > 0))
             {
-                _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, NameFace, TextSize, Ink) { MaxTextWidth = MostName * TextSize, MaxLineCount = 1, Trimming = TextTrimming.CharacterEllipsis };
+                _names[mark.Name] = new(mark.Name, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, NameFace, TextSize, Ink)
+                {
+                    MaxTextWidth = MostName * TextSize,
+                    MaxLineCount = 1,
+                    Trimming = TextTrimming.CharacterEllipsis
+                };
                 _nameWidth = Math.Max(_nameWidth, DrawnSizes.Near + _names[mark.Name].Width);
             }
         }
@@ -330,7 +362,8 @@ public sealed partial class ProgramText : Control, IDrawnWords
         InvalidateVisual();
     }
 
-    private FormattedText Text(string text, IBrush? ink) => new(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily), TextSize, ink);
+    private FormattedText Text(string text, IBrush? ink) =>
+        new(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, new Typeface(FontFamily), TextSize, ink);
 
     /// <summary>A drawn row.</summary>
     /// <param name="Picture">Its line number and text.</param>

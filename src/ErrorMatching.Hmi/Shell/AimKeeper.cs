@@ -72,7 +72,8 @@ internal sealed class AimKeeper
                     yield return row;
                 }
             }
-            else if (AutomationProperties.GetAutomationId(control) is { Length: > 0 } id && control.TranslatePoint(default, _window) is { } corner)
+            else if (AutomationProperties.GetAutomationId(control) is { Length: > 0 } id
+                && control.TranslatePoint(default, _window) is { } corner)
             {
                 yield return (id, new(corner, control.Bounds.Size));
             }

@@ -65,7 +65,9 @@ internal sealed class FocusKeeper
     {
         if (_window.FocusManager?.GetFocusedElement() is null)
         {
-            _window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible)
+            _window.GetVisualDescendants()
+                .OfType<Control>()
+                .FirstOrDefault(c => AutomationProperties.GetAutomationId(c) == id && c.IsEffectivelyVisible)
                 ?.Focus(_window.IsByKeyboard ? NavigationMethod.Tab : NavigationMethod.Unspecified);
         }
     }

@@ -17,7 +17,8 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
 
     // Time for background reading to finish.
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(150);
-    private static readonly byte[] Program = Encoding.ASCII.GetBytes("N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
+    private static readonly byte[] Program = Encoding.ASCII.GetBytes(
+        "N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
 
     /// <summary>Opens them all in small steps; keys, taps and drawing have priority.</summary>
     public async Task RunAsync(CancellationToken end)
@@ -44,7 +45,8 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
     }
 
-    private static Task StepAsync(Action step, CancellationToken end) => Dispatcher.UIThread.InvokeAsync(step, DispatcherPriority.SystemIdle, end).GetTask();
+    private static Task StepAsync(Action step, CancellationToken end) =>
+        Dispatcher.UIThread.InvokeAsync(step, DispatcherPriority.SystemIdle, end).GetTask();
 
     private static Control ViewOf(object content)
     {

@@ -6,7 +6,8 @@ namespace ErrorMatching.Hmi;
 internal static class RevertSigning
 {
     /// <summary>True if it can be restored: the correction's program is at the machine, or was cut and is still in the slot.</summary>
-    public static bool IsPossible(KeptCorrection? kept) => kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, PreviousSha256: not null } };
+    public static bool IsPossible(KeptCorrection? kept) =>
+        kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, PreviousSha256: not null } };
 
     /// <summary>Creates the signing dialog.</summary>
     /// <param name="shell">The shell that shows it, and its current user.</param>
@@ -15,10 +16,18 @@ internal static class RevertSigning
     {
         var (station, correction) = (shell.Station, kept.Correction);
         return new(
-            station, shell.Who!, Act.Revert, kept.Subject, needsReason: true, (by, reason, cancellation) => new SlotReversal(station.Settings, station.Store, station.Open, station.Clock).RevertAsync(correction.Id, by.Name, reason!, cancellation))
+            station,
+            shell.Who!,
+            Act.Revert,
+            kept.Subject,
+            needsReason: true,
+            (by, reason, cancellation) => new SlotReversal(
+                station.Settings, station.Store, station.Open, station.Clock).RevertAsync(correction.Id, by.Name, reason!, cancellation))
         {
             Correction = correction,
-            Told = () => kept.Before is { } before ? Texts.Current.With("Revert.Before", CorrectionLabel.Of(before)) : Texts.Current["Revert.BeforeUnknown"],
+            Told = () => kept.Before is { } before
+                ? Texts.Current.With("Revert.Before", CorrectionLabel.Of(before))
+                : Texts.Current["Revert.BeforeUnknown"],
         };
     }
 }

@@ -31,7 +31,8 @@ public sealed class ShellViewModel : Observable, IDisposable
             await Task.Run(LeaveSeat, CancellationToken.None);
             Lock();
         });
-        SwitchLanguage = new(() => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
+        SwitchLanguage = new(
+            () => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
         Editing = new(station, () => _who);
         Editing.Begun += () => Looked.SystemSide = 0;
@@ -162,7 +163,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     public void Look(long correction) => Open(Screens.Compensation, s => (s as ILooksAt)?.LookAt(correction));
 
     /// <summary>Opens the on-line compensation at the warnings of a correction.</summary>
-    public void LookAtWarnings(long correction) => Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
+    public void LookAtWarnings(long correction) =>
+        Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
 
     /// <summary>Opens the verification at a piece.</summary>
     public void LookAtPiece(long correction) => Open(Screens.Verification, s => (s as ILooksAt)?.LookAt(correction));

@@ -18,7 +18,8 @@ public sealed class SigningViewModel : Observable
     /// <param name="subject">What it applies to, in words.</param>
     /// <param name="needsReason">True if a reason is required.</param>
     /// <param name="carryOut">Performs the act off the UI thread, given the signer and the reason.</param>
-    public SigningViewModel(Station station, SignedIn who, Act act, string subject, bool needsReason, Func<SignedIn, string?, CancellationToken, Task> carryOut)
+    public SigningViewModel(
+        Station station, SignedIn who, Act act, string subject, bool needsReason, Func<SignedIn, string?, CancellationToken, Task> carryOut)
     {
         ArgumentNullException.ThrowIfNull(who);
         (_station, _carryOut) = (station, carryOut);
@@ -155,7 +156,9 @@ public sealed class SigningViewModel : Observable
         catch (Exception e) when (Failures.IsKnown(e))
         {
             // This dialog does not ask for a user name.
-            Message = e is PeopleException { Error: PeopleError.SignInRefused } ? Texts.Current.With("Signing.WrongPassword", UserName) : Failures.Of(e, _station.Clock);
+            Message = e is PeopleException { Error: PeopleError.SignInRefused }
+                ? Texts.Current.With("Signing.WrongPassword", UserName)
+                : Failures.Of(e, _station.Clock);
         }
         finally
         {

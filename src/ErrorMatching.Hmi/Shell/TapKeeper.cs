@@ -35,7 +35,9 @@ internal sealed class TapKeeper
     {
         // If the press was refused, so is the release, because a row is selected on release.
         _ = e.Handled ? _refused.Add(e.Pointer.Id) : _refused.Remove(e.Pointer.Id);
-        _pressed = e.Pointer.IsPrimary && !e.Handled ? (e.Source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(IsKept) : null;
+        _pressed = e.Pointer.IsPrimary && !e.Handled
+            ? (e.Source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(IsKept)
+            : null;
 
         // Remember the row by its id: a recycled control loses it.
         _id = _pressed is null ? "" : AutomationProperties.GetAutomationId(_pressed) ?? "";
@@ -52,16 +54,25 @@ internal sealed class TapKeeper
             return;
         }
 
-        if (_window.GetVisualDescendants().OfType<Control>().FirstOrDefault(c => IsKept(c) && AutomationProperties.GetAutomationId(c) == _id && IsShown(c)) is { } anew)
+        if (_window.GetVisualDescendants()
+            .OfType<Control>()
+            .FirstOrDefault(c => IsKept(c) && AutomationProperties.GetAutomationId(c) == _id && IsShown(c)) is { } anew)
         {
             Open(anew);
         }
     }
 
     private bool IsUnder(Control pressed, Point place) =>
-        AutomationProperties.GetAutomationId(pressed) == _id && IsShown(pressed) && _window.TranslatePoint(place, pressed) is { } within && new Rect(pressed.Bounds.Size).Contains(within);
+        AutomationProperties.GetAutomationId(pressed) == _id
+            && IsShown(pressed)
+            && _window.TranslatePoint(place, pressed) is { } within
+            && new Rect(pressed.Bounds.Size).Contains(within);
 
-    private bool IsShown(Control control) => control.IsEffectivelyVisible && control.IsEffectivelyEnabled && _window.IsVisualAncestorOf(control) && !_window.Stage.IsVisualAncestorOf(control);
+    private bool IsShown(Control control) =>
+        control.IsEffectivelyVisible
+            && control.IsEffectivelyEnabled
+            && _window.IsVisualAncestorOf(control)
+            && !_window.Stage.IsVisualAncestorOf(control);
 
     private static void Open(Control control)
     {

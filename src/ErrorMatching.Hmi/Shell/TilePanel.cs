@@ -63,7 +63,8 @@ public sealed class TilePanel : Panel
         return finalSize;
     }
 
-    private int Columns(double width) => Math.Clamp((int)((width + Spacing) / (LeastWidth + Spacing)), 1, Math.Max(FewestColumns, Children.Count));
+    private int Columns(double width) =>
+        Math.Clamp((int)((width + Spacing) / (LeastWidth + Spacing)), 1, Math.Max(FewestColumns, Children.Count));
 
     private double TileWidth(double width) => Math.Max(0, ((width + Spacing) / Columns(width)) - Spacing);
 

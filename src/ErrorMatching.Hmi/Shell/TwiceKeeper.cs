@@ -47,7 +47,8 @@ internal sealed class TwiceKeeper
 
     private static (Control? Control, string Id) Under(object? source)
     {
-        var control = (source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(c => AutomationProperties.GetAutomationId(c) is { Length: > 0 });
+        var control = (source as Visual)?.GetSelfAndVisualAncestors().OfType<Control>().FirstOrDefault(
+            c => AutomationProperties.GetAutomationId(c) is { Length: > 0 });
         return (control, control is null ? "" : AutomationProperties.GetAutomationId(control)!);
     }
 }

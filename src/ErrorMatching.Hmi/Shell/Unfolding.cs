@@ -17,7 +17,10 @@ internal sealed class Unfolding
     public Unfolding(Control view, int least)
     {
         _view = view;
-        Control[] parts = [.. view.GetLogicalDescendants().OfType<Control>().Where(c => c.Parent is Panel && c.GetLogicalDescendants().Take(least).Count() == least)];
+        Control[] parts = [
+            .. view.GetLogicalDescendants()
+                .OfType<Control>()
+                .Where(c => c.Parent is Panel && c.GetLogicalDescendants().Take(least).Count() == least)];
         foreach (var part in parts)
         {
             // This priority overrides all other visibility settings without changing them.

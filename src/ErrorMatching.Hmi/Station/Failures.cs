@@ -9,7 +9,18 @@ public static class Failures
 {
     /// <summary>True for failures from outside the program: they are shown and are not defects.</summary>
     public static bool IsKnown(Exception failure) =>
-        failure is PeopleException or DecisionException or StoreException or TransportException or DuplicateCorrectionException or SlotTakenException or InputException or OutputException or JsonDocumentException or JobEditException or IOException or UnauthorizedAccessException;
+        failure is PeopleException
+            or DecisionException
+            or StoreException
+            or TransportException
+            or DuplicateCorrectionException
+            or SlotTakenException
+            or InputException
+            or OutputException
+            or JsonDocumentException
+            or JobEditException
+            or IOException
+            or UnauthorizedAccessException;
 
     /// <summary>Runs work off the UI thread.</summary>
     /// <returns>The failure in words; null if it succeeded.</returns>

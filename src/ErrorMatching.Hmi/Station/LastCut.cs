@@ -23,17 +23,25 @@ public sealed record LastCut(Correction Correction, bool IsMating, Correction? C
         ArgumentNullException.ThrowIfNull(store);
         ArgumentNullException.ThrowIfNull(slot);
         if (slot is not { Held: null, Holding.ProgramSha256: { } program }
-            || Last(CorrectionState.Released) is not { } cut || cut.ProgramSha256 != program || Last(CorrectionState.Reverted)?.ChangedAt > cut.ChangedAt)
+            || Last(CorrectionState.Released) is not { } cut
+                || cut.ProgramSha256 != program
+                || Last(CorrectionState.Reverted)?.ChangedAt > cut.ChangedAt)
         {
             return null;
         }
 
         var mating = MatingChoice.Of(settings).FirstOrDefault(m => m.Jobs.Contains(cut.Job, StringComparer.Ordinal));
-        return new(cut, mating is not null, mating is null ? null : store.Reported(mating.Jobs, KeptPieces.Most).FirstOrDefault(c => IsOf(c, cut)));
+        return new(
+            cut,
+            mating is not null,
+            mating is null ? null : store.Reported(mating.Jobs, KeptPieces.Most).FirstOrDefault(c => IsOf(c, cut)));
 
-        Correction? Last(CorrectionState state) => store.Search(new() { Machine = slot.Machine.Name, State = state, Most = Looked }).Where(c => c.Slot == slot.Slot.Name).MaxBy(c => c.ChangedAt);
+        Correction? Last(CorrectionState state) => store.Search(new() { Machine = slot.Machine.Name, State = state, Most = Looked })
+            .Where(c => c.Slot == slot.Slot.Name)
+            .MaxBy(c => c.ChangedAt);
     }
 
     private static bool IsOf(Correction counterpart, Correction cut) =>
-        counterpart is { Piece: "counterpart", PartSha256: not null, State: not (CorrectionState.Rejected or CorrectionState.Superseded) } && counterpart.PartSha256 == cut.MeasurementSha256;
+        counterpart is { Piece: "counterpart", PartSha256: not null, State: not (CorrectionState.Rejected or CorrectionState.Superseded) }
+            && counterpart.PartSha256 == cut.MeasurementSha256;
 }

@@ -31,7 +31,9 @@ internal sealed class MeasuredOutside(CellSettings settings)
     // As many as the verification lists at most. Of those made before the station started, only the last one is news.
     private IEnumerable<Correction> Measured(CellStore store, MatingChoice mating)
     {
-        Correction[] measured = [.. store.Reported(mating.Jobs, KeptPieces.Most).Where(c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
+        Correction[] measured = [
+            .. store.Reported(mating.Jobs, KeptPieces.Most).Where(
+                c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
         if (!_since.TryGetValue(mating.Name, out var since))
         {
             _since[mating.Name] = since = measured is [var newest, ..] ? newest.Id : 0;
@@ -42,5 +44,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
 
     // A counterpart compensated on its own has the report of a match, and nothing was verified.
     private static KeptPiece? Read(CellStore store, Correction counterpart) =>
-        KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) { Before = v.Before } : null;
+        KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v
+            ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) { Before = v.Before }
+            : null;
 }

@@ -16,7 +16,8 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
     public IReadOnlySet<long> OfChangedJob { get; init; } = new HashSet<long>();
 
     /// <summary>The last cuts with the programs of free slots, by machine and slot.</summary>
-    public IReadOnlyDictionary<(string Machine, string Slot), LastCut> LastCut { get; init; } = new Dictionary<(string Machine, string Slot), LastCut>();
+    public IReadOnlyDictionary<(string Machine, string Slot), LastCut> LastCut { get; init; } =
+        new Dictionary<(string Machine, string Slot), LastCut>();
 
     /// <summary>The measured counterparts outside their limits, newest first within each mating.</summary>
     public IReadOnlyList<KeptPiece> Outside { get; init; } = [];

@@ -30,7 +30,8 @@ internal sealed class StationWatch(Station station)
             }
 
             // The system's clock, not the station's: a test with a stopped clock must still see changes.
-            await Task.Delay(Every, end).ContinueWith(_ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+            await Task.Delay(Every, end).ContinueWith(
+                _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         }
     }
 
@@ -45,10 +46,20 @@ internal sealed class StationWatch(Station station)
             }
 
             _last = CellStatus.Of(station.Settings, station.Store, station.Clock);
-            station.JobNames.Learn(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.InWork, .. _last.Slots.SelectMany(s => s.Approved), .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
-            _ofChangedJob = _changedJobs.Among(station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
+            station.JobNames.Learn(
+                station.Store,
+                [
+                    .. _last.Proposed,
+                    .. _last.Failed,
+                    .. _last.InWork,
+                    .. _last.Slots.SelectMany(s => s.Approved),
+                    .. _last.Slots.Select(s => s.Held).OfType<Correction>()]);
+            _ofChangedJob = _changedJobs.Among(
+                station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
             _outside = _measured.Now(station.Store);
-            _lastCut = _last.Slots.Select(s => (s.Machine.Name, Slot: s.Slot.Name, Cut: LastCut.Of(station.Settings, station.Store, s))).Where(s => s.Cut is not null).ToDictionary(s => (s.Name, s.Slot), s => s.Cut!);
+            _lastCut = _last.Slots.Select(s => (s.Machine.Name, Slot: s.Slot.Name, Cut: LastCut.Of(station.Settings, station.Store, s)))
+                .Where(s => s.Cut is not null)
+                .ToDictionary(s => (s.Name, s.Slot), s => s.Cut!);
             _seen = count;
             return new(++_version, _last, null) { OfChangedJob = _ofChangedJob, Outside = _outside, LastCut = _lastCut };
         }

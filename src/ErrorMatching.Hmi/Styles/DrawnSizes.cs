@@ -2,7 +2,8 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The only place with lengths of what draws itself, in device-independent units of 1/96 inch, and with how much of it shows through, from 0 to 1.</summary>
+/// <summary>The only place with lengths of what draws itself, in device-independent units of 1/96 inch,
+/// and with how much of it shows through, from 0 to 1.</summary>
 /// <remarks>Lengths of controls, text sizes among them, are in Sizes.axaml.</remarks>
 internal static class DrawnSizes
 {
@@ -135,7 +136,8 @@ internal static class DrawnSizes
     /// <summary>The least width over which a finger drags along the lines of a program: 15 mm, as a target in Sizes.axaml.</summary>
     public const double LeastGutter = 57;
 
-    /// <summary>Length of a dash of a rapid, and of what is not drawn between two of them, in pixels where it is drawn pixel by pixel.</summary>
+    /// <summary>Length of a dash of a rapid, and of what is not drawn between two of them,
+    /// in pixels where it is drawn pixel by pixel.</summary>
     public const int RapidDash = 6, RapidGap = 4;
 
     /// <summary>How far the box of values is from its place, the nearest that is free.</summary>

@@ -8,5 +8,6 @@ namespace ErrorMatching.Hmi;
 internal static class MapColors
 {
     /// <summary>From the lowest value to the highest.</summary>
-    public static IReadOnlyList<IBrush> Scale { get; } = [.. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
+    public static IReadOnlyList<IBrush> Scale { get; } = [
+        .. Enumerable.Range(0, DivergingColors.Count).Select(i => new ImmutableSolidColorBrush(Color.Parse(DivergingColors.Hex(i))))];
 }

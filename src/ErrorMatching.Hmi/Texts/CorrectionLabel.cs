@@ -15,7 +15,12 @@ public static class CorrectionLabel
 
     /// <summary>Severity of a correction: a failed one is an alarm. A proposed one waits for a person. A reverted one did not
     /// achieve what it was approved for.</summary>
-    public static Severity SeverityOf(CorrectionState state) => state switch { CorrectionState.Failed => Severity.Alarm, CorrectionState.Proposed or CorrectionState.Reverted => Severity.Attention, _ => Severity.Quiet };
+    public static Severity SeverityOf(CorrectionState state) => state switch
+    {
+        CorrectionState.Failed => Severity.Alarm,
+        CorrectionState.Proposed or CorrectionState.Reverted => Severity.Attention,
+        _ => Severity.Quiet
+    };
 
     /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null if none goes to a machine.</summary>
     public static string? Target(Correction correction)
@@ -29,6 +34,8 @@ public static class CorrectionLabel
             CorrectionState.Reverted => "Target.TakenBack",
             _ => null,
         };
-        return key is null || correction.ProgramSha256 is null ? null : Texts.Current.With(key, $"{correction.Machine}/{correction.Slot}", correction.Program ?? "");
+        return key is null || correction.ProgramSha256 is null
+            ? null
+            : Texts.Current.With(key, $"{correction.Machine}/{correction.Slot}", correction.Program ?? "");
     }
 }

@@ -40,6 +40,8 @@ public static class LabelList
         }
 
         var (prefix, number) = (label[..^digits], label[^digits..]);
-        return prefix + (int.Parse(number, CultureInfo.InvariantCulture) + 1).ToString(number[0] == '0' ? new string('0', digits) : "0", CultureInfo.InvariantCulture);
+        return prefix
+            + (int.Parse(number, CultureInfo.InvariantCulture) + 1).ToString(
+                number[0] == '0' ? new string('0', digits) : "0", CultureInfo.InvariantCulture);
     }
 }

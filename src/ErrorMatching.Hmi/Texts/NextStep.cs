@@ -42,7 +42,8 @@ public static class NextStep
     // A machine with a ready file reports itself that the piece is cut.
     private static string CutOf(CellSettings settings, Correction correction)
     {
-        var says = settings.Machines.FirstOrDefault(m => m.Name == correction.Machine)?.Slots.FirstOrDefault(s => s.Name == correction.Slot)?.ReadyFile is not null;
+        var says = settings.Machines.FirstOrDefault(
+            m => m.Name == correction.Machine)?.Slots.FirstOrDefault(s => s.Name == correction.Slot)?.ReadyFile is not null;
         return GaugesOf(settings, correction) is { Length: > 0 } gauges
             ? Texts.Current.With(says ? "Next.Cut" : "Next.CutRelease", correction.Machine!, gauges)
             : Texts.Current.With(says ? "Next.CutOnly" : "Next.CutReleaseOnly", correction.Machine!);
@@ -53,6 +54,10 @@ public static class NextStep
     private static string GaugesOf(CellSettings settings, Correction correction)
     {
         var mating = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job && !j.IsFreeform);
-        return string.Join(" / ", settings.Jobs.Where(j => j.File == mating?.File && j.Piece is null or "counterpart").SelectMany(j => j.Gauges).Distinct(StringComparer.Ordinal));
+        return string.Join(
+            " / ",
+            settings.Jobs.Where(j => j.File == mating?.File && j.Piece is null or "counterpart")
+                .SelectMany(j => j.Gauges)
+                .Distinct(StringComparer.Ordinal));
     }
 }

@@ -13,7 +13,10 @@ public static class RecordedText
     private const int MostSentences = 50;
     private const string WordKey = "RecordedWord.";
 
-    private static readonly (SentenceForm Form, string Key)[] Forms = [.. Recorded.All.Select(f => (f, "Recorded." + f.Name)), .. WarningForms.All.Select(f => (f, "Warning." + f.Name)), .. RefusalForms.All.Select(f => (f, "Refusal." + f.Name))];
+    private static readonly (SentenceForm Form, string Key)[] Forms = [
+        .. Recorded.All.Select(f => (f, "Recorded." + f.Name)),
+        .. WarningForms.All.Select(f => (f, "Warning." + f.Name)),
+        .. RefusalForms.All.Select(f => (f, "Refusal." + f.Name))];
 
     /// <summary>A recorded text in the display language.</summary>
     public static string Of(string recorded)
@@ -39,7 +42,9 @@ public static class RecordedText
     {
         foreach (var (form, key) in Forms)
         {
-            if ((prefix is null || form.Name.StartsWith(prefix, StringComparison.Ordinal)) && form.Read(recorded) is { } values && Shown(form, values) is { } shown)
+            if ((prefix is null || form.Name.StartsWith(prefix, StringComparison.Ordinal))
+                && form.Read(recorded) is { } values
+                && Shown(form, values) is { } shown)
             {
                 return Texts.Current.With(key, shown);
             }

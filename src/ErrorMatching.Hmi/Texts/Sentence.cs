@@ -21,6 +21,7 @@ public static class Sentence
     public static string Joined(params IEnumerable<string> sentences)
     {
         ArgumentNullException.ThrowIfNull(sentences);
-        return sentences.Where(s => s.Length > 0).Aggregate("", (before, s) => before.Length == 0 || before[^1] == WideStop ? before + s : before + " " + s);
+        return sentences.Where(s => s.Length > 0).Aggregate(
+            "", (before, s) => before.Length == 0 || before[^1] == WideStop ? before + s : before + " " + s);
     }
 }

@@ -35,13 +35,15 @@ public static class Shown
     public static string SignedMicrometers(double? mm) => Number(1000 * mm, SignedMicrometersFormat);
 
     /// <summary>A deviation in mm as micrometers with its sign, two digits, for narrow places.</summary>
-    public static string ShortMicrometers(double mm) => Math.Abs(mm) < 0.00995 ? Number(1000 * mm, "+0.0;−0.0;0.0") : (1000 * mm).ToString("+0;−0", CultureInfo.InvariantCulture);
+    public static string ShortMicrometers(double mm) =>
+        Math.Abs(mm) < 0.00995 ? Number(1000 * mm, "+0.0;−0.0;0.0") : (1000 * mm).ToString("+0;−0", CultureInfo.InvariantCulture);
 
     /// <summary>A number without a unit, with up to three decimals.</summary>
     public static string Number(double value) => value.ToString("0.###;−0.###", CultureInfo.InvariantCulture);
 
     /// <summary>A percentage without decimals.</summary>
-    public static string Percent(double? percent) => percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
+    public static string Percent(double? percent) =>
+        percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
 
     /// <summary>A count.</summary>
     public static string Count(long count) => count.ToString("#,##0", CultureInfo.InvariantCulture);

@@ -24,5 +24,7 @@ public sealed class TextExtension(string key) : MarkupExtension
     }
 
     private static CompiledBindingPath Path(string key) =>
-        new CompiledBindingPathBuilder().Property(new ClrPropertyInfo("Item", texts => ((Texts)texts)[key], null, typeof(string)), PropertyInfoAccessorFactory.CreateInpcPropertyAccessor).Build();
+        new CompiledBindingPathBuilder().Property(
+            new ClrPropertyInfo("Item", texts => ((Texts)texts)[key], null, typeof(string)),
+            PropertyInfoAccessorFactory.CreateInpcPropertyAccessor).Build();
 }

@@ -7,7 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <summary>All texts of the station in the chosen language, from the files next to this one; each language has the same keys.</summary>
 public sealed partial class Texts : Observable
 {
-    private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(l => l, l => (IReadOnlyDictionary<string, string>)Read(l));
+    private static readonly Dictionary<Language, IReadOnlyDictionary<string, string>> All = Enum.GetValues<Language>().ToDictionary(
+        l => l, l => (IReadOnlyDictionary<string, string>)Read(l));
     private Language _language;
 
     private Texts()
@@ -37,7 +38,8 @@ public sealed partial class Texts : Observable
 
     /// <summary>The text of a key.</summary>
     /// <exception cref="KeyNotFoundException">There is no such key.</exception>
-    public string this[string key] => All[_language].TryGetValue(key, out var text) ? text : throw new KeyNotFoundException($"There is no text {key}.");
+    public string this[string key] =>
+        All[_language].TryGetValue(key, out var text) ? text : throw new KeyNotFoundException($"There is no text {key}.");
 
     /// <summary>All keys of a language with their texts.</summary>
     public static IReadOnlyDictionary<string, string> Of(Language language) => All[language];

@@ -22,8 +22,10 @@ public sealed record WaitReason(string Text, Severity Severity, long First)
             return null;
         }
 
-        return slot.UndecidedBefore(id) is [var first, ..] behind ? new(Texts.Current.Counted("Wait.Behind", behind.Count, Numbers(behind)), Severity.Attention, first.Id)
-            : slot.Held is { } held && slot.Approved.Any(c => c.Id == id) ? new(Texts.Current.With("Wait.Slot", Number(held)), Severity.Quiet, held.Id)
+        return slot.UndecidedBefore(id) is [var first, ..] behind
+            ? new(Texts.Current.Counted("Wait.Behind", behind.Count, Numbers(behind)), Severity.Attention, first.Id)
+            : slot.Held is { } held && slot.Approved.Any(c => c.Id == id)
+                ? new(Texts.Current.With("Wait.Slot", Number(held)), Severity.Quiet, held.Id)
             : null;
     }
 

@@ -7,4 +7,5 @@ namespace ErrorMatching.Jobs;
 /// <param name="LockX">True if a best fit must not move along the first axis.</param>
 /// <param name="LockY">True if a best fit must not move along the second axis.</param>
 /// <param name="LockRotation">True if a best fit must not turn.</param>
-public sealed record AlignmentDraft(string Kind = "none", string Origin = "", string Direction = "", bool LockX = false, bool LockY = false, bool LockRotation = false);
+public sealed record AlignmentDraft(
+    string Kind = "none", string Origin = "", string Direction = "", bool LockX = false, bool LockY = false, bool LockRotation = false);

@@ -11,7 +11,8 @@ internal static class BlockProposal
     /// <param name="boundaries">The features' boundaries, in their order.</param>
     /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet.</param>
     /// <param name="mapMm">How far a key point may lie from where it belongs.</param>
-    public static IReadOnlyList<ProposedBlocks> Of(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm) =>
+    public static IReadOnlyList<ProposedBlocks> Of(
+        NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm) =>
         [.. BoundarySearch.Find(path, boundaries, toolDiameterMm, mapMm).Select((f, i) => Named(path, i, boundaries[i].Name, f))];
 
     private static ProposedBlocks Named(NcPath path, int feature, string name, FoundBoundary found)
@@ -33,7 +34,8 @@ internal static class BlockProposal
                 {
                     Refusal = new(
                         BoundarySearch.NotFound,
-                        $"{name}, {path.Program.NameOf(block)}: the program cuts this boundary by a jump or a call, so its blocks do not follow one another in the file. Name the blocks yourself.",
+                        $"{name}, {path.Program.NameOf(block)}: the program cuts this boundary by a jump or a call, so its blocks do not "
+                            + $"follow one another in the file. Name the blocks yourself.",
                         name,
                         Block: path.Program.NameOf(block),
                         Line: block.Line),

@@ -6,4 +6,5 @@ namespace ErrorMatching.Jobs;
 /// <param name="Amount"><c>whole</c> or <c>excess</c>.</param>
 /// <param name="Along"><c>normal</c> or <c>vector</c>.</param>
 /// <param name="Limit">A larger deviation stops the job, mm.</param>
-public sealed record CompensationDraft(string From = "part", string Gain = "", string Amount = "whole", string Along = "normal", string Limit = "");
+public sealed record CompensationDraft(
+    string From = "part", string Gain = "", string Amount = "whole", string Along = "normal", string Limit = "");

@@ -3,7 +3,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Says what is wrong with the program and the blocks of a draft that is not whole yet: no motion that cuts, blocks that are not there, blocks of two features.</summary>
+/// <summary>Says what is wrong with the program and the blocks of a draft that is not whole yet: no motion that cuts, blocks that are not
+/// there, blocks of two features.</summary>
 internal static class DraftBlocks
 {
     // The word of the mapping, which says the same once everything else is right.
@@ -32,7 +33,12 @@ internal static class DraftBlocks
 
         if (!NcInterpreter.Run(program, dialect).Motions.Any(m => m is { IsCut: true, MovesInPlane: true }))
         {
-            yield return new(MatingDraftCheck.Program, "no-cutting-motion", "", $"{Path.GetFileName(draft.Counterpart.Program)} has no motion that cuts in its plane; expected the NC program of the counterpart.");
+            yield return new(
+                MatingDraftCheck.Program,
+                "no-cutting-motion",
+                "",
+                $"{Path.GetFileName(draft.Counterpart.Program)} has no motion that cuts in its plane; expected the NC program of the "
+                    + $"counterpart.");
             yield break;
         }
 
@@ -47,9 +53,16 @@ internal static class DraftBlocks
             var field = DraftPaths.Feature(feature, "blocks");
             if (!found.IsUsable)
             {
-                yield return draft.Features[feature].BlockList.Select(b => Turned(program, b)).FirstOrDefault(b => b is not null) is { } turned
+                yield return draft.Features[feature].BlockList.Select(b => Turned(
+                    program, b)).FirstOrDefault(b => b is not null) is { } turned
                     ? new(field, BlocksBackwards, turned, found.Refusal.Message)
-                    : new(field, found.Refusal.Code, found.Refusal.Block.Length > 0 ? found.Refusal.Block : string.Join(", ", draft.Features[feature].BlockList.Where(b => b.StartsWith('/'))), found.Refusal.Message);
+                    : new(
+                        field,
+                        found.Refusal.Code,
+                        found.Refusal.Block.Length > 0
+                            ? found.Refusal.Block
+                            : string.Join(", ", draft.Features[feature].BlockList.Where(b => b.StartsWith('/'))),
+                        found.Refusal.Message);
                 continue;
             }
 
@@ -57,7 +70,12 @@ internal static class DraftBlocks
             {
                 if (!owners.TryAdd(block, draft.Features[feature].Name) && owners[block] != draft.Features[feature].Name)
                 {
-                    yield return new(field, BlocksOverlap, program.NameOf(program[block]), $"{program.NameOf(program[block])}: it belongs to {owners[block]} and to {draft.Features[feature].Name}. Name each block once.");
+                    yield return new(
+                        field,
+                        BlocksOverlap,
+                        program.NameOf(program[block]),
+                        $"{program.NameOf(program[block])}: it belongs to {owners[block]} and to {draft.Features[feature].Name}. Name "
+                            + $"each block once.");
                     break;
                 }
             }
@@ -66,10 +84,13 @@ internal static class DraftBlocks
 
     // A range the other way around; null for one that does not run backwards.
     private static string? Turned(NcProgram program, string selector) =>
-        !selector.StartsWith('/') && selector.Split("..") is [var first, var last] && PlaceOf(program, last) < PlaceOf(program, first) ? $"{last}..{first}" : null;
+        !selector.StartsWith('/') && selector.Split("..") is [var first, var last] && PlaceOf(program, last) < PlaceOf(program, first)
+            ? $"{last}..{first}"
+            : null;
 
     // Null for a block that is not there, or there twice.
-    private static int? PlaceOf(NcProgram program, string name) => BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Value[0] : null;
+    private static int? PlaceOf(NcProgram program, string name) =>
+        BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Value[0] : null;
 
     // Null where nothing is named yet, or where the job's reader says what is wrong with a name.
     private static NcOutcome<int[]>? Find(NcProgram program, FeatureDraft feature)

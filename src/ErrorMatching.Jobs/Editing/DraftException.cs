@@ -4,7 +4,8 @@ namespace ErrorMatching.Jobs;
 /// <param name="file">The job's file.</param>
 /// <param name="path">Where it says it.</param>
 /// <param name="what">What it says, as the end of a sentence.</param>
-public sealed class DraftException(string file, string path, string what) : Exception($"{file}, {path}: {what} cannot be edited here and would be lost. Edit the file itself.")
+public sealed class DraftException(string file, string path, string what)
+    : Exception($"{file}, {path}: {what} cannot be edited here and would be lost. Edit the file itself.")
 {
     /// <summary>The job's file.</summary>
     public string File => file;

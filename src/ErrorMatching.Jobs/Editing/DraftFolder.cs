@@ -4,7 +4,8 @@ using System.Text.Json;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>The folder where unsaved changes of jobs are kept, so that they outlive a crash: a file a job, and the programs that were imported, each written whole or not at all.</summary>
+/// <summary>The folder where unsaved changes of jobs are kept, so that they outlive a crash: a file a job, and the programs that were
+/// imported, each written whole or not at all.</summary>
 /// <param name="folder">The folder. It is made when something is kept.</param>
 public sealed class DraftFolder(string folder)
 {
@@ -38,7 +39,11 @@ public sealed class DraftFolder(string folder)
         {
             try
             {
-                var kept = JsonSerializer.Deserialize<KeptDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k && k.Job == job && k.Draft.IsWhole ? k : throw new IOException("It holds no unsaved changes of this job");
+                var kept = JsonSerializer.Deserialize<KeptDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k
+                    && k.Job == job
+                    && k.Draft.IsWhole
+                    ? k
+                    : throw new IOException("It holds no unsaved changes of this job");
                 return kept.Draft.Program is { } program ? kept with { Draft = kept.Draft with { Program = Read(job, program) } } : kept;
             }
             catch (JsonException e)

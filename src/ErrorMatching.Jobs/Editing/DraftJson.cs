@@ -8,13 +8,20 @@ namespace ErrorMatching.Jobs;
 internal static class DraftJson
 {
     /// <summary>Words for kinds; nothing that must be there is null.</summary>
-    public static JsonSerializerOptions Options { get; } = new() { Converters = { new JsonStringEnumConverter(), new KindConverter() }, RespectNullableAnnotations = true };
+    public static JsonSerializerOptions Options { get; } = new()
+    {
+        Converters = { new JsonStringEnumConverter(), new KindConverter() },
+        RespectNullableAnnotations = true
+    };
 
     private sealed class KindConverter : JsonConverter<FeatureKind>
     {
         public override FeatureKind Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) =>
-            reader.TokenType == JsonTokenType.String && FeatureKinds.Find(reader.GetString()!) is { } kind ? kind : throw new JsonException("A feature has no kind that there is.");
+            reader.TokenType == JsonTokenType.String && FeatureKinds.Find(reader.GetString()!) is { } kind
+                ? kind
+                : throw new JsonException("A feature has no kind that there is.");
 
-        public override void Write(Utf8JsonWriter writer, FeatureKind value, JsonSerializerOptions options) => writer.WriteStringValue(value.Word);
+        public override void Write(Utf8JsonWriter writer, FeatureKind value, JsonSerializerOptions options) =>
+            writer.WriteStringValue(value.Word);
     }
 }

@@ -42,7 +42,8 @@ internal static class DraftList
     }
 
     /// <summary>Names or labels, with commas between them.</summary>
-    public static IReadOnlyList<string> Names(string text) => text.Split([',', ';'], StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+    public static IReadOnlyList<string> Names(string text) =>
+        text.Split([',', ';'], StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
 
     /// <summary>The field of some items.</summary>
     public static string Join(IEnumerable<string> items) => string.Join(", ", items);

@@ -13,6 +13,8 @@ internal static class DraftMissing
     /// <param name="problem">The problem.</param>
     public static DraftProblem Marked(MatingDraft draft, DraftProblem problem) => problem with
     {
-        IsMissing = problem.Found == NoText || Codes.Contains(problem.Code) || (problem.Field == MatingDraftCheck.Program && string.IsNullOrWhiteSpace(draft.Counterpart.Program)),
+        IsMissing = problem.Found == NoText
+            || Codes.Contains(problem.Code)
+            || (problem.Field == MatingDraftCheck.Program && string.IsNullOrWhiteSpace(draft.Counterpart.Program)),
     };
 }

@@ -2,11 +2,13 @@ using System.Globalization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Where the fields of a draft stand: the JSON paths of the job, and paths like them for the theoretical points, which stand in a file of their own.</summary>
+/// <summary>Where the fields of a draft stand: the JSON paths of the job, and paths like them for the theoretical points,
+/// which stand in a file of their own.</summary>
 public static class DraftPaths
 {
     /// <summary>A field of a feature, such as <c>$.features[0].blocks</c>.</summary>
-    public static string Feature(int feature, string field) => string.Create(CultureInfo.InvariantCulture, $"$.features[{feature}].{field}");
+    public static string Feature(int feature, string field) =>
+        string.Create(CultureInfo.InvariantCulture, $"$.features[{feature}].{field}");
 
     /// <summary>The label of a feature's point.</summary>
     /// <param name="draft">The draft.</param>
@@ -17,7 +19,9 @@ public static class DraftPaths
     {
         ArgumentNullException.ThrowIfNull(draft);
         var field = Feature(feature, "points");
-        return draft.Features[feature].Flanks.Count > 1 ? string.Create(CultureInfo.InvariantCulture, $"{field}[{flank}][{point}]") : string.Create(CultureInfo.InvariantCulture, $"{field}[{point}]");
+        return draft.Features[feature].Flanks.Count > 1
+            ? string.Create(CultureInfo.InvariantCulture, $"{field}[{flank}][{point}]")
+            : string.Create(CultureInfo.InvariantCulture, $"{field}[{point}]");
     }
 
     /// <summary>The label of a point that belongs to no feature.</summary>

@@ -66,7 +66,11 @@ internal static class DraftPoints
         if (problems.Count == count)
         {
             // Something between the rows, such as one label twice.
-            problems.Add(new(whole.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical", whole.Code, whole.Found, whole.Problem));
+            problems.Add(new(
+                whole.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical",
+                whole.Code,
+                whole.Found,
+                whole.Problem));
         }
     }
 

@@ -14,5 +14,6 @@ public sealed record DraftProgram
     public ReadOnlyMemory<byte> Bytes { get; init; }
 
     /// <summary>The program of some bytes.</summary>
-    public static DraftProgram Of(ReadOnlyMemory<byte> bytes) => new() { Sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), Bytes = bytes };
+    public static DraftProgram Of(ReadOnlyMemory<byte> bytes) =>
+        new() { Sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), Bytes = bytes };
 }

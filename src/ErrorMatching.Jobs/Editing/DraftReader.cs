@@ -27,15 +27,30 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             MeasuredFile = Text(root["part"], "measured"),
             Gauge = Gauge(root["gauge"]),
             Alignment = alignment is null ? new() : new(
-                Text(alignment, "kind"), Text(alignment, "origin"), Text(alignment, "direction"), Locks(alignment, "x"), Locks(alignment, "y"), Locks(alignment, "rotation")),
+                Text(alignment, "kind"),
+                Text(alignment, "origin"),
+                Text(alignment, "direction"),
+                Locks(alignment, "x"),
+                Locks(alignment, "y"),
+                Locks(alignment, "rotation")),
             OriginPoint = Text(origin, "point"),
             OriginLimit = Text(origin, "limitMm"),
             Features = features,
             OtherPoints = [.. theoretical.Points.Where(p => !used.Contains(p.Label)).Select(p => _points[p.Label])],
             Counterpart = Counterpart(root["counterpart"]),
             Compensation = Compensation(root.Find("compensation")),
-            Chain = [.. root.Find("toleranceChain")?.Items.Select(l => new ChainLinkDraft(Text(l, "name"), Text(l, "nominalMm"), l["toleranceMm"].Items[0].Text, l["toleranceMm"].Items[1].Text, l["sign"].Number > 0 ? "1" : "-1")) ?? []],
-            Comparisons = [.. root.Find("verify")?.Items.Select(c => new ComparisonDraft(Text(c, "name"), Text(c, "quantity"), Names(c["quantity"].Text == "angle" ? c["between"] : c["points"]))) ?? []],
+            Chain = [
+                .. root.Find("toleranceChain")?.Items.Select(l => new ChainLinkDraft(
+                    Text(l, "name"),
+                    Text(l, "nominalMm"),
+                    l["toleranceMm"].Items[0].Text,
+                    l["toleranceMm"].Items[1].Text,
+                    l["sign"].Number > 0 ? "1" : "-1"))
+                    ?? []],
+            Comparisons = [
+                .. root.Find("verify")?.Items.Select(c => new ComparisonDraft(
+                    Text(c, "name"), Text(c, "quantity"), Names(c["quantity"].Text == "angle" ? c["between"] : c["points"])))
+                    ?? []],
             RecognitionJson = root.Find("recognition")?.ToJson() ?? "",
         };
     }
@@ -47,7 +62,10 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
     private void ReadPoints()
     {
         var (x, y, z) = (theoretical.ColumnTexts("x_mm"), theoretical.ColumnTexts("y_mm"), theoretical.ColumnTexts("z_mm"));
-        if (x is null || y is null || x.Count != theoretical.Points.Count || header.Split(',').Any(c => !Columns.Contains(c.Trim(), StringComparer.OrdinalIgnoreCase)))
+        if (x is null
+            || y is null
+            || x.Count != theoretical.Points.Count
+            || header.Split(',').Any(c => !Columns.Contains(c.Trim(), StringComparer.OrdinalIgnoreCase)))
         {
             throw new DraftException(file, "$.part.theoretical", $"a file with other columns than {string.Join(", ", Columns)}");
         }
@@ -78,18 +96,23 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
         };
     }
 
-    private IReadOnlyList<PointDraft> Points(JsonItem list) => [.. list.Items.SelectMany(i => LabelRange.Expand(i.Text)).Select(l => _points.GetValueOrDefault(l) ?? new PointDraft(l))];
+    private IReadOnlyList<PointDraft> Points(JsonItem list) =>
+        [.. list.Items.SelectMany(i => LabelRange.Expand(i.Text)).Select(l => _points.GetValueOrDefault(l) ?? new PointDraft(l))];
 
     private string Blocks(JsonItem list)
     {
         var text = DraftList.Join(list.Items.Select(i => i.Text));
-        return DraftList.Blocks(text).SequenceEqual(list.Items.Select(i => i.Text), StringComparer.Ordinal) ? text : throw new DraftException(file, list.Path, "this list of blocks");
+        return DraftList.Blocks(text).SequenceEqual(list.Items.Select(i => i.Text), StringComparer.Ordinal)
+            ? text
+            : throw new DraftException(file, list.Path, "this list of blocks");
     }
 
     private string Names(JsonItem list)
     {
         var text = DraftList.Join(list.Items.Select(i => i.Text));
-        return DraftList.Names(text).SequenceEqual(list.Items.Select(i => i.Text), StringComparer.Ordinal) ? text : throw new DraftException(file, list.Path, "a name with a comma");
+        return DraftList.Names(text).SequenceEqual(list.Items.Select(i => i.Text), StringComparer.Ordinal)
+            ? text
+            : throw new DraftException(file, list.Path, "a name with a comma");
     }
 
     private static GaugeDraft Gauge(JsonItem item)
@@ -129,5 +152,9 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
     }
 
     private static CompensationDraft Compensation(JsonItem? item) => new(
-        Text(item, "from", "part"), Text(item, "gain"), Text(item, "amount", "whole"), Text(item, "along", "normal"), Text(item, "limitMm"));
+        Text(item, "from", "part"),
+        Text(item, "gain"),
+        Text(item, "amount", "whole"),
+        Text(item, "along", "normal"),
+        Text(item, "limitMm"));
 }

@@ -5,7 +5,8 @@ using System.Text.Json.Nodes;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Writes a draft as a job. What is no number is written as text, so that the job's reader says what is wrong with it and where.</summary>
+/// <summary>Writes a draft as a job. What is no number is written as text, so that the job's reader says what is wrong with it and
+/// where.</summary>
 internal sealed class DraftWriter(MatingDraft draft)
 {
     private static readonly System.Text.Json.JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
@@ -31,13 +32,28 @@ internal sealed class DraftWriter(MatingDraft draft)
         root["compensation"] = Compensation();
         if (draft.Chain.Count > 0)
         {
-            root["toleranceChain"] = List(draft.Chain, l => new JsonObject { ["name"] = l.Name.Trim(), ["nominalMm"] = Number(l.Nominal), ["toleranceMm"] = new JsonArray(Number(l.Lower), Number(l.Upper)), ["sign"] = Number(l.Sign) });
+            root["toleranceChain"] = List(
+                draft.Chain,
+                l => new JsonObject
+                {
+                    ["name"] = l.Name.Trim(),
+                    ["nominalMm"] = Number(l.Nominal),
+                    ["toleranceMm"] = new JsonArray(Number(l.Lower), Number(l.Upper)),
+                    ["sign"] = Number(l.Sign)
+                });
         }
 
         Raw(root, "recognition", draft.RecognitionJson);
         if (draft.Comparisons.Count > 0)
         {
-            root["verify"] = List(draft.Comparisons, c => new JsonObject { ["name"] = c.Name.Trim(), ["quantity"] = c.Quantity, [c.Quantity == "angle" ? "between" : "points"] = Texts(DraftList.Names(c.Of)) });
+            root["verify"] = List(
+                draft.Comparisons,
+                c => new JsonObject
+                {
+                    ["name"] = c.Name.Trim(),
+                    ["quantity"] = c.Quantity,
+                    [c.Quantity == "angle" ? "between" : "points"] = Texts(DraftList.Names(c.Of))
+                });
         }
 
         return Encoding.UTF8.GetBytes(Lines(root));
@@ -56,7 +72,9 @@ internal sealed class DraftWriter(MatingDraft draft)
             gauge["format"] = g.Format.Trim();
         }
 
-        gauge["uncertaintyMm"] = g.Contributions.Count == 0 ? Number(g.Uncertainty) : List(g.Contributions, c => new JsonObject { ["name"] = c.Name.Trim(), ["valueMm"] = Number(c.Value) });
+        gauge["uncertaintyMm"] = g.Contributions.Count == 0
+            ? Number(g.Uncertainty)
+            : List(g.Contributions, c => new JsonObject { ["name"] = c.Name.Trim(), ["valueMm"] = Number(c.Value) });
         gauge["reports"] = g.Reports;
         OptionalNumber(gauge, "stylusDiameterMm", g.StylusDiameter);
         var measuring = new JsonObject();
@@ -81,7 +99,8 @@ internal sealed class DraftWriter(MatingDraft draft)
                 (alignment["origin"], alignment["direction"]) = (a.Origin.Trim(), a.Direction.Trim());
                 break;
             case "best-fit" when a.LockX || a.LockY || a.LockRotation:
-                alignment["locked"] = Texts(new[] { a.LockX ? "x" : "", a.LockY ? "y" : "", a.LockRotation ? "rotation" : "" }.Where(l => l.Length > 0));
+                alignment["locked"] = Texts(
+                    new[] { a.LockX ? "x" : "", a.LockY ? "y" : "", a.LockRotation ? "rotation" : "" }.Where(l => l.Length > 0));
                 break;
             default:
                 break;
@@ -96,7 +115,9 @@ internal sealed class DraftWriter(MatingDraft draft)
         {
             ["name"] = f.Name.Trim(),
             ["kind"] = f.Kind.Word,
-            ["points"] = f.Flanks.Count > 1 ? List(f.Flanks, k => Texts(k.Select(p => p.Label.Trim()))) : Texts(f.Points.Select(p => p.Label.Trim())),
+            ["points"] = f.Flanks.Count > 1
+                ? List(f.Flanks, k => Texts(k.Select(p => p.Label.Trim())))
+                : Texts(f.Points.Select(p => p.Label.Trim())),
             ["blocks"] = Texts(DraftList.Blocks(f.Blocks)),
             ["toleranceMm"] = f.Tolerance == FeatureDraft.Stated ? new JsonArray(Number(f.Lower), Number(f.Upper)) : f.Tolerance,
         };
@@ -123,7 +144,12 @@ internal sealed class DraftWriter(MatingDraft draft)
     private JsonObject Counterpart()
     {
         var c = draft.Counterpart;
-        var counterpart = new JsonObject { ["program"] = c.Program.Trim(), ["dialect"] = c.Dialect.Trim(), ["toolDiameterMm"] = Number(c.ToolDiameter) };
+        var counterpart = new JsonObject
+        {
+            ["program"] = c.Program.Trim(),
+            ["dialect"] = c.Dialect.Trim(),
+            ["toolDiameterMm"] = Number(c.ToolDiameter)
+        };
         Optional(counterpart, "measured", c.Measured);
         var frame = new JsonObject { ["mirror"] = c.Mirror };
         OptionalNumber(frame, "rotateDeg", c.Rotate);
@@ -149,7 +175,8 @@ internal sealed class DraftWriter(MatingDraft draft)
 
     private static bool HasText(string text) => !string.IsNullOrWhiteSpace(text);
 
-    private static JsonNode Number(string text) => DraftNumber.Json(text) is { } number ? JsonNode.Parse(number)! : JsonValue.Create(text.Trim());
+    private static JsonNode Number(string text) =>
+        DraftNumber.Json(text) is { } number ? JsonNode.Parse(number)! : JsonValue.Create(text.Trim());
 
     private static void Optional(JsonObject to, string key, string text)
     {
@@ -179,7 +206,9 @@ internal sealed class DraftWriter(MatingDraft draft)
 
     private static JsonArray List<T>(IEnumerable<T> items, Func<T, JsonNode> of) => new([.. items.Select(of)]);
 
-    private static string Lines(JsonObject root) => "{\n" + string.Join(",\n", root.Select(m => string.Create(CultureInfo.InvariantCulture, $"  {Text(m.Key)}: {Value(m.Value!)}"))) + "\n}\n";
+    private static string Lines(JsonObject root) =>
+        "{\n" + string.Join(",\n", root.Select(m => string.Create(CultureInfo.InvariantCulture, $"  {Text(m.Key)}: {Value(m.Value!)}")))
+            + "\n}\n";
 
     private static string Value(JsonNode value) => value is JsonArray { Count: > 0 } list && list[0] is JsonObject
         ? "[\n" + string.Join(",\n", list.Select(i => "    " + OneLine(i!))) + "\n  ]"

@@ -22,7 +22,8 @@ public sealed record FeatureDraft
     [JsonIgnore]
     public IReadOnlyList<string> BlockList => DraftList.Blocks(Blocks);
 
-    /// <summary><c>stated</c> where <see cref="Lower"/> and <see cref="Upper"/> hold, else <c>chain:worst-case</c> or <c>chain:rss</c>.</summary>
+    /// <summary><c>stated</c> where <see cref="Lower"/> and <see cref="Upper"/> hold,
+    /// else <c>chain:worst-case</c> or <c>chain:rss</c>.</summary>
     public string Tolerance { get; init; } = Stated;
 
     /// <summary>Lower limit of the deviation, mm.</summary>
@@ -57,7 +58,9 @@ public sealed record FeatureDraft
         {
             Kind = kind,
             Name = name,
-            Flanks = [.. kind.LeastPoints.Select(c => (IReadOnlyList<PointDraft>)[.. Enumerable.Range(0, c).Select(_ => new PointDraft(PointLabel.Of(next++)))])],
+            Flanks = [
+                .. kind.LeastPoints.Select(
+                    c => (IReadOnlyList<PointDraft>)[.. Enumerable.Range(0, c).Select(_ => new PointDraft(PointLabel.Of(next++)))])],
             Keys = kind.Keys.ToDictionary(k => k.Name, k => k.Default, StringComparer.Ordinal),
         };
     }

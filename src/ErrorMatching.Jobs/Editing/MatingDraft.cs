@@ -3,8 +3,10 @@ using System.Text.Json.Serialization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A mating job as it is being edited: every field as the text that was typed, right or wrong. It is never changed; an edit makes another one.</summary>
-/// <remarks>What is wrong with it <see cref="MatingDraftCheck"/> finds out by the readers that read the job's files; <see cref="MatingDraftFiles"/> writes and reads these.</remarks>
+/// <summary>A mating job as it is being edited: every field as the text that was typed, right or wrong. It is never changed;
+/// an edit makes another one.</summary>
+/// <remarks>What is wrong with it <see cref="MatingDraftCheck"/> finds out by the readers that read the job's files;
+/// <see cref="MatingDraftFiles"/> writes and reads these.</remarks>
 public sealed record MatingDraft
 {
     /// <summary>What the report calls the job: the workpiece.</summary>
@@ -49,7 +51,8 @@ public sealed record MatingDraft
     /// <summary>Comparisons beside those that every feature has.</summary>
     public IReadOnlyList<ComparisonDraft> Comparisons { get; init; } = [];
 
-    /// <summary>The rules that tell the part's measurements from the counterpart's, as the job has them; empty for none. They are kept and not edited.</summary>
+    /// <summary>The rules that tell the part's measurements from the counterpart's, as the job has them; empty for none.
+    /// They are kept and not edited.</summary>
     public string RecognitionJson { get; init; } = "";
 
     /// <summary>Where an editor finds the schema, as the job has it; empty for nowhere.</summary>
@@ -73,7 +76,12 @@ public sealed record MatingDraft
     /// False for a draft of a file that somebody else wrote: with lists or keys that a feature has not, or with nothing in a list.
     /// </summary>
     [JsonIgnore]
-    internal bool IsWhole => Features.All(f => f is not null && f.Flanks.Count == f.Kind.LeastPoints.Count && f.Kind.Keys.All(k => f.Keys.ContainsKey(k.Name)) && f.Flanks.All(k => k is not null && !k.Contains(null!)))
+    internal bool IsWhole =>
+        Features.All(
+            f => f is not null
+                && f.Flanks.Count == f.Kind.LeastPoints.Count
+                && f.Kind.Keys.All(k => f.Keys.ContainsKey(k.Name))
+                && f.Flanks.All(k => k is not null && !k.Contains(null!)))
         && !OtherPoints.Contains(null!) && !Chain.Contains(null!) && !Comparisons.Contains(null!) && !Gauge.Contributions.Contains(null!);
 
     /// <summary>The draft as JSON, without the bytes of an imported program.</summary>
@@ -86,7 +94,8 @@ public sealed record MatingDraft
         return ReferenceEquals(this, other) || ToJson().AsSpan().SequenceEqual(other.ToJson());
     }
 
-    /// <summary>An empty draft in the place of this one: what belongs to the job's place (files, dialect, format, rules) stays. A counterpart that was measured does not: it is of the piece that was there before.</summary>
+    /// <summary>An empty draft in the place of this one: what belongs to the job's place (files, dialect, format, rules) stays. A
+    /// counterpart that was measured does not: it is of the piece that was there before.</summary>
     public MatingDraft Emptied() => new()
     {
         TheoreticalFile = TheoreticalFile,
@@ -98,7 +107,8 @@ public sealed record MatingDraft
         IsBegunAnew = true,
     };
 
-    /// <summary>The draft with as many points in a flank of a feature: new ones get numbers that no point has, those too many leave from the end.</summary>
+    /// <summary>The draft with as many points in a flank of a feature:
+    /// new ones get numbers that no point has, those too many leave from the end.</summary>
     /// <param name="feature">Number of the feature, from 0.</param>
     /// <param name="flank">Number of the flank, from 0.</param>
     /// <param name="count">How many points, 0 or more.</param>
@@ -106,12 +116,17 @@ public sealed record MatingDraft
     {
         ArgumentOutOfRangeException.ThrowIfNegative(count);
         var (was, next) = (Features[feature].Flanks[flank], NextLabel);
-        IReadOnlyList<PointDraft> now = [.. was.Take(count), .. Enumerable.Range(0, Math.Max(0, count - was.Count)).Select(_ => new PointDraft(PointLabel.Of(next++)))];
+        IReadOnlyList<PointDraft> now = [
+            .. was.Take(count), .. Enumerable.Range(0, Math.Max(0, count - was.Count)).Select(_ => new PointDraft(PointLabel.Of(next++)))];
         return WithFeature(feature, f => f with { Flanks = f.Flanks.Replaced(flank, now) });
     }
 
     /// <summary>The draft with the limits of the first feature, or their source, at all features.</summary>
-    public MatingDraft WithSameLimits() => this with { Features = [.. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })] };
+    public MatingDraft WithSameLimits() => this with
+    {
+        Features = [
+            .. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })]
+    };
 
     /// <summary>The draft with coordinates and labels of rows at its points; what a row does not have stays.</summary>
     /// <param name="rowOf">The row of a point, by its number among all points and as it is; null for none.</param>
@@ -120,7 +135,8 @@ public sealed record MatingDraft
         var next = 0;
         return this with
         {
-            Features = [.. Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(Filled)])] })],
+            Features = [
+                .. Features.Select(f => f with { Flanks = [.. f.Flanks.Select(k => (IReadOnlyList<PointDraft>)[.. k.Select(Filled)])] })],
             OtherPoints = [.. OtherPoints.Select(Filled)],
         };
 

@@ -3,10 +3,12 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Finds the blocks that cut the features of a draft by their key points (<see cref="BoundarySearch"/>): a proposal for a person to look at.</summary>
+/// <summary>Finds the blocks that cut the features of a draft by their key points (<see cref="BoundarySearch"/>):
+/// a proposal for a person to look at.</summary>
 public static class MatingDraftBlocks
 {
-    /// <summary>The blocks of the features that have none yet. None are found for a feature of which a point has no coordinates, that no cut follows, or whose blocks have no name that tells them from others.</summary>
+    /// <summary>The blocks of the features that have none yet. None are found for a feature of which a point has no coordinates, that no
+    /// cut follows, or whose blocks have no name that tells them from others.</summary>
     /// <param name="draft">The draft; it may be wrong elsewhere.</param>
     /// <param name="path">Its program, interpreted.</param>
     public static IReadOnlyList<ProposedBlocks> Propose(MatingDraft draft, NcPath path)
@@ -23,7 +25,12 @@ public static class MatingDraftBlocks
         {
             Kind = f.Kind,
         }).ToArray();
-        return [.. BlockProposal.Of(path, sought, DraftNumber.Value(draft.Counterpart.ToolDiameter), DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
+        return [
+            .. BlockProposal.Of(
+                path,
+                sought,
+                DraftNumber.Value(draft.Counterpart.ToolDiameter),
+                DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
     }
 }

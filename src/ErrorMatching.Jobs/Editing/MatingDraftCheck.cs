@@ -8,8 +8,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Jobs;
 
 /// <summary>
-/// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points', and where both can be used the mapping of every key point to the program, for a
-/// part that is measured where it is designed.
+/// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points',
+/// and where both can be used the mapping of every key point to the program, for a part that is measured where it is designed.
 /// </summary>
 public static class MatingDraftCheck
 {
@@ -33,7 +33,9 @@ public static class MatingDraftCheck
         }
         catch (JobException e)
         {
-            problems.AddRange(e.Problems.Where(p => p.Code != DraftLimits.ReversedTolerance).Select(p => new DraftProblem(FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
+            problems.AddRange(
+                e.Problems.Where(p => p.Code != DraftLimits.ReversedTolerance).Select(p => new DraftProblem(
+                    FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
         }
 
         problems.AddRange(DraftLimits.Reversed(draft));
@@ -47,7 +49,11 @@ public static class MatingDraftCheck
 
         if (problems.Count == 0 && job is not null && theoretical is not null && program is { } bytes)
         {
-            Map(draft, new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect }, problems, doubts);
+            Map(
+                draft,
+                new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect },
+                problems,
+                doubts);
             if (problems.Exists(p => p.Code == NcRefusalCodes.BlockNotFound))
             {
                 // The mapping does not say whether a range runs backwards.
@@ -128,7 +134,8 @@ public static class MatingDraftCheck
         try
         {
             var match = Matcher.Match(input);
-            problems.AddRange(match.Refusals.Select(r => new DraftProblem(FieldOf(draft, r), r.Code, r.Point ?? r.Block ?? "", r.Message) { Amount = AmountOf(r) }));
+            problems.AddRange(match.Refusals.Select(
+                r => new DraftProblem(FieldOf(draft, r), r.Code, r.Point ?? r.Block ?? "", r.Message) { Amount = AmountOf(r) }));
             if (match.Result is { } result)
             {
                 doubts.AddRange(DraftDoubts.OfBlocks(result));
@@ -160,13 +167,19 @@ public static class MatingDraftCheck
     private static string FieldOf(MatingDraft draft, MatingRefusal refusal)
     {
         var feature = IndexOf(draft, refusal);
-        return feature >= 0 ? DraftPaths.Feature(feature, "blocks") : refusal.Code == "alignment-needs-one-plane" ? "$.alignment.kind" : Program;
+        return feature >= 0
+            ? DraftPaths.Feature(feature, "blocks")
+            : refusal.Code == "alignment-needs-one-plane"
+            ? "$.alignment.kind"
+            : Program;
     }
 
     // How far a point lies from the nearest of its blocks.
-    private static string AmountOf(MatingRefusal refusal) => refusal.DistanceMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $"{mm:0.000} mm") : "";
+    private static string AmountOf(MatingRefusal refusal) =>
+        refusal.DistanceMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $"{mm:0.000} mm") : "";
 
-    private static int IndexOf(MatingDraft draft, MatingRefusal refusal) => draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
+    private static int IndexOf(MatingDraft draft, MatingRefusal refusal) =>
+        draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
 
     private static DraftProblem At(string field, ErrorItem item) => new(field, item.Code, "", item.Problem ?? item.Message);
 }

@@ -42,13 +42,15 @@ public static class MatingDraftFiles
         var end = theoretical.Span.IndexOfAny((byte)'\r', (byte)'\n');
         var header = Encoding.UTF8.GetString(theoretical.Span[..(end < 0 ? theoretical.Length : end)]).TrimStart('\uFEFF');
         var root = JsonInput.Read(bytes, file);
-        return new DraftReader(root, file, MeasurementReader.Read(theoretical, root["part"]["theoretical"].Text, MeasurementFormat.Points), header).Read();
+        return new DraftReader(
+            root, file, MeasurementReader.Read(theoretical, root["part"]["theoretical"].Text, MeasurementFormat.Points), header).Read();
     }
 
     /// <summary>True if the job's file has comments, which no draft keeps.</summary>
     public static bool HasComments(ReadOnlySpan<byte> bytes)
     {
-        var reader = new System.Text.Json.Utf8JsonReader(bytes, new() { CommentHandling = System.Text.Json.JsonCommentHandling.Allow, AllowTrailingCommas = true });
+        var reader = new System.Text.Json.Utf8JsonReader(
+            bytes, new() { CommentHandling = System.Text.Json.JsonCommentHandling.Allow, AllowTrailingCommas = true });
         while (reader.Read())
         {
             if (reader.TokenType == System.Text.Json.JsonTokenType.Comment)
@@ -77,5 +79,6 @@ public static class MatingDraftFiles
     // What is no number stays as it was typed: the reader says what is wrong with it.
     private static string Coordinate(string text) => DraftNumber.Json(text) ?? Cell(text.Trim());
 
-    private static string Cell(string text) => text.AsSpan().IndexOfAny(",\"\r\n") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;
+    private static string Cell(string text) =>
+        text.AsSpan().IndexOfAny(",\"\r\n") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;
 }

@@ -3,18 +3,24 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Says where the key points of a draft lie in its program, as far as the draft says it, by the readers of its files and the mapping of the job.</summary>
+/// <summary>Says where the key points of a draft lie in its program, as far as the draft says it,
+/// by the readers of its files and the mapping of the job.</summary>
 public static class MatingDraftPlaces
 {
     private const string File = "theoretical.csv", Label = "1";
 
-    /// <summary>The places of the key points of features, in the order of cutting. A point without coordinates has none, and none has one while the frame is wrong.</summary>
+    /// <summary>The places of the key points of features, in the order of cutting.
+    /// A point without coordinates has none, and none has one while the frame is wrong.</summary>
     /// <param name="draft">The draft; it may be wrong elsewhere.</param>
     public static IReadOnlyList<DraftPlace> Of(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var jobs = draft.Features.Select(f => f.Plane).Distinct(StringComparer.Ordinal).ToDictionary(p => p, p => JobOf(draft.Counterpart, p), StringComparer.Ordinal);
-        return [.. draft.Features.SelectMany(f => f.Points.Select(p => jobs[f.Plane] is { } job ? PlaceOf(f, p, job) : null)).OfType<DraftPlace>()];
+        var jobs = draft.Features.Select(f => f.Plane)
+            .Distinct(StringComparer.Ordinal)
+            .ToDictionary(p => p, p => JobOf(draft.Counterpart, p), StringComparer.Ordinal);
+        return [
+            .. draft.Features.SelectMany(f => f.Points.Select(
+                p => jobs[f.Plane] is { } job ? PlaceOf(f, p, job) : null)).OfType<DraftPlace>()];
     }
 
     // The frame and the plane are the draft's, and all else is right: what is missing elsewhere does not hide where the points are.
@@ -24,7 +30,8 @@ public static class MatingDraftPlaces
         {
             Name = "places",
             Gauge = new() { Uncertainty = "0.001" },
-            Features = [FeatureDraft.New(FeatureKinds.All[0], "line", new()) with { Blocks = "N1", Lower = "0", Upper = "0", Plane = plane }],
+            Features = [
+                FeatureDraft.New(FeatureKinds.All[0], "line", new()) with { Blocks = "N1", Lower = "0", Upper = "0", Plane = plane }],
             Counterpart = counterpart with { Program = "places.nc", Dialect = "fanuc-mill", ToolDiameter = "1", Measured = "", Map = "" },
         };
         try
@@ -48,7 +55,8 @@ public static class MatingDraftPlaces
         try
         {
             var plane = job.Features[0].Plane;
-            var read = MeasurementReader.Read(MatingDraftFiles.Theoretical([point with { Label = Label }]), File, MeasurementFormat.Points)[Label];
+            var read = MeasurementReader.Read(
+                MatingDraftFiles.Theoretical([point with { Label = Label }]), File, MeasurementFormat.Points)[Label];
             return new(feature.Name, point.Label, plane, job.Counterpart.PlaceOf(read, plane, File));
         }
         catch (MeasurementException)

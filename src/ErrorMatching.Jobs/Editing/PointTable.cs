@@ -3,26 +3,32 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Coordinates from a spreadsheet or a file: lines of cells with tabs, semicolons or commas between them, label and coordinates, or coordinates alone in the order of the draft's points.</summary>
+/// <summary>Coordinates from a spreadsheet or a file: lines of cells with tabs, semicolons or commas between them, label and coordinates,
+/// or coordinates alone in the order of the draft's points.</summary>
 public sealed partial class PointTable
 {
     private readonly IReadOnlyList<PointDraft> _points;
     private readonly bool _hasLabels;
 
-    private PointTable(IReadOnlyList<PointDraft> points, bool hasLabels, PointTableFault? fault) => (_points, _hasLabels, Fault) = (points, hasLabels, fault);
+    private PointTable(IReadOnlyList<PointDraft> points, bool hasLabels, PointTableFault? fault) =>
+        (_points, _hasLabels, Fault) = (points, hasLabels, fault);
 
     /// <summary>How many points it has.</summary>
     public int Count => _points.Count;
 
-    /// <summary>The first line that should hold coordinates and does not; null if there is none. Of a table with one nothing is taken: a point would keep what it had, and nobody would see it.</summary>
+    /// <summary>The first line that should hold coordinates and does not; null if there is none. Of a table with one nothing is taken: a
+    /// point would keep what it had, and nobody would see it.</summary>
     public PointTableFault? Fault { get; }
 
-    /// <summary>Reads a text. Headings, empty lines and lines that begin with # are left out; decimal commas become points where no comma separates.</summary>
+    /// <summary>Reads a text. Headings, empty lines and lines that begin with # are left out;
+    /// decimal commas become points where no comma separates.</summary>
     public static PointTable Read(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
         var separator = text.Contains('\t', StringComparison.Ordinal) ? '\t' : text.Contains(';', StringComparison.Ordinal) ? ';' : ',';
-        var lines = text.Split('\n').Select((l, i) => (Number: i + 1, Text: l.Trim('\r', ' ').TrimEnd('\t'))).Where(l => l.Text.Trim(separator, ' ').Length > 0 && l.Text[0] != '#')
+        var lines = text.Split('\n')
+            .Select((l, i) => (Number: i + 1, Text: l.Trim('\r', ' ').TrimEnd('\t')))
+            .Where(l => l.Text.Trim(separator, ' ').Length > 0 && l.Text[0] != '#')
             .Select(l => (l.Number, l.Text, Cells: l.Text.Split(separator).Select(c => Cell(c, separator)).ToArray())).ToArray();
 
         // Three cells are a label and two coordinates: a label may be a number as well.
@@ -34,20 +40,31 @@ public sealed partial class PointTable
             return new([], false, new(wrong.Number, wrong.Text));
         }
 
-        return new([.. table.Select(l => l.Cells).Select(r => hasLabels ? new PointDraft(r[0], r[1], r[2], r.Length > 3 ? r[3] : "") : new PointDraft("", r[0], r[1]))], hasLabels, null);
+        return new(
+            [
+                .. table.Select(l => l.Cells).Select(
+                    r => hasLabels ? new PointDraft(r[0], r[1], r[2], r.Length > 3 ? r[3] : "") : new PointDraft("", r[0], r[1]))],
+            hasLabels,
+            null);
     }
 
     /// <summary>
-    /// Puts the coordinates into a draft: by their labels, or without labels in the order of its points. Numbers that points got when they were counted are labels that nobody chose: as long as such points have no
-    /// coordinates, they take the rows that no other point has, by label where all labels are the same, else in the table's order and with its labels where these are as many. Where it cannot be known which row is whose,
-    /// nothing is taken.
+    /// Puts the coordinates into a draft: by their labels, or without labels in the order of its points. Numbers that points got when they
+    /// were counted are labels that nobody chose: as long as such points have no coordinates, they take the rows that no other point has,
+    /// by label where all labels are the same, else in the table's order and with its labels where these are as many. Where it cannot be
+    /// known which row is whose, nothing is taken.
     /// </summary>
     /// <param name="draft">The draft.</param>
-    /// <returns>The draft with the coordinates, or why it stays as it was. Rows with labels that no point has become points of no feature.</returns>
+    /// <returns>The draft with the coordinates, or why it stays as it was.
+    /// Rows with labels that no point has become points of no feature.</returns>
     public TakenTable Into(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        return !draft.Features.SelectMany(f => f.Points).Any() ? new(draft, PointTableRefusal.NoFeatures) : _hasLabels ? ByLabel(draft) : ByOrder(draft);
+        return !draft.Features.SelectMany(f => f.Points).Any()
+            ? new(draft, PointTableRefusal.NoFeatures)
+            : _hasLabels
+            ? ByLabel(draft)
+            : ByOrder(draft);
     }
 
     private TakenTable ByOrder(MatingDraft draft)
@@ -73,21 +90,35 @@ public sealed partial class PointTable
         var leftLabels = left.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
 
         // Who named a point has looked at the labels: rows beyond them are points of no feature.
-        var isByLabel = waiting.Length == 0 || left.Length == 0 || leftLabels.SetEquals(waiting) || (ofFeatures.Any(IsNamed) && leftLabels.IsSupersetOf(waiting));
+        var isByLabel = waiting.Length == 0
+            || left.Length == 0
+            || leftLabels.SetEquals(waiting)
+            || (ofFeatures.Any(IsNamed) && leftLabels.IsSupersetOf(waiting));
         var onlyInTable = left.Where(p => !draft.Points.Select(LabelOf).Contains(p.Label, StringComparer.Ordinal)).ToArray();
         if (!isByLabel && left.Length != waiting.Length)
         {
-            return Taken(draft) with { Refusal = PointTableRefusal.OtherCount, OnlyInTable = [.. onlyInTable.Select(p => p.Label)], Rows = left.Length, Points = waiting.Length };
+            return Taken(draft) with
+            {
+                Refusal = PointTableRefusal.OtherCount,
+                OnlyInTable = [.. onlyInTable.Select(p => p.Label)],
+                Rows = left.Length,
+                Points = waiting.Length
+            };
         }
 
         var next = 0;
-        var filled = draft.WithRows((index, point) => index >= ofFeatures.Length || !IsWaiting(point) ? byLabel[LabelOf(point)].FirstOrDefault()
+        var filled = draft.WithRows(
+            (index, point) => index >= ofFeatures.Length || !IsWaiting(point) ? byLabel[LabelOf(point)].FirstOrDefault()
             : isByLabel ? Array.Find(left, p => p.Label == LabelOf(point)) : left[next++]);
         return isByLabel
-            ? Taken(filled with { OtherPoints = [.. filled.OtherPoints, .. onlyInTable] }) with { OnlyInTable = [.. onlyInTable.Select(p => p.Label)] }
+            ? Taken(filled with { OtherPoints = [.. filled.OtherPoints, .. onlyInTable] }) with
+            {
+                OnlyInTable = [.. onlyInTable.Select(p => p.Label)]
+            }
             : Taken(filled) with { HasNewLabels = true };
 
-        TakenTable Taken(MatingDraft now) => new(now) { OnlyInFeatures = [.. now.Features.SelectMany(f => f.Points).Select(LabelOf).Where(l => !byLabel.Contains(l))] };
+        TakenTable Taken(MatingDraft now) =>
+            new(now) { OnlyInFeatures = [.. now.Features.SelectMany(f => f.Points).Select(LabelOf).Where(l => !byLabel.Contains(l))] };
     }
 
     private static string LabelOf(PointDraft point) => point.Label.Trim();
@@ -98,7 +129,8 @@ public sealed partial class PointTable
     private static bool IsWaiting(PointDraft point) => !IsNamed(point) && point.X.Length + point.Y.Length + point.Z.Length == 0;
 
     // With a column of labels each point has one.
-    private static bool IsPoint(string[] cells) => cells.Length is >= 2 and <= 4 && (cells.Length == 2 || cells[0].Length > 0) && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
+    private static bool IsPoint(string[] cells) =>
+        cells.Length is >= 2 and <= 4 && (cells.Length == 2 || cells[0].Length > 0) && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
 
     // A point with one coordinate that cannot be read is none.
     private static bool IsHeading(string[] cells) => !IsPoint(cells) && (cells.Length < 3 || !(IsNumber(cells[^1]) || IsNumber(cells[^2])));
@@ -109,7 +141,8 @@ public sealed partial class PointTable
         return separator != ',' && DecimalComma().IsMatch(text) ? text.Replace(',', '.') : text;
     }
 
-    private static bool IsNumber(string text) => DraftNumber.Json(text) is { } json && double.Parse(json, CultureInfo.InvariantCulture) is var value && double.IsFinite(value);
+    private static bool IsNumber(string text) =>
+        DraftNumber.Json(text) is { } json && double.Parse(json, CultureInfo.InvariantCulture) is var value && double.IsFinite(value);
 
     [GeneratedRegex(@"^[-+\u2212]?[0-9]*,[0-9]+$", RegexOptions.CultureInvariant, Timeout.Infinite)]
     private static partial Regex DecimalComma();

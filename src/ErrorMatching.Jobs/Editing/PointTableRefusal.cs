@@ -12,7 +12,8 @@ public enum PointTableRefusal
     /// <summary>A label stands there more than once.</summary>
     LabelTwice,
 
-    /// <summary>Points that wait for their labels are not as many as the rows that are left for them: which row is whose cannot be known.</summary>
+    /// <summary>Points that wait for their labels are not as many as the rows that are left for them:
+    /// which row is whose cannot be known.</summary>
     OtherCount,
 
     /// <summary>Rows without labels are not as many as the points.</summary>

@@ -8,7 +8,8 @@ public sealed record TakenTable(MatingDraft Draft, PointTableRefusal Refusal = P
     /// <summary>True if points took their labels from the table, in its order.</summary>
     public bool HasNewLabels { get; init; }
 
-    /// <summary>The table's labels that no point had, in its order; of <see cref="PointTableRefusal.LabelTwice"/> those that stand there more than once.</summary>
+    /// <summary>The table's labels that no point had, in its order; of <see cref="PointTableRefusal.LabelTwice"/> those that stand there
+    /// more than once.</summary>
     public IReadOnlyList<string> OnlyInTable { get; init; } = [];
 
     /// <summary>Labels of the features' points that the table says nothing about, in their order.</summary>

@@ -27,7 +27,8 @@ public static class ErrorItems
     };
 
     /// <summary>A measurement that cannot be used.</summary>
-    public static ErrorItem Of(MeasurementException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Path = e.Path, Problem = e.Problem };
+    public static ErrorItem Of(MeasurementException e) =>
+        new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Path = e.Path, Problem = e.Problem };
 
     /// <summary>A job that cannot be used: all of its errors.</summary>
     public static IReadOnlyList<ErrorItem> Of(JobException e) => Document(NotNull(e).File, e.Problems);
@@ -36,7 +37,8 @@ public static class ErrorItems
     public static IReadOnlyList<ErrorItem> Of(JsonDocumentException e) => Document(NotNull(e).File, e.Problems);
 
     /// <summary>A surface, template or measurement of a free-form job that cannot be used.</summary>
-    public static ErrorItem Of(FreeformException e) => new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Problem = e.Problem };
+    public static ErrorItem Of(FreeformException e) =>
+        new(NotNull(e).Code, e.Message) { File = e.File, Line = e.Line, Column = e.Column, Problem = e.Problem };
 
     /// <summary>Points of a file without a usable solution.</summary>
     public static ErrorItem Of(PointsException e) => Of(NotNull(e).Why, e.File);
@@ -44,7 +46,8 @@ public static class ErrorItems
     /// <summary>Points of a file without a usable solution.</summary>
     /// <param name="e">The geometry error.</param>
     /// <param name="file">The file as the user named it.</param>
-    public static ErrorItem Of(GeometryException e, string file) => new(CodeOf(NotNull(e).Error), $"{file}: {e.Message}") { File = file, Problem = e.Message };
+    public static ErrorItem Of(GeometryException e, string file) =>
+        new(CodeOf(NotNull(e).Error), $"{file}: {e.Message}") { File = file, Problem = e.Message };
 
     /// <summary>A program, selector or dialect that cannot be read at all.</summary>
     public static ErrorItem Of(NcException e) => new(CodeOf(NotNull(e).Code), e.Message);
@@ -63,12 +66,14 @@ public static class ErrorItems
     /// <summary>A free-form job whose result must not be used.</summary>
     /// <param name="refusals">The reasons.</param>
     /// <param name="job">The job's file.</param>
-    public static IReadOnlyList<ErrorItem> Of(IEnumerable<FreeformRefusal> refusals, string job) => [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })];
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<FreeformRefusal> refusals, string job) =>
+        [.. refusals.Select(r => new ErrorItem(r.Code, r.Message) { File = job, Problem = r.Message })];
 
     /// <summary>A readable program or wish that must not be used.</summary>
     /// <param name="refusals">The reasons.</param>
     /// <param name="file">The program or wish.</param>
-    public static IReadOnlyList<ErrorItem> Of(IEnumerable<NcRefusal> refusals, string file) => [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
+    public static IReadOnlyList<ErrorItem> Of(IEnumerable<NcRefusal> refusals, string file) =>
+        [.. refusals.Select(r => new ErrorItem(r.Code, $"{file}: {r.Message}")
     {
         File = file,
         Line = r.Line > 0 ? r.Line : null,
@@ -88,7 +93,14 @@ public static class ErrorItems
     /// <param name="code">A stable code.</param>
     /// <param name="problem">What was found and what is expected, as a sentence.</param>
     internal static ErrorItem At(NamedPlace at, string code, string problem) =>
-        new(code, Placed(at.File, at.Place, at.Path, problem)) { File = at.File, Line = at.Place.Line, Column = at.Place.Column, Path = at.Path, Problem = problem };
+        new(code, Placed(at.File, at.Place, at.Path, problem))
+        {
+            File = at.File,
+            Line = at.Place.Line,
+            Column = at.Place.Column,
+            Path = at.Path,
+            Problem = problem
+        };
 
     private static ErrorItem Of(MatingRefusal refusal, string job, string program) => refusal is { Path: { } path, Place: { } place }
         ? At(new(job, path, place), refusal.Code, refusal.Message)
@@ -102,7 +114,8 @@ public static class ErrorItems
 
     private static T NotNull<T>(T value) => value ?? throw new ArgumentNullException(nameof(value));
 
-    private static IReadOnlyList<ErrorItem> Document(string file, IReadOnlyList<JsonProblem> problems) => [.. problems.Select(p => new ErrorItem(p.Code, Placed(file, p.Place, p.Path, Sentence(p.Message)))
+    private static IReadOnlyList<ErrorItem> Document(string file, IReadOnlyList<JsonProblem> problems) =>
+        [.. problems.Select(p => new ErrorItem(p.Code, Placed(file, p.Place, p.Path, Sentence(p.Message)))
     {
         File = file,
         Line = p.Line,
@@ -113,9 +126,12 @@ public static class ErrorItems
 
     // A block without a number is named by its line, which the problem's prefix already contains.
     private static string WithoutLine(string message, int line) =>
-        string.Create(CultureInfo.InvariantCulture, $"line {line}: ") is var name && message.StartsWith(name, StringComparison.Ordinal) ? message[name.Length..] : message;
+        string.Create(CultureInfo.InvariantCulture, $"line {line}: ") is var name && message.StartsWith(name, StringComparison.Ordinal)
+            ? message[name.Length..]
+            : message;
 
-    private static string Placed(string file, JsonPlace place, string path, string problem) => string.Create(CultureInfo.InvariantCulture, $"{file}, line {place.Line}, column {place.Column}, {path}: {problem}");
+    private static string Placed(string file, JsonPlace place, string path, string problem) =>
+        string.Create(CultureInfo.InvariantCulture, $"{file}, line {place.Line}, column {place.Column}, {path}: {problem}");
 
     private static string Sentence(string problem) => problem.EndsWith('?') ? problem : problem.TrimEnd('.') + ".";
 

@@ -13,5 +13,9 @@ public static class PrintedText
         return text.Any(Steers) ? string.Concat(text.Select(c => !Steers(c) ? c : c is '\r' or '\n' or '\t' ? ' ' : '\uFFFD')) : text;
     }
 
-    private static bool Steers(char c) => char.GetUnicodeCategory(c) is UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator;
+    private static bool Steers(char c) =>
+        char.GetUnicodeCategory(c) is UnicodeCategory.Control
+            or UnicodeCategory.Format
+            or UnicodeCategory.LineSeparator
+            or UnicodeCategory.ParagraphSeparator;
 }

@@ -13,7 +13,8 @@ public sealed class WrongPieceException(string file, SourceSide expected)
     public string Problem => Sentence(expected);
 
     private static string Sentence(SourceSide expected) =>
-        $"found a measurement of the {Word(expected == SourceSide.Part ? SourceSide.Counterpart : SourceSide.Part)} by the job's rules of recognition; expected one of the {Word(expected)}.";
+        $"found a measurement of the {Word(expected == SourceSide.Part ? SourceSide.Counterpart : SourceSide.Part)} by the job's rules "
+            + $"of recognition; expected one of the {Word(expected)}.";
 
     private static string Word(SourceSide side) => side == SourceSide.Part ? "part" : "counterpart";
 }

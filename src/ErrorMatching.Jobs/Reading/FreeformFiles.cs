@@ -67,7 +67,11 @@ public sealed class FreeformFiles
     public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
     {
         ArgumentNullException.ThrowIfNull(file);
-        return MeasuredSurfaceReader.Read((file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span, file.File, plan, Job.Measuring);
+        return MeasuredSurfaceReader.Read(
+            (file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span,
+            file.File,
+            plan,
+            Job.Measuring);
     }
 
     /// <summary>An existing program.</summary>
@@ -101,7 +105,8 @@ public sealed class FreeformFiles
         {
             return ProbingTemplate.Names.Contains(own)
                 ? ProbingTemplate.Named(own)
-                : ProbingTemplate.Parse(AtPlace("$.measuring.template", () => Bytes("template", Job.PathOf(own), ProbingTemplate.MaxBytes)), Job.PathOf(own));
+                : ProbingTemplate.Parse(
+                    AtPlace("$.measuring.template", () => Bytes("template", Job.PathOf(own), ProbingTemplate.MaxBytes)), Job.PathOf(own));
         }
 
         try
@@ -110,7 +115,12 @@ public sealed class FreeformFiles
         }
         catch (FreeformException e) when (Job.PlaceOf("$.measuring.dialect") is { } place)
         {
-            throw Wrong(e.Code, "$.measuring.dialect", place, $"the dialect \"{Job.Measuring.Dialect}\", which no probing template is built in for", $"one of {string.Join(", ", ProbingTemplate.Names)}, or one of them or a file of your own as \"template\" beside it");
+            throw Wrong(
+                e.Code,
+                "$.measuring.dialect",
+                place,
+                $"the dialect \"{Job.Measuring.Dialect}\", which no probing template is built in for",
+                $"one of {string.Join(", ", ProbingTemplate.Names)}, or one of them or a file of your own as \"template\" beside it");
         }
     }
 
@@ -124,12 +134,14 @@ public sealed class FreeformFiles
         CheckCall(Job.Toolpath.Tool, "$.toolpath.tool.name", dialect);
         return Job.Toolpath.Template is not { } own ? Freeform.FinishingTemplate.For(dialect)
             : Freeform.FinishingTemplate.Names.Contains(own) ? Freeform.FinishingTemplate.Named(own)
-            : Freeform.FinishingTemplate.Parse(AtPlace("$.toolpath.template", () => Bytes("template", Job.PathOf(own), ProgramTemplate.MaxBytes)), Job.PathOf(own));
+            : Freeform.FinishingTemplate.Parse(
+                AtPlace("$.toolpath.template", () => Bytes("template", Job.PathOf(own), ProgramTemplate.MaxBytes)), Job.PathOf(own));
     }
 
     /// <summary>The program that cut the measured piece, as stated by the job; null if it states none.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
-    public GivenFile? CutBy() => Job.Measuring.CutBy is not { } file ? null : AtPlace("$.measuring.cutBy", () => Given(CutByRole, new(Job.PathOf(file))));
+    public GivenFile? CutBy() =>
+        Job.Measuring.CutBy is not { } file ? null : AtPlace("$.measuring.cutBy", () => Given(CutByRole, new(Job.PathOf(file))));
 
     /// <summary>Adds a program from the caller to the inputs.</summary>
     /// <param name="role">Its role in the report.</param>
@@ -164,7 +176,12 @@ public sealed class FreeformFiles
         {
             return NcDialects.Names.Contains(name) || Job.PlaceOf(path) is not { } place
                 ? NcDialects.Named(name)
-                : throw Wrong("unknown-dialect", path, place, $"the dialect \"{name}\"", $"one of {string.Join(", ", NcDialects.Names)}, or a shop's own file that ends in .json");
+                : throw Wrong(
+                    "unknown-dialect",
+                    path,
+                    place,
+                    $"the dialect \"{name}\"",
+                    $"one of {string.Join(", ", NcDialects.Names)}, or a shop's own file that ends in .json");
         }
 
         var dialect = AtPlace(path, () => InputFile.Dialect(Job.PathOf(name)));
@@ -178,7 +195,12 @@ public sealed class FreeformFiles
     {
         if (tool?.Name is { } name && dialect.Syntax != NcSyntax.Siemens && Job.PlaceOf(path) is { } place)
         {
-            throw Wrong("tool-by-name", path, place, $"the tool \"{name}\" by its name, which {dialect.Name} does not know", "\"number\" in its place");
+            throw Wrong(
+                "tool-by-name",
+                path,
+                place,
+                $"the tool \"{name}\" by its name, which {dialect.Name} does not know",
+                "\"number\" in its place");
         }
     }
 
@@ -195,7 +217,8 @@ public sealed class FreeformFiles
         }
     }
 
-    private JsonDocumentException Wrong(string code, string path, JsonPlace place, string found, string expected) => new(Job.File, [new(code, path, place, found, expected, $"found {found}; expected {expected}")]);
+    private JsonDocumentException Wrong(string code, string path, JsonPlace place, string found, string expected) =>
+        new(Job.File, [new(code, path, place, found, expected, $"found {found}; expected {expected}")]);
 
     private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
     {

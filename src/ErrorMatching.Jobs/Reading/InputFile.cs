@@ -36,7 +36,8 @@ public static class InputFile
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     /// <exception cref="NcException">There is no dialect of this name.</exception>
-    public static NcDialect Dialect(string dialect) => NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
+    public static NcDialect Dialect(string dialect) =>
+        NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
 
     /// <summary>The dialect of a job's program. A dialect file is relative to the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
@@ -53,7 +54,11 @@ public static class InputFile
     public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
-        return length <= NcProgram.MaxBytes ? length < Many ? File.ReadAllBytes(p) : InHalves(p, (int)length) : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+        return length <= NcProgram.MaxBytes
+            ? length < Many
+            ? File.ReadAllBytes(p)
+            : InHalves(p, (int)length)
+            : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
     });
 
     /// <summary>The bytes of a file.</summary>
@@ -67,7 +72,8 @@ public static class InputFile
     /// <summary>The wish in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    public static WishFile Wish(string path) => WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
+    public static WishFile Wish(string path) =>
+        WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
 
     // Reading is copying, so the two halves of a long file are read concurrently.
     private static byte[] InHalves(string path, int length)

@@ -34,7 +34,8 @@ public sealed class JobFiles
 
     /// <summary>The nominal key points: the given ones, or the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    public MeasurementFile Theoretical(GivenFile? given = null) => Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
+    public MeasurementFile Theoretical(GivenFile? given = null) =>
+        Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
     /// <summary>A measurement of the part: the given one, or the job's.</summary>
     /// <exception cref="MeasurementException">The file cannot be used.</exception>
@@ -78,7 +79,9 @@ public sealed class JobFiles
     private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
         var measurement = Measured(file, Job.Gauge.Format);
-        return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected ? measurement : throw new WrongPieceException(file.File, expected);
+        return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected
+            ? measurement
+            : throw new WrongPieceException(file.File, expected);
     }
 
     private MeasurementFile Measured(GivenFile file, MeasurementFormat format)

@@ -20,7 +20,9 @@ public sealed class ProgramFolder(string program)
     {
         _files ??= Files();
         var number = name.Length > 1 && name[0] == 'O' ? name[1..].TrimStart('0') : "";
-        var file = _files[name.ToUpperInvariant()].Concat(number.Length == 0 ? [] : Numbered(number)).Order(StringComparer.Ordinal).FirstOrDefault();
+        var file = _files[name.ToUpperInvariant()].Concat(number.Length == 0 ? [] : Numbered(number))
+            .Order(StringComparer.Ordinal)
+            .FirstOrDefault();
         return file is null ? null : NcProgram.Read(InputFile.Program(file));
     }
 
@@ -29,6 +31,10 @@ public sealed class ProgramFolder(string program)
 
     private ILookup<string, string> Files() => new DirectoryInfo(_folder).EnumerateFiles()
         .Take(MostFiles)
-        .Where(f => f.LinkTarget is null && (Extensions.Contains(f.Extension, StringComparer.OrdinalIgnoreCase) || f.Extension.Equals(_own, StringComparison.OrdinalIgnoreCase)))
+        .Where(
+            f => f.LinkTarget is null
+                && (
+                    Extensions.Contains(f.Extension, StringComparer.OrdinalIgnoreCase)
+                        || f.Extension.Equals(_own, StringComparison.OrdinalIgnoreCase)))
         .ToLookup(f => Path.GetFileNameWithoutExtension(f.Name).ToUpperInvariant(), f => f.FullName, StringComparer.Ordinal);
 }

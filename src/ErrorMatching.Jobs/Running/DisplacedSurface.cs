@@ -10,7 +10,13 @@ namespace ErrorMatching.Jobs;
 /// <param name="Displaced">The displaced program.</param>
 /// <param name="Compensation">The compensation.</param>
 /// <param name="Folder">The target folder; null if the program is not written, or the folder is unknown.</param>
-public sealed record DisplacedSurface(ReportJob Job, IReadOnlyList<ReportInput> Inputs, string ProgramFile, DisplacedProgram Displaced, CompensationResult Compensation, string? Folder)
+public sealed record DisplacedSurface(
+    ReportJob Job,
+    IReadOnlyList<ReportInput> Inputs,
+    string ProgramFile,
+    DisplacedProgram Displaced,
+    CompensationResult Compensation,
+    string? Folder)
 {
     /// <summary>File name of the program: that of the original program.</summary>
     public string Name => Path.GetFileName(ProgramFile);

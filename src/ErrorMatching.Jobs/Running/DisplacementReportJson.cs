@@ -9,7 +9,12 @@ namespace ErrorMatching.Jobs;
 internal static class DisplacementReportJson
 {
     // File names are not escaped: the document is UTF-8 and is not embedded in a web page.
-    private static readonly JsonWriterOptions Options = new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonWriterOptions Options = new()
+    {
+        Indented = true,
+        NewLine = "\n",
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping
+    };
 
     /// <summary>The document <c>errormatch/surface-displace/1</c>: UTF-8 without a byte order mark, ending with a newline.</summary>
     public static byte[] Write(DisplacedSurface report)

@@ -12,7 +12,13 @@ namespace ErrorMatching.Jobs;
 /// <param name="Features">For each feature, in the job's order, its blocks or why there are none.</param>
 /// <param name="Read">The files that were read.</param>
 /// <param name="JobBytes">The job's file.</param>
-public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IReadOnlyList<ProposedBlocks> Features, IReadOnlyList<string> Read, ReadOnlyMemory<byte> JobBytes)
+public sealed record FoundBlocks(
+    MatingJob Job,
+    string Program,
+    NcPath Path,
+    IReadOnlyList<ProposedBlocks> Features,
+    IReadOnlyList<string> Read,
+    ReadOnlyMemory<byte> JobBytes)
 {
     /// <summary>Why features have no blocks; empty if each has some.</summary>
     public IReadOnlyList<ErrorItem> Refusals => ErrorItems.Of(Features.Select(f => f.Refusal).OfType<MatingRefusal>(), Job.File, Program);
@@ -59,7 +65,9 @@ public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IRe
         if (!IsInJob(feature))
         {
             var list = JsonEdit.List(Features[feature].Blocks);
-            yield return item.Find("blocks") is { } blocks ? new(blocks.Bytes, list) : new(item["points"].Bytes.End..item["points"].Bytes.End, ", \"blocks\": " + list);
+            yield return item.Find("blocks") is { } blocks
+                ? new(blocks.Bytes, list)
+                : new(item["points"].Bytes.End..item["points"].Bytes.End, ", \"blocks\": " + list);
         }
     }
 
@@ -69,7 +77,12 @@ public sealed record FoundBlocks(MatingJob Job, string Program, NcPath Path, IRe
         var from = System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(target))!;
         return from == System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Job.File)) ? [] : new[]
         {
-            part["theoretical"], part["measured"], counterpart["program"], counterpart.Find("measured"), NcDialects.IsFile(Job.Counterpart.Dialect) ? counterpart["dialect"] : null,
-        }.OfType<JsonItem>().Where(p => !System.IO.Path.IsPathRooted(p.Text)).Select(p => new JsonEdit(p.Bytes, JsonEdit.Text(System.IO.Path.GetRelativePath(from, System.IO.Path.GetFullPath(Job.PathOf(p.Text))).Replace('\\', '/'))));
+            part["theoretical"], part["measured"], counterpart["program"], counterpart.Find("measured"),
+            NcDialects.IsFile(Job.Counterpart.Dialect) ? counterpart["dialect"] : null,
+        }.OfType<JsonItem>()
+            .Where(p => !System.IO.Path.IsPathRooted(p.Text))
+            .Select(p => new JsonEdit(
+                p.Bytes,
+                JsonEdit.Text(System.IO.Path.GetRelativePath(from, System.IO.Path.GetFullPath(Job.PathOf(p.Text))).Replace('\\', '/'))));
     }
 }

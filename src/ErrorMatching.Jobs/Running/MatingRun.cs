@@ -40,13 +40,18 @@ public static class MatingRun
                 return new(ErrorItems.Of(outcome.Refusals, job.File, program));
             }
 
-            var report = MatchReporter.Report(result, Path.Combine(request.Folder ?? "", Path.GetFileName(program)), request.ElapsedS?.Invoke());
+            var report = MatchReporter.Report(
+                result, Path.Combine(request.Folder ?? "", Path.GetFileName(program)), request.ElapsedS?.Invoke());
             if (request.Counterpart is null && MissingMeasured.Of(job) is { } missing)
             {
                 report = report with { Warnings = [.. report.Warnings, missing] };
             }
 
-            return new(new MatchedProgram(result, GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note ? report with { Notes = [.. report.Notes, note] } : report));
+            return new(new MatchedProgram(
+                result,
+                GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
+                    ? report with { Notes = [.. report.Notes, note] }
+                    : report));
         }
         catch (GeometryException e)
         {
@@ -61,7 +66,9 @@ public static class MatingRun
             return job;
         }
 
-        return given is > 0 and <= 2 ? job with { Compensation = job.Compensation with { Gain = given } } : throw new ArgumentOutOfRangeException(nameof(gain), given, "A gain is more than 0 and at most 2.");
+        return given is > 0 and <= 2
+            ? job with { Compensation = job.Compensation with { Gain = given } }
+            : throw new ArgumentOutOfRangeException(nameof(gain), given, "A gain is more than 0 and at most 2.");
     }
 
     // In feed-forward the counterpart need not exist yet, whatever the job says about its measurement.

@@ -15,8 +15,10 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
     public const string Code = "piece-compensated";
 
     private const string WhatToDo =
-        "The error of such a piece is small because of that correction, and a program made of this measurement would give the correction up. "
-        + "Measure a piece that the nominal program cut (errormatch surface toolpath, or the program of the CAM): corrections of a surface do not add up yet. "
+        "The error of such a piece is small because of that correction, and a program made of this measurement would give the correction "
+            + "up. "
+        + "Measure a piece that the nominal program cut (errormatch surface toolpath, or the program of the CAM): corrections of a "
+            + "surface do not add up yet. "
         + "How good this piece is, errormatch surface evaluate says.";
 
     private readonly List<string> _measurements = [];
@@ -53,7 +55,11 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
         var program = NcProgram.Read(bytes, syntax);
         Found = new(named.File, files.Inputs.Last(i => i.Role == FreeformFiles.CutByRole).Sha256);
         return Marker.Find(program) is [var (block, _), ..]
-            ? Refuse(named.File, "the program that cut the measured piece carries a marker, so it follows a measurement already.", program, block)
+            ? Refuse(
+                named.File,
+                "the program that cut the measured piece carries a marker, so it follows a measurement already.",
+                program,
+                block)
             : null;
     }
 

@@ -12,7 +12,8 @@ namespace ErrorMatching.Jobs;
 /// <c>errormatch surface compensate</c>, <c>surface displace</c> and other callers.</summary>
 public static class SurfaceRun
 {
-    private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a surface through the compensation points: the error was fitted by the best method instead.";
+    private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a "
+        + "surface through the compensation points: the error was fitted by the best method instead.";
 
     /// <summary>Generates the finishing program of the compensated surface.</summary>
     /// <param name="files">The job's files.</param>
@@ -35,7 +36,8 @@ public static class SurfaceRun
         {
             var surface = files.Surface();
             var surfaceSha256 = files.Inputs.First(i => i.Role == FreeformFiles.SurfaceRole).Sha256;
-            if (Compensated(files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
+            if (Compensated(
+                files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
                 is not { } result)
             {
                 return new(refusals);
@@ -74,7 +76,8 @@ public static class SurfaceRun
     /// <exception cref="PointsException">The measured points determine no fit.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static RunOutcome<DisplacedSurface> Displace(FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
+    public static RunOutcome<DisplacedSurface> Displace(
+        FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(program);
         var asked = Job(files, request);
@@ -89,7 +92,8 @@ public static class SurfaceRun
         {
             var programSha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
             var surface = files.Surface();
-            if (Compensated(files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
+            if (Compensated(
+                files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
                 is not { } compensation)
             {
                 return new(refusals);
@@ -110,7 +114,11 @@ public static class SurfaceRun
                 job.Toolpath.ProgramsTip,
                 MeasurementSha256(compensation.Input.Measured));
             return displaced.IsUsable
-                ? new(new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder) { CutBy = cutBy })
+                ? new(
+                    new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder)
+                    {
+                        CutBy = cutBy
+                    })
                 : new(ErrorItems.Of([displaced.Refusal], program.File));
         });
     }
@@ -118,7 +126,8 @@ public static class SurfaceRun
     // For the marker, several measurements of a piece count as one, in any order.
     internal static string MeasurementSha256(IReadOnlyList<MeasuredPoints> measured) => measured is [var only]
         ? only.Sha256
-        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
+        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(
+            measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {

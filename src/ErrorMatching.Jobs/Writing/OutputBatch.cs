@@ -65,7 +65,8 @@ internal sealed class OutputBatch : IDisposable
         }
     }
 
-    private static string Beside(string folder, string target) => Path.Combine(folder, $".{Path.GetFileName(target)}.{Path.GetRandomFileName()}.tmp");
+    private static string Beside(string folder, string target) =>
+        Path.Combine(folder, $".{Path.GetFileName(target)}.{Path.GetRandomFileName()}.tmp");
 
     private static void Attempt(Action work)
     {

@@ -3,7 +3,9 @@ namespace ErrorMatching.Jobs;
 /// <summary>Writes outputs that appear complete or not at all: written under a temporary name, flushed to disk, renamed.</summary>
 public static class OutputFile
 {
-    private static readonly StringComparison OfPaths = OperatingSystem.IsWindows() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
+    private static readonly StringComparison OfPaths = OperatingSystem.IsWindows()
+        ? StringComparison.OrdinalIgnoreCase
+        : StringComparison.Ordinal;
 
     /// <summary>Writes a file, replacing an existing one. Missing folders are created.</summary>
     /// <param name="path">The file.</param>
@@ -32,7 +34,10 @@ public static class OutputFile
     /// <param name="cancellation">Checked last before the first file appears.</param>
     /// <exception cref="OutputException">A file is an input or another output, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
-    public static void WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, CancellationToken cancellation) =>
+    public static void WriteAll(
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
+        IReadOnlyCollection<string> inputs,
+        CancellationToken cancellation) =>
         WriteAll(files, inputs, () => true, cancellation);
 
     /// <summary>Writes files that belong together, then asks whether they may appear: either all do, in this order, or none does.</summary>
@@ -43,11 +48,18 @@ public static class OutputFile
     /// <returns>True if the files were written.</returns>
     /// <exception cref="OutputException">A file is an input or another output, or cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Nothing was written.</exception>
-    public static bool WriteAll(IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation) =>
+    public static bool WriteAll(
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
+        IReadOnlyCollection<string> inputs,
+        Func<bool> mayAppear,
+        CancellationToken cancellation) =>
         WriteAll([.. files.Select(f => (f.Path, (Action<Stream>)(s => s.Write(f.Bytes.Span))))], inputs, mayAppear, cancellation);
 
     private static bool WriteAll(
-        IReadOnlyList<(string Path, Action<Stream> Write)> files, IReadOnlyCollection<string> inputs, Func<bool> mayAppear, CancellationToken cancellation)
+        IReadOnlyList<(string Path, Action<Stream> Write)> files,
+        IReadOnlyCollection<string> inputs,
+        Func<bool> mayAppear,
+        CancellationToken cancellation)
     {
         var targets = new List<string>();
         foreach (var (path, _) in files)
@@ -55,12 +67,14 @@ public static class OutputFile
             var target = Try(path, () => Final(Path.GetFullPath(path)));
             if (inputs.FirstOrDefault(i => string.Equals(Final(Path.GetFullPath(i)), target, OfPaths)) is { } input)
             {
-                throw new OutputException(OutputException.IsInput, path, $"{path} is the input {input}, which is never changed. Name another output.");
+                throw new OutputException(
+                    OutputException.IsInput, path, $"{path} is the input {input}, which is never changed. Name another output.");
             }
 
             if (targets.Any(t => string.Equals(t, target, OfPaths)))
             {
-                throw new OutputException(OutputException.Twice, path, $"{path} would be written twice with different content. Rename the program.");
+                throw new OutputException(
+                    OutputException.Twice, path, $"{path} would be written twice with different content. Rename the program.");
             }
 
             targets.Add(target);
@@ -111,7 +125,11 @@ public static class OutputFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
-            throw new OutputException(OutputException.Unwritable, path, $"{path} cannot be written: {e.Message.TrimEnd('.')}. Choose a place with room where this user may write.", e);
+            throw new OutputException(
+                OutputException.Unwritable,
+                path,
+                $"{path} cannot be written: {e.Message.TrimEnd('.')}. Choose a place with room where this user may write.",
+                e);
         }
     }
 

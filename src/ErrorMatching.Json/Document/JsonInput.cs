@@ -35,7 +35,12 @@ public static class JsonInput
         limits ??= JsonLimits.Default;
         if (bytes.Length > limits.MaxBytes)
         {
-            throw Refuse(file, "too-big", new(1, 1), "a larger document", string.Create(CultureInfo.InvariantCulture, $"at most {limits.MaxBytes} bytes"));
+            throw Refuse(
+                file,
+                "too-big",
+                new(1, 1),
+                "a larger document",
+                string.Create(CultureInfo.InvariantCulture, $"at most {limits.MaxBytes} bytes"));
         }
 
         var skipped = bytes.StartsWith("\uFEFF"u8) ? 3 : 0;
@@ -44,11 +49,23 @@ public static class JsonInput
         var map = new LineMap(bytes);
         if (map.FirstInvalidByte is { } invalid)
         {
-            throw Refuse(file, "not-utf8", map.PlaceOf(bytes, invalid), string.Create(CultureInfo.InvariantCulture, $"the byte 0x{bytes[invalid]:X2}"), "UTF-8 text");
+            throw Refuse(
+                file,
+                "not-utf8",
+                map.PlaceOf(bytes, invalid),
+                string.Create(CultureInfo.InvariantCulture, $"the byte 0x{bytes[invalid]:X2}"),
+                "UTF-8 text");
         }
 
         var tree = new TreeReader(map, file, skipped, limits.MaxValues);
-        var reader = new Utf8JsonReader(bytes, new JsonReaderOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, MaxDepth = limits.MaxDepth + 1 });
+        var reader = new Utf8JsonReader(
+            bytes,
+            new JsonReaderOptions
+            {
+                AllowTrailingCommas = true,
+                CommentHandling = JsonCommentHandling.Skip,
+                MaxDepth = limits.MaxDepth + 1
+            });
         JsonItem root;
         try
         {

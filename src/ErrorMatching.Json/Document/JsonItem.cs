@@ -43,7 +43,12 @@ public sealed class JsonItem
 
     /// <summary>The path from the root: <c>$.features[1].toleranceMm</c>. A key that is not a plain word is quoted: <c>$['odd
     /// key']</c>.</summary>
-    public string Path => _parent is null ? "$" : _name is null ? string.Create(CultureInfo.InvariantCulture, $"{_parent.Path}[{_index}]") : PathOf(_name, _parent);
+    public string Path =>
+        _parent is null
+            ? "$"
+            : _name is null
+            ? string.Create(CultureInfo.InvariantCulture, $"{_parent.Path}[{_index}]")
+            : PathOf(_name, _parent);
 
     /// <summary>The value of a required member.</summary>
     /// <exception cref="KeyNotFoundException">The member is missing. A schema that requires it makes this impossible.</exception>
@@ -82,7 +87,8 @@ public sealed class JsonItem
         ? $"{parent.Path}.{name}"
         : $"{parent.Path}['{name.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("'", "\\'", StringComparison.Ordinal)}']";
 
-    private static bool IsPlainWord(string name) => name.Length > 0 && !char.IsAsciiDigit(name[0]) && name.All(c => char.IsAsciiLetterOrDigit(c) || c is '_' or '$');
+    private static bool IsPlainWord(string name) =>
+        name.Length > 0 && !char.IsAsciiDigit(name[0]) && name.All(c => char.IsAsciiLetterOrDigit(c) || c is '_' or '$');
 
     private void WriteTo(Utf8JsonWriter writer)
     {

@@ -42,7 +42,9 @@ internal sealed class LineMap
     // Places are queried from front to back, so that a document on one line is counted only once.
     private int CharactersBefore(ReadOnlySpan<byte> bytes, int start, int index)
     {
-        _counted = _countedTo >= start && _countedTo <= index ? _counted + Characters(bytes[_countedTo..index]) : Characters(bytes[start..index]);
+        _counted = _countedTo >= start && _countedTo <= index
+            ? _counted + Characters(bytes[_countedTo..index])
+            : Characters(bytes[start..index]);
         _countedTo = index;
         return _counted;
     }

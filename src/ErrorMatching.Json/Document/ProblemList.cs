@@ -16,6 +16,8 @@ internal static class ProblemList
 
         var next = problems[Most];
         var (found, expected) = ($"more than {Most} problems", "a document of the right kind, or these corrected first");
-        return [.. problems.Take(Most), new("too-many-problems", next.Path, next.Place, found, expected, $"found {found}; expected {expected}")];
+        return [
+            .. problems.Take(Most),
+            new("too-many-problems", next.Path, next.Place, found, expected, $"found {found}; expected {expected}")];
     }
 }

@@ -23,7 +23,9 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         {
             var (found, expected) = ("one more value", string.Create(CultureInfo.InvariantCulture, $"at most {maxValues} values"));
             var place = map.PlaceOf(bytes, start);
-            throw new JsonDocumentException(file, [.. _problems, new("too-many-values", parent?.Path ?? "$", place, found, expected, $"found {found}; expected {expected}")]);
+            throw new JsonDocumentException(
+                file,
+                [.. _problems, new("too-many-values", parent?.Path ?? "$", place, found, expected, $"found {found}; expected {expected}")]);
         }
 
         var item = ReadItem(ref reader, bytes, parent, name, index, depthLeft);
@@ -68,7 +70,13 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
             }
             else
             {
-                Report(new("duplicate-key", item.PathOf(name), place, $"the key \"{name}\" again", "each key once", $"the key \"{name}\" stands twice in this object; keep one"));
+                Report(new(
+                    "duplicate-key",
+                    item.PathOf(name),
+                    place,
+                    $"the key \"{name}\" again",
+                    "each key once",
+                    $"the key \"{name}\" stands twice in this object; keep one"));
             }
         }
 
@@ -118,7 +126,13 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         catch (InvalidOperationException)
         {
             const string expected = "whole characters";
-            Report(new("not-utf8", item.Path, place, "half a surrogate pair", expected, "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
+            Report(new(
+                "not-utf8",
+                item.Path,
+                place,
+                "half a surrogate pair",
+                expected,
+                "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
             return "";
         }
     }
@@ -136,7 +150,8 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
     {
         if (depthLeft < 0)
         {
-            throw new JsonDocumentException(file, [.. _problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
+            throw new JsonDocumentException(
+                file, [.. _problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
         }
     }
 }

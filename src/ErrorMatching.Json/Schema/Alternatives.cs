@@ -12,7 +12,13 @@ internal static class Alternatives
 
         if (rule.OneOf.Count > 0 && Judge(rule.OneOf, item, findings) > 1)
         {
-            findings.Add(new(item, JsonProblem.At(item, "several-alternatives", ValueText.Of(item) + " that could mean several things", "exactly one of " + ValueText.Or(rule.OneOf.Select(Name)))));
+            findings.Add(new(
+                item,
+                JsonProblem.At(
+                    item,
+                    "several-alternatives",
+                    ValueText.Of(item) + " that could mean several things",
+                    "exactly one of " + ValueText.Or(rule.OneOf.Select(Name)))));
         }
     }
 
@@ -70,7 +76,8 @@ internal static class Alternatives
 
     /// <summary>True if an alternative was not intended: another type of value, or another const in it or in one of its members.</summary>
     private static bool RulesOut(Finding finding, JsonItem item) =>
-        IsOfOtherType(finding, item) || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
+        IsOfOtherType(finding, item)
+            || (finding.ByConst && (ReferenceEquals(finding.Item, item) || item.Members.Any(m => ReferenceEquals(m.Value, finding.Item))));
 
     private static bool IsOfOtherType(Finding finding, JsonItem item) => finding.ByType && ReferenceEquals(finding.Item, item);
 

@@ -20,7 +20,10 @@ internal static class SchemaChecker
 
         if (rule.Types.Count > 0 && !rule.Types.Any(t => IsOfType(item, t)))
         {
-            findings.Add(new(item, JsonProblem.At(item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType))), ByType: true));
+            findings.Add(new(
+                item,
+                JsonProblem.At(item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType))),
+                ByType: true));
             return;
         }
 
@@ -74,8 +77,18 @@ internal static class SchemaChecker
             {
                 var known = rule.Properties.Select(p => p.Key).ToArray();
                 var near = NearestName.To(member.Name, known);
-                var message = near is null ? $"the key \"{member.Name}\" is not known here; known are {string.Join(", ", known)}" : $"the key \"{member.Name}\" is not known here; did you mean \"{near}\"?";
-                findings.Add(new(item, new("unknown-key", member.Value.Path, member.Place, $"the key \"{member.Name}\"", near is null ? ValueText.Or(known) : $"\"{near}\"", message)));
+                var message = near is null
+                    ? $"the key \"{member.Name}\" is not known here; known are {string.Join(", ", known)}"
+                    : $"the key \"{member.Name}\" is not known here; did you mean \"{near}\"?";
+                findings.Add(new(
+                    item,
+                    new(
+                        "unknown-key",
+                        member.Value.Path,
+                        member.Place,
+                        $"the key \"{member.Name}\"",
+                        near is null ? ValueText.Or(known) : $"\"{near}\"",
+                        message)));
             }
         }
     }
@@ -84,12 +97,22 @@ internal static class SchemaChecker
     {
         if (item.Items.Count < rule.MinItems)
         {
-            Add(findings, item, "too-few-items", ValueText.Of(item), string.Create(CultureInfo.InvariantCulture, $"at least {rule.MinItems}"));
+            Add(
+                findings,
+                item,
+                "too-few-items",
+                ValueText.Of(item),
+                string.Create(CultureInfo.InvariantCulture, $"at least {rule.MinItems}"));
         }
 
         if (item.Items.Count > rule.MaxItems)
         {
-            Add(findings, item, "too-many-items", ValueText.Of(item), string.Create(CultureInfo.InvariantCulture, $"at most {rule.MaxItems}"));
+            Add(
+                findings,
+                item,
+                "too-many-items",
+                ValueText.Of(item),
+                string.Create(CultureInfo.InvariantCulture, $"at most {rule.MaxItems}"));
         }
 
         for (var i = 0; i < item.Items.Count; i++)
@@ -123,16 +146,27 @@ internal static class SchemaChecker
     {
         if (rule.MinLength is { } least && item.Text.EnumerateRunes().Count() < least)
         {
-            Add(findings, item, "too-short", ValueText.Of(item), least == 1 ? "text that is not empty" : string.Create(CultureInfo.InvariantCulture, $"at least {least} characters"));
+            Add(
+                findings,
+                item,
+                "too-short",
+                ValueText.Of(item),
+                least == 1 ? "text that is not empty" : string.Create(CultureInfo.InvariantCulture, $"at least {least} characters"));
         }
 
         if (rule.Pattern?.IsMatch(item.Text) == false)
         {
-            Add(findings, item, "pattern-mismatch", ValueText.Of(item), rule.Title.Length > 0 ? rule.Title : $"text that matches {rule.Pattern}");
+            Add(
+                findings,
+                item,
+                "pattern-mismatch",
+                ValueText.Of(item),
+                rule.Title.Length > 0 ? rule.Title : $"text that matches {rule.Pattern}");
         }
     }
 
-    private static void Add(List<Finding> findings, JsonItem item, string code, string found, string expected) => findings.Add(new(item, JsonProblem.At(item, code, found, expected)));
+    private static void Add(List<Finding> findings, JsonItem item, string code, string found, string expected) =>
+        findings.Add(new(item, JsonProblem.At(item, code, found, expected)));
 
     /// <summary>In JSON Schema, a number is an integer if its value is whole, regardless of its spelling.</summary>
     private static bool IsOfType(JsonItem item, string type) => type switch
@@ -146,5 +180,6 @@ internal static class SchemaChecker
         _ => item.Kind == JsonItemKind.Null,
     };
 
-    private static bool IsSame(JsonItem a, JsonItem b) => a.Kind == b.Kind && a.Flag == b.Flag && a.Number == b.Number && (a.Kind == JsonItemKind.Number || a.Text == b.Text);
+    private static bool IsSame(JsonItem a, JsonItem b) =>
+        a.Kind == b.Kind && a.Flag == b.Flag && a.Number == b.Number && (a.Kind == JsonItemKind.Number || a.Text == b.Text);
 }

@@ -217,7 +217,8 @@ internal sealed class SchemaParser(JsonItem document)
     /// <summary>Whether the rules that judge the same value as one rule come back to it: checking would never end.</summary>
     private static bool LeadsBack(SchemaRule from, SchemaRule to, HashSet<SchemaRule> seen)
     {
-        IEnumerable<SchemaRule> next = [.. from.OneOf, .. from.AnyOf, .. from.Reference is null ? Array.Empty<SchemaRule>() : [from.Reference]];
+        IEnumerable<SchemaRule> next = [
+            .. from.OneOf, .. from.AnyOf, .. from.Reference is null ? Array.Empty<SchemaRule>() : [from.Reference]];
         return next.Any(r => ReferenceEquals(r, to) || (seen.Add(r) && LeadsBack(r, to, seen)));
     }
 }

@@ -12,7 +12,8 @@ internal static class ValueText
         JsonItemKind.Text => $"the text \"{Short(item.Text)}\"",
         JsonItemKind.Number => $"the number {Short(item.Text)}",
         JsonItemKind.Boolean => item.Flag ? "true" : "false",
-        JsonItemKind.List => item.Items.Count == 0 ? "an empty list" : string.Create(CultureInfo.InvariantCulture, $"a list of {item.Items.Count}"),
+        JsonItemKind.List =>
+            item.Items.Count == 0 ? "an empty list" : string.Create(CultureInfo.InvariantCulture, $"a list of {item.Items.Count}"),
         JsonItemKind.Object => "an object",
         _ => "null",
     };

@@ -4,13 +4,16 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// Decides what is done about each feature (Wang 2021, section 2.4): nothing inside the tolerance, the whole deviation or its excess outside, and nothing at all where a deviation is not plausible.
+/// Decides what is done about each feature (Wang 2021, section 2.4): nothing inside the tolerance, the whole deviation or its excess
+/// outside, and nothing at all where a deviation is not plausible.
 /// </summary>
 /// <remarks>
-/// <para>A feature is outside its tolerance if the normal deviation of any of its points is; it is then compensated at all of them, since moving a part of a line would bend it.</para>
+/// <para>A feature is outside its tolerance if the normal deviation of any of its points is; it is then compensated at all of them, since
+/// moving a part of a line would bend it.</para>
 /// <para>
-/// Outside, it must also be significant: its largest normal deviation must exceed <see cref="CoverageFactor"/> times the combined standard uncertainty u of a normal deviation. Feed-forward compares a measured
-/// point with an exact one, so u is the gauge's; feedback compares two measured points, so u is the gauge's times the square root of 2.
+/// Outside, it must also be significant: its largest normal deviation must exceed <see cref="CoverageFactor"/> times the combined standard
+/// uncertainty u of a normal deviation. Feed-forward compares a measured point with an exact one, so u is the gauge's; feedback compares
+/// two measured points, so u is the gauge's times the square root of 2.
 /// </para>
 /// <para>
 /// Limits wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times as wide as a significant deviation of the
@@ -18,14 +21,16 @@ namespace ErrorMatching.Mating;
 /// 0.05 mm are allowed and 1 um is found, but micrometers taken for millimeters are 1000 times as wide as they are meant. What is not
 /// significant stays as it is, whatever the limits, and says nothing about them.
 /// </para>
-/// <para>Plausible is a displacement, along whatever direction, of at most the job's limit. One that exceeds it at any point refuses the job.</para>
+/// <para>Plausible is a displacement, along whatever direction, of at most the job's limit.
+/// One that exceeds it at any point refuses the job.</para>
 /// </remarks>
 internal static class Decider
 {
     /// <summary>Code of the refusal of a deviation beyond the job's limit.</summary>
     public const string ImplausibleDeviation = "implausible-deviation";
 
-    /// <summary>Coverage factor k of the expanded uncertainty that a deviation is compared with: 2, about 95 % of normally distributed errors.</summary>
+    /// <summary>Coverage factor k of the expanded uncertainty that a deviation is compared with:
+    /// 2, about 95 % of normally distributed errors.</summary>
     public const double CoverageFactor = 2;
 
     /// <summary>Limits at most so many times as wide as what a feature deviates are a matter of taste.</summary>
@@ -50,7 +55,8 @@ internal static class Decider
             var feature = job.Features[i];
             if (points.Count != job.Features.Count || !feature.Points.SequenceEqual(points[i].Select(p => p.Label)))
             {
-                throw new ArgumentException($"Found other points than those of {feature.Name}; expected its key points in the order of cutting.", nameof(points));
+                throw new ArgumentException(
+                    $"Found other points than those of {feature.Name}; expected its key points in the order of cutting.", nameof(points));
             }
 
             features.Add(Decide(feature.Name, feature.Tolerance.Band, points[i], job.Compensation, u));
@@ -59,7 +65,9 @@ internal static class Decider
                 refusals.Add(micrometers);
             }
 
-            refusals.AddRange(points[i].Where(p => !(p.Displacement.Length <= job.Compensation.LimitMm)).Select(p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
+            refusals.AddRange(
+                points[i].Where(p => !(p.Displacement.Length <= job.Compensation.LimitMm)).Select(
+                    p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
         }
 
         return new(features, refusals);
@@ -81,13 +89,21 @@ internal static class Decider
             };
     }
 
-    private static FeatureDecision Decide(string name, ToleranceBand band, IReadOnlyList<BoundaryPoint> points, JobCompensation compensation, double u)
+    private static FeatureDecision Decide(
+        string name, ToleranceBand band, IReadOnlyList<BoundaryPoint> points, JobCompensation compensation, double u)
     {
         var largest = points.Select(p => p.NormalMm).MaxBy(Math.Abs);
         var decision = points.All(p => band.Contains(p.NormalMm)) ? Decision.WithinTolerance
             : Math.Abs(largest) <= CoverageFactor * u ? Decision.NotSignificant
             : Decision.Compensated;
-        return new(name, decision, largest, u, [.. points.Select(p => new PointDecision(p, band.ExcessOf(p.NormalMm), decision == Decision.Compensated ? Correction(p, band, compensation) : Vector2.Zero))]);
+        return new(
+            name,
+            decision,
+            largest,
+            u,
+            [
+                .. points.Select(p => new PointDecision(
+                    p, band.ExcessOf(p.NormalMm), decision == Decision.Compensated ? Correction(p, band, compensation) : Vector2.Zero))]);
     }
 
     private static Vector2 Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)

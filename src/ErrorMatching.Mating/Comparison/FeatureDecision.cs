@@ -6,4 +6,5 @@ namespace ErrorMatching.Mating;
 /// <param name="LargestMm">The normal deviation of the largest size among its points, with its sign.</param>
 /// <param name="StandardUncertaintyMm">Combined standard uncertainty of a normal deviation of this feature.</param>
 /// <param name="Points">The key points in the order of cutting.</param>
-public sealed record FeatureDecision(string Feature, Decision Decision, double LargestMm, double StandardUncertaintyMm, IReadOnlyList<PointDecision> Points);
+public sealed record FeatureDecision(
+    string Feature, Decision Decision, double LargestMm, double StandardUncertaintyMm, IReadOnlyList<PointDecision> Points);

@@ -10,7 +10,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Point">Label of the point concerned; null if none is.</param>
 /// <param name="Block">The block concerned as the setter knows it; null if none is.</param>
 /// <param name="Line">Its line in the program, from 1; 0 if none is.</param>
-public sealed record MatingRefusal(string Code, string Message, string? Feature = null, string? Point = null, string? Block = null, int Line = 0)
+public sealed record MatingRefusal(
+    string Code, string Message, string? Feature = null, string? Point = null, string? Block = null, int Line = 0)
 {
     /// <summary>How far the point lies from the path, mm; null where the reason is another one.</summary>
     public double? DistanceMm { get; init; }

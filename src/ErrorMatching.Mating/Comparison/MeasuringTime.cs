@@ -22,5 +22,6 @@ public sealed record MeasuringTime(double ProbingSpeedMmPerS, double ProbingDist
     }
 
     /// <inheritdoc/>
-    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{ProbingDistanceMm} mm at {ProbingSpeedMmPerS} mm/s a point, {CalculatingS} s of calculation");
+    public override string ToString() => string.Create(
+        CultureInfo.InvariantCulture, $"{ProbingDistanceMm} mm at {ProbingSpeedMmPerS} mm/s a point, {CalculatingS} s of calculation");
 }

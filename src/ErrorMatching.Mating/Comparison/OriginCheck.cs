@@ -3,7 +3,8 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Whether the measured origin lies where it is designed (Wang 2021, section 2.2: the origin is checked before any key point is measured).</summary>
+/// <summary>Whether the measured origin lies where it is designed (Wang 2021, section 2.2:
+/// the origin is checked before any key point is measured).</summary>
 /// <param name="Point">Label of the origin.</param>
 /// <param name="DistanceMm">How far it is off.</param>
 /// <param name="LimitMm">How far it may be off.</param>
@@ -18,7 +19,13 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     /// <summary>The refusal, or null if the check holds.</summary>
     public MatingRefusal? Refusal => Holds
         ? null
-        : new(OriginOff, string.Create(CultureInfo.InvariantCulture, $"The origin {Point} was measured {DistanceMm:0.000} mm off, more than the {LimitMm:0.###} mm allowed: check clamping and work offset, then measure again."), Point: Point);
+        : new(
+            OriginOff,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"The origin {Point} was measured {DistanceMm:0.000} mm off, more than the {LimitMm:0.###} mm allowed: check clamping "
+                    + $"and work offset, then measure again."),
+            Point: Point);
 
     /// <summary>Checks the origin as measured, before any alignment.</summary>
     /// <param name="check">What the job asks for.</param>
@@ -38,7 +45,9 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     {
         foreach (var file in measurements)
         {
-            if (job.OriginCheck is { } check && file is not null && Of(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
+            if (job.OriginCheck is { } check
+                && file is not null
+                && Of(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
             {
                 return refusal with { Message = $"{file.File}: {refusal.Message}" };
             }

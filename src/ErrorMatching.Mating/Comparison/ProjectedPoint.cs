@@ -14,7 +14,8 @@ internal readonly record struct ProjectedPoint(string Label, Point2 Position, do
     /// <param name="point">The point.</param>
     /// <param name="plane">The feature's plane.</param>
     /// <param name="file">File of the point, for messages.</param>
-    /// <exception cref="MeasurementException">The plane is not XY and the file has no Z (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
+    /// <exception cref="MeasurementException">The plane is not XY and the file has no Z
+    /// (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
     public static ProjectedPoint Of(LabelledPoint point, CoordinatePlane plane, string file)
     {
         if (!point.HasZ && plane != CoordinatePlane.XY)
@@ -30,6 +31,7 @@ internal readonly record struct ProjectedPoint(string Label, Point2 Position, do
         return new(point.Label, plane.Project(point.Position), point.HasZ ? plane.Height(point.Position) : null);
     }
 
-    /// <summary>How far a measured point stands out of its plane: its height above the theoretical point's, or null where one of them has no height.</summary>
+    /// <summary>How far a measured point stands out of its plane: its height above the theoretical point's,
+    /// or null where one of them has no height.</summary>
     public double? StandsOutMm(ProjectedPoint theoretical) => HeightMm - theoretical.HeightMm;
 }

@@ -12,9 +12,10 @@ namespace ErrorMatching.Mating;
 ///                 counterpart | (o) ball on the counterpart
 /// </code>
 /// <para>
-/// The ball is always in the air of the piece that it measures. The part fills the room that the tool has cleared, so its air is where the counterpart's material is: the ball's center lies a radius
-/// before the contact along the normal, and contact = center + radius * normal. The counterpart's air is where the tool was: contact = center - radius * normal.
-/// With the measured piece's own normal, out of its material, both read contact = center - radius * normal.
+/// The ball is always in the air of the piece that it measures. The part fills the room that the tool has cleared, so its air is where the
+/// counterpart's material is: the ball's center lies a radius before the contact along the normal, and contact = center + radius * normal.
+/// The counterpart's air is where the tool was: contact = center - radius * normal. With the measured piece's own normal, out of its
+/// material, both read contact = center - radius * normal.
 /// </para>
 /// </remarks>
 internal static class StylusCenter

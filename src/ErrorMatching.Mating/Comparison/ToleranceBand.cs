@@ -13,7 +13,9 @@ public readonly record struct ToleranceBand
     {
         if (!(lowerMm <= upperMm && double.IsFinite(lowerMm) && double.IsFinite(upperMm)))
         {
-            throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"Found the limits {lowerMm} and {upperMm}; expected the lower one first."), nameof(lowerMm));
+            throw new ArgumentException(
+                string.Create(CultureInfo.InvariantCulture, $"Found the limits {lowerMm} and {upperMm}; expected the lower one first."),
+                nameof(lowerMm));
         }
 
         (LowerMm, UpperMm) = (lowerMm, upperMm);
@@ -25,16 +27,19 @@ public readonly record struct ToleranceBand
     /// <summary>The upper limit.</summary>
     public double UpperMm { get; }
 
-    /// <summary>The limits of the mating error where these limit the part: the job limits part - counterpart, a mating error is counterpart - part.</summary>
+    /// <summary>The limits of the mating error where these limit the part:
+    /// the job limits part - counterpart, a mating error is counterpart - part.</summary>
     public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);
 
     /// <summary>True if a deviation lies between the limits or on one of them.</summary>
     public bool Contains(double deviationMm) => ExcessOf(deviationMm) == 0;
 
-    /// <summary>The part of a deviation beyond its limit: positive above the upper one, negative below the lower one, zero inside.</summary>
+    /// <summary>The part of a deviation beyond its limit: positive above the upper one, negative below the lower one,
+    /// zero inside.</summary>
     public double ExcessOf(double deviationMm)
     {
-        // Limits and coordinates are decimals of micrometres: what the subtraction of two of them leaves beyond the 9th decimal is rounding, not deviation.
+        // Limits and coordinates are decimals of micrometres: what the subtraction of two of them leaves beyond the 9th decimal is
+        // rounding, not deviation.
         const double rounding = 1e-9;
         var excess = deviationMm > UpperMm ? deviationMm - UpperMm : deviationMm < LowerMm ? deviationMm - LowerMm : 0;
         return Math.Abs(excess) <= rounding ? 0 : excess;

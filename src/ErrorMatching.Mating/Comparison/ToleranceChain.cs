@@ -7,7 +7,8 @@ public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
     /// <summary>The signed sum of the nominal sizes.</summary>
     public double NominalMm => Links.Sum(l => l.Sign * l.NominalMm);
 
-    /// <summary>The smallest and the largest size if every dimension is at its worst limit at once: a shortening dimension contributes its limits exchanged.</summary>
+    /// <summary>The smallest and the largest size if every dimension is at its worst limit at once:
+    /// a shortening dimension contributes its limits exchanged.</summary>
     public ChainDimension WorstCase()
     {
         var smallest = Links.Sum(l => l.Sign > 0 ? l.Tolerance.LowerMm : -l.Tolerance.UpperMm);
@@ -16,9 +17,11 @@ public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
     }
 
     /// <summary>
-    /// The smallest and the largest size if the dimensions vary independently: the middles of the bands add up with their signs, half the widths by root sum of squares.
+    /// The smallest and the largest size if the dimensions vary independently:
+    /// the middles of the bands add up with their signs, half the widths by root sum of squares.
     /// </summary>
-    /// <remarks>The usual statistical tolerance analysis: with bands of equal probability content, the result has that content too if the dimensions are normally distributed about the middles.</remarks>
+    /// <remarks>The usual statistical tolerance analysis: with bands of equal probability content, the result has that content too if the
+    /// dimensions are normally distributed about the middles.</remarks>
     public ChainDimension RootSumOfSquares()
     {
         var middle = Links.Sum(l => l.Sign * (l.Tolerance.LowerMm + l.Tolerance.UpperMm) / 2);

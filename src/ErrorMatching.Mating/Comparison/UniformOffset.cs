@@ -7,12 +7,13 @@ internal static class UniformOffset
     public const double ToleranceMm = 0.0005;
 
     /// <summary>
-    /// The tool-radius wear value that does the same as all corrections together, or null if there is none. Positive moves the tool away from the material.
+    /// The tool-radius wear value that does the same as all corrections together, or null if there is none.
+    /// Positive moves the tool away from the material.
     /// </summary>
     /// <remarks>
-    /// A tool taken to be larger by w is led w further from the boundary, along the normal from the material to the tool. So the wear value is the common normal correction, with its sign.
-    /// It exists only where every feature is compensated, every correction runs along its normal, and all are equal within <see cref="ToleranceMm"/>.
-    /// A control that keeps wear as a diameter takes twice the value.
+    /// A tool taken to be larger by w is led w further from the boundary, along the normal from the material to the tool. So the wear value
+    /// is the common normal correction, with its sign. It exists only where every feature is compensated, every correction runs along its
+    /// normal, and all are equal within <see cref="ToleranceMm"/>. A control that keeps wear as a diameter takes twice the value.
     /// </remarks>
     public static double? RadiusWearMm(MatingDecision decision)
     {

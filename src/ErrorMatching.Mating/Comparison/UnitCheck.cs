@@ -15,7 +15,8 @@ internal static class UnitCheck
     // No two pieces that differ by just this factor are mated.
     private const double Margin = 0.1;
 
-    /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are not, or the other way around.</summary>
+    /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are not,
+    /// or the other way around.</summary>
     /// <returns>The refusal; null where all have one unit.</returns>
     public static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {

@@ -6,9 +6,10 @@ using MathNet.Numerics.LinearAlgebra.Factorization;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// What an arc of a program can follow: a shift s of its center and a growth g of its radius. A circle of radius r so changed is met along the unit ray u of the old
-/// center at <c>s.u + sqrt((r + g)^2 - (s x u)^2)</c>. The three unknowns are found by least squares (Gauss-Newton over QR) from the corrections at the key points, which
-/// lie on the boundary's circle; the path's circle has the same center, shift and growth.
+/// What an arc of a program can follow: a shift s of its center and a growth g of its radius.
+/// A circle of radius r so changed is met along the unit ray u of the old center at <c>s.u + sqrt((r + g)^2 - (s x u)^2)</c>. The three
+/// unknowns are found by least squares (Gauss-Newton over QR) from the corrections at the key points, which lie on the boundary's circle;
+/// the path's circle has the same center, shift and growth.
 /// </summary>
 internal sealed class CircleField
 {
@@ -31,17 +32,22 @@ internal sealed class CircleField
         _outwardIsLeft = outwardIsLeft;
     }
 
-    /// <summary>Root mean square by which the fit through the others misses each point (closed form from the hat matrix); infinite for three points.</summary>
+    /// <summary>Root mean square by which the fit through the others misses each point (closed form from the hat matrix);
+    /// infinite for three points.</summary>
     public double LeaveOneOutRms { get; }
 
-    /// <summary>The field of a pass that consists of arcs of one circle, or null where it does not or where its key points say too little.</summary>
+    /// <summary>The field of a pass that consists of arcs of one circle, or null where it does not or where its key points say too
+    /// little.</summary>
     public static CircleField? Of(NcPath path, FeaturePass pass, IReadOnlyList<Vector2> corrections)
     {
         var first = path.Motions[pass.First];
         foreach (var i in FeaturePass.Moving(path, pass.First, pass.Last))
         {
             var motion = path.Motions[i];
-            if (motion.Kind != first.Kind || !motion.IsArc || motion.Center.DistanceTo(first.Center) > 0.01 || Math.Abs(motion.Arc.Radius - first.Arc.Radius) > 0.01)
+            if (motion.Kind != first.Kind
+                || !motion.IsArc
+                || motion.Center.DistanceTo(first.Center) > 0.01
+                || Math.Abs(motion.Arc.Radius - first.Arc.Radius) > 0.01)
             {
                 return null;
             }
@@ -61,12 +67,17 @@ internal sealed class CircleField
         var (moved, grown) = (Vector2.Zero, 0.0);
         for (var iteration = 0; iteration < Iterations; iteration++)
         {
-            var step = design.Solve(Vector<double>.Build.Dense(rays.Length, i => corrections[i].Dot(rays[i]) - Outward(rays[i], radii[i], moved, grown)));
+            var step = design.Solve(Vector<double>.Build.Dense(
+                rays.Length, i => corrections[i].Dot(rays[i]) - Outward(rays[i], radii[i], moved, grown)));
             (moved, grown) = (moved + new Vector2(step[0], step[1]), grown + step[2]);
         }
 
-        var leftOut = rays.Select((ray, i) => (corrections[i].Dot(ray) - Outward(ray, radii[i], moved, grown)) / Math.Max(0, 1 - design.Q.Row(i).DotProduct(design.Q.Row(i))));
-        return new(first.Arc.Radius, moved, grown, clockwise, rays.Length == 3 ? double.PositiveInfinity : Math.Sqrt(leftOut.Average(e => e * e)));
+        var leftOut = rays.Select(
+            (ray, i) => (
+                corrections[i].Dot(ray) - Outward(ray, radii[i], moved, grown))
+                / Math.Max(0, 1 - design.Q.Row(i).DotProduct(design.Q.Row(i))));
+        return new(
+            first.Arc.Radius, moved, grown, clockwise, rays.Length == 3 ? double.PositiveInfinity : Math.Sqrt(leftOut.Average(e => e * e)));
     }
 
     /// <summary>The displacement where the left normal of the path is given; the length along the pass does not matter.</summary>

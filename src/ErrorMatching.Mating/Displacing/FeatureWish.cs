@@ -8,7 +8,8 @@ namespace ErrorMatching.Mating;
 /// </summary>
 internal static class FeatureWish
 {
-    /// <summary>Sine of the angle up to which two lines count as pieces of one polyline: 5.7 degrees, as in the rewriting of the program.</summary>
+    /// <summary>Sine of the angle up to which two lines count as pieces of one polyline:
+    /// 5.7 degrees, as in the rewriting of the program.</summary>
     private const double PolylineSine = 0.1;
 
     /// <summary>The shift and tilt of something straight: a field of values at the key points of a cut.</summary>
@@ -44,10 +45,15 @@ internal static class FeatureWish
     {
         var motion = path.Motions[index];
         var (from, to) = (pass.Starts[index - pass.First], pass.Starts[index - pass.First + 1]);
-        return new(index, course(from, NormalAt(path, pass, index, -1)), course((from + to) / 2, motion.TangentAt(0.5).Left), course(to, NormalAt(path, pass, index, 1)));
+        return new(
+            index,
+            course(from, NormalAt(path, pass, index, -1)),
+            course((from + to) / 2, motion.TangentAt(0.5).Left),
+            course(to, NormalAt(path, pass, index, 1)));
     }
 
-    // Where two lines of a polyline run into each other both ends get one displacement, of the same component along either normal: else lines that tilt would meet beside the place that each of them wants.
+    // Where two lines of a polyline run into each other both ends get one displacement, of the same component along either normal: else
+    // lines that tilt would meet beside the place that each of them wants.
     private static Vector2 NormalAt(NcPath path, FeaturePass pass, int index, int step)
     {
         var motion = path.Motions[index];
@@ -64,6 +70,8 @@ internal static class FeatureWish
         }
 
         var other = path.Motions[next].TangentAt(step > 0 ? 0 : 1);
-        return Math.Abs(tangent.Cross(other)) < PolylineSine && tangent.Dot(other) > 0 ? (tangent.Left + other.Left) / (1 + tangent.Dot(other)) : tangent.Left;
+        return Math.Abs(tangent.Cross(other)) < PolylineSine && tangent.Dot(other) > 0
+            ? (tangent.Left + other.Left) / (1 + tangent.Dot(other))
+            : tangent.Left;
     }
 }

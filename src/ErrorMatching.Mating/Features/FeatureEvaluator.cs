@@ -12,14 +12,17 @@ internal static class FeatureEvaluator
     /// <param name="standardUncertaintyMm">Standard uncertainty of a measured coordinate.</param>
     /// <exception cref="ArgumentException">There are not as many points as the feature has.</exception>
     /// <exception cref="GeometryException">The points do not determine the feature; the message names it.</exception>
-    public static FeatureEvaluation Evaluate(JobFeature feature, IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double standardUncertaintyMm)
+    public static FeatureEvaluation Evaluate(
+        JobFeature feature, IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double standardUncertaintyMm)
     {
         ArgumentNullException.ThrowIfNull(feature);
         ArgumentNullException.ThrowIfNull(theoretical);
         ArgumentNullException.ThrowIfNull(actual);
         if (theoretical.Count != feature.Points.Count || actual.Count != feature.Points.Count)
         {
-            throw new ArgumentException($"Found {theoretical.Count} theoretical and {actual.Count} measured points; expected {feature.Points.Count} of each.", nameof(actual));
+            throw new ArgumentException(
+                $"Found {theoretical.Count} theoretical and {actual.Count} measured points; expected {feature.Points.Count} of each.",
+                nameof(actual));
         }
 
         return feature.Evaluate(theoretical, actual, standardUncertaintyMm);

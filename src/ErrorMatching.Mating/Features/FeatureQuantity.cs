@@ -12,5 +12,6 @@ public sealed record FeatureQuantity(string Name, double Theoretical, double Act
     internal const string Direction = "directionDeg";
 
     /// <summary>Theoretical - actual, as the paper's tables print it; of directions in (-180, 180] degrees.</summary>
-    public double Deviation => Name == Direction ? Geometry.Angle.FromDegrees(Theoretical - Actual).Normalized.Degrees : Theoretical - Actual;
+    public double Deviation =>
+        Name == Direction ? Geometry.Angle.FromDegrees(Theoretical - Actual).Normalized.Degrees : Theoretical - Actual;
 }

@@ -10,7 +10,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Tolerance">Its limits.</param>
 /// <param name="Plane">Its plane.</param>
 /// <param name="Reader">Who reads the job.</param>
-internal sealed record FeatureReading(JsonItem Item, string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, JobReader Reader)
+internal sealed record FeatureReading(
+    JsonItem Item, string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, JobReader Reader)
 {
     /// <summary>
     /// Its labels, list by list, each with as many as the kind takes at least; what is wrong with them becomes a problem of the job.

@@ -9,7 +9,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Map">The feature on it.</param>
 /// <param name="Theoretical">Its key points as designed, in the part's frame.</param>
 /// <param name="Actual">Its key points as measured, aligned.</param>
-internal sealed record MeasuredFeature(MatingJob Job, NcPath Path, FeatureMap Map, IReadOnlyList<Point2> Theoretical, IReadOnlyList<Point2> Actual)
+internal sealed record MeasuredFeature(
+    MatingJob Job, NcPath Path, FeatureMap Map, IReadOnlyList<Point2> Theoretical, IReadOnlyList<Point2> Actual)
 {
     /// <summary>The measured deviations along the normals, in the order of the points.</summary>
     public double[] Normals => [.. Actual.Select((p, i) => (p - Theoretical[i]).Dot(Map.Normals[i]))];

@@ -3,7 +3,8 @@ namespace ErrorMatching.Mating;
 /// <summary>The alignment that a job asks for.</summary>
 /// <param name="Kind">How points are moved.</param>
 /// <param name="Origin">Label of the datum's origin; null unless the kind is <see cref="JobAlignmentKind.Datum"/>.</param>
-/// <param name="Direction">Label of the point that gives the datum's direction; null unless the kind is <see cref="JobAlignmentKind.Datum"/>.</param>
+/// <param name="Direction">Label of the point that gives the datum's direction; null unless the kind is
+/// <see cref="JobAlignmentKind.Datum"/>.</param>
 /// <param name="LockX">True if a best fit must not move along the first axis.</param>
 /// <param name="LockY">True if a best fit must not move along the second axis.</param>
 /// <param name="LockRotation">True if a best fit must not turn.</param>

@@ -12,7 +12,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Measured">File of the key points of a counterpart that was cut before; null if there is none.</param>
 /// <param name="Frame">From the part's frame to the program's.</param>
 /// <param name="MapMm">How far a key point may lie from the path of its blocks.</param>
-public sealed record JobCounterpart(string Program, string Dialect, double ToolDiameterMm, string? Measured, RigidTransform2 Frame, double MapMm)
+public sealed record JobCounterpart(
+    string Program, string Dialect, double ToolDiameterMm, string? Measured, RigidTransform2 Frame, double MapMm)
 {
     /// <summary>The default of <see cref="MapMm"/>.</summary>
     public const double DefaultMapMm = 0.5;
@@ -29,6 +30,8 @@ public sealed record JobCounterpart(string Program, string Dialect, double ToolD
     /// <param name="point">The point as designed.</param>
     /// <param name="plane">The plane of its feature.</param>
     /// <param name="file">File of the point, for messages.</param>
-    /// <exception cref="MeasurementException">The plane is not XY and the point has no Z (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
-    public Point2 PlaceOf(LabelledPoint point, CoordinatePlane plane, string file) => Frame.Apply(ProjectedPoint.Of(point, plane, file).Position);
+    /// <exception cref="MeasurementException">The plane is not XY and the point has no Z
+    /// (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
+    public Point2 PlaceOf(LabelledPoint point, CoordinatePlane plane, string file) =>
+        Frame.Apply(ProjectedPoint.Of(point, plane, file).Position);
 }

@@ -18,6 +18,7 @@ public sealed class JobException : Exception
     /// <summary>Name of the file, as the caller knows it.</summary>
     public string File { get; }
 
-    /// <summary>Everything that is wrong, in the order of the document; each with code, JSON path, line, column, what was found and what is expected.</summary>
+    /// <summary>Everything that is wrong, in the order of the document;
+    /// each with code, JSON path, line, column, what was found and what is expected.</summary>
     public IReadOnlyList<JsonProblem> Problems { get; }
 }

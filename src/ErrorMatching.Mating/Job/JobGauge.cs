@@ -8,4 +8,5 @@ namespace ErrorMatching.Mating;
 /// <param name="Reports">What the coordinates in its files are.</param>
 /// <param name="StylusDiameterMm">Diameter of the stylus ball; null where the job does not say and does not need it.</param>
 /// <param name="Measuring">The terms of equation (7).</param>
-public sealed record JobGauge(MeasurementFormat Format, UncertaintyBudget Uncertainty, ProbeReport Reports, double? StylusDiameterMm, MeasuringTime Measuring);
+public sealed record JobGauge(
+    MeasurementFormat Format, UncertaintyBudget Uncertainty, ProbeReport Reports, double? StylusDiameterMm, MeasuringTime Measuring);

@@ -36,7 +36,11 @@ internal sealed partial class JobReader
         var source = item.Text == "chain:rss" ? ToleranceSource.RootSumOfSquares : ToleranceSource.WorstCase;
         if (chain is null)
         {
-            Refuse(item, "chain-missing", $"\"{item.Text}\" in a job without \"toleranceChain\"", "a tolerance chain, or a lower and an upper limit");
+            Refuse(
+                item,
+                "chain-missing",
+                $"\"{item.Text}\" in a job without \"toleranceChain\"",
+                "a tolerance chain, or a lower and an upper limit");
             return new(default, source);
         }
 
@@ -53,13 +57,21 @@ internal sealed partial class JobReader
             // A point of two features would have two normals and two corrections.
             if (!_featureOfPoint.TryAdd(label, feature))
             {
-                Refuse(item, "duplicate-point", $"the point {label} again, which belongs to {_featureOfPoint[label]}", "each point in one place");
+                Refuse(
+                    item,
+                    "duplicate-point",
+                    $"the point {label} again, which belongs to {_featureOfPoint[label]}",
+                    "each point in one place");
             }
         }
 
         if (labels.Count < least)
         {
-            Refuse(list, "too-few-points", string.Create(CultureInfo.InvariantCulture, $"{labels.Count} point(s)"), string.Create(CultureInfo.InvariantCulture, $"at least {least}"));
+            Refuse(
+                list,
+                "too-few-points",
+                string.Create(CultureInfo.InvariantCulture, $"{labels.Count} point(s)"),
+                string.Create(CultureInfo.InvariantCulture, $"at least {least}"));
         }
 
         return [.. labels.Select(l => l.Label)];

@@ -3,7 +3,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <content>Limits and uncertainties that no deviation can reach before the job stops: as good as none, and most often micrometers.</content>
+/// <content>Limits and uncertainties that no deviation can reach before the job stops:
+/// as good as none, and most often micrometers.</content>
 internal sealed partial class JobReader
 {
     private void CheckLimits(MatingJob job)

@@ -5,7 +5,8 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// Makes a job of a document that keeps the schema, and collects what a schema cannot say: names that must be unique, points that must suffice, keys that need one another.
+/// Makes a job of a document that keeps the schema, and collects what a schema cannot say:
+/// names that must be unique, points that must suffice, keys that need one another.
 /// </summary>
 internal sealed partial class JobReader(JsonItem root)
 {
@@ -41,14 +42,19 @@ internal sealed partial class JobReader(JsonItem root)
         };
         if (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is null)
         {
-            Refuse(root["counterpart"], "measured-missing", "no key \"measured\"", "the measured counterpart's file, since the compensation comes from it");
+            Refuse(
+                root["counterpart"],
+                "measured-missing",
+                "no key \"measured\"",
+                "the measured counterpart's file, since the compensation comes from it");
         }
 
         CheckLimits(job);
         return job;
     }
 
-    private ChainLink ReadLink(JsonItem item) => new(item["name"].Text, item["nominalMm"].Number, ReadBand(item["toleranceMm"]), (int)item["sign"].Number);
+    private ChainLink ReadLink(JsonItem item) =>
+        new(item["name"].Text, item["nominalMm"].Number, ReadBand(item["toleranceMm"]), (int)item["sign"].Number);
 
     private JobGauge ReadGauge(JsonItem item)
     {
@@ -83,7 +89,8 @@ internal sealed partial class JobReader(JsonItem root)
         }
         catch (MeasurementException e)
         {
-            Problems.Add(new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, e.Expected, $"found {e.Found}; expected {e.Expected}"));
+            Problems.Add(new(
+                "bad-format", item.Path + e.Path?[1..], item.Place, e.Found, e.Expected, $"found {e.Found}; expected {e.Expected}"));
             return MeasurementFormat.Points;
         }
     }
@@ -96,7 +103,11 @@ internal sealed partial class JobReader(JsonItem root)
                 var (origin, direction) = (item["origin"], item["direction"]);
                 if (origin.Text == direction.Text)
                 {
-                    Refuse(direction, "datum-needs-two-points", $"the origin {direction.Text} again", "another point, which gives the direction");
+                    Refuse(
+                        direction,
+                        "datum-needs-two-points",
+                        $"the origin {direction.Text} again",
+                        "another point, which gives the direction");
                 }
 
                 return new(JobAlignmentKind.Datum, origin.Text, direction.Text, false, false, false);
@@ -123,7 +134,8 @@ internal sealed partial class JobReader(JsonItem root)
     {
         var mirror = item.Find("mirror")?.Text switch { "x" => Mirror.X, "y" => Mirror.Y, _ => Mirror.None };
         var by = item.Find("translateMm")?.Items;
-        return new(mirror, Angle.FromDegrees(item.Find("rotateDeg")?.Number ?? 0), by is null ? Vector2.Zero : new(by[0].Number, by[1].Number));
+        return new(
+            mirror, Angle.FromDegrees(item.Find("rotateDeg")?.Number ?? 0), by is null ? Vector2.Zero : new(by[0].Number, by[1].Number));
     }
 
     private static JobCompensation ReadCompensation(JsonItem item) => new(
@@ -170,5 +182,6 @@ internal sealed partial class JobReader(JsonItem root)
     }
 
     /// <summary>Adds a problem with an item.</summary>
-    public void Refuse(JsonItem item, string code, string found, string expected) => Problems.Add(JsonProblem.At(item, code, found, expected));
+    public void Refuse(JsonItem item, string code, string found, string expected) =>
+        Problems.Add(JsonProblem.At(item, code, found, expected));
 }

@@ -6,11 +6,14 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What is measured, how it is judged, and which blocks of the counterpart's program follow: the file that a setter writes once for a mating.</summary>
-/// <remarks>Every key of the file is described by its schema (<see cref="JobTemplate.Schema"/>). Lengths in millimetres, angles in degrees.</remarks>
+/// <summary>What is measured, how it is judged, and which blocks of the counterpart's program follow:
+/// the file that a setter writes once for a mating.</summary>
+/// <remarks>Every key of the file is described by its schema (<see cref="JobTemplate.Schema"/>).
+/// Lengths in millimetres, angles in degrees.</remarks>
 public sealed record MatingJob
 {
-    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
+    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
+        Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
 
     private static readonly Lazy<JsonSchema> SchemaWithoutBlocks = new(WithoutBlocks);
 
@@ -66,9 +69,12 @@ public sealed record MatingJob
     /// <summary>Labels of all key points in the order of cutting, each once.</summary>
     public IReadOnlyList<string> KeyPoints => [.. Features.SelectMany(f => f.Points)];
 
-    /// <summary>Labels of all points that the theoretical and the measured files must have: the key points, the datum's and the checked origin.</summary>
+    /// <summary>Labels of all points that the theoretical and the measured files must have:
+    /// the key points, the datum's and the checked origin.</summary>
     public IReadOnlyList<string> NeededPoints =>
-        [.. KeyPoints.Concat(new[] { Alignment.Origin, Alignment.Direction, OriginCheck?.Point }.OfType<string>()).Distinct(StringComparer.Ordinal)];
+        [
+            .. KeyPoints.Concat(
+                new[] { Alignment.Origin, Alignment.Direction, OriginCheck?.Point }.OfType<string>()).Distinct(StringComparer.Ordinal)];
 
     /// <summary>The job in a file.</summary>
     /// <param name="path">The file.</param>
@@ -80,10 +86,12 @@ public sealed record MatingJob
     /// <summary>The job in some bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">Name for messages, and the place that relative paths start from.</param>
-    /// <exception cref="JobException">The bytes are no JSON, break the schema, or the job contradicts itself; all problems are in it.</exception>
+    /// <exception cref="JobException">The bytes are no JSON, break the schema, or the job contradicts itself;
+    /// all problems are in it.</exception>
     public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema.Value);
 
-    /// <summary>The job in some bytes, of which features may name no blocks yet: they are still sought. It is no job to match with.</summary>
+    /// <summary>The job in some bytes, of which features may name no blocks yet: they are still sought.
+    /// It is no job to match with.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">Name for messages, and the place that relative paths start from.</param>
     /// <exception cref="JobException">As of <see cref="Parse"/>, but for blocks that are missing.</exception>
@@ -112,7 +120,8 @@ public sealed record MatingJob
         return reader.Problems.Count == 0 ? job : throw new JobException(file, reader.Problems);
     }
 
-    /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder, absolute ones stay.</summary>
+    /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder,
+    /// absolute ones stay.</summary>
     public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
 
     private static JsonSchema WithoutBlocks()

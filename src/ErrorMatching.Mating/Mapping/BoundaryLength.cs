@@ -3,8 +3,9 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// Lengths along the boundary that a path leaves at a distance to its left: each piece of the path is longer or shorter there by that distance times the angle it turns.
-/// What a joint of a polyline turns belongs half to each side, so a fine polyline is measured like the curve it stands for.
+/// Lengths along the boundary that a path leaves at a distance to its left:
+/// each piece of the path is longer or shorter there by that distance times the angle it turns. What a joint of a polyline turns belongs
+/// half to each side, so a fine polyline is measured like the curve it stands for.
 /// </summary>
 internal static class BoundaryLength
 {
@@ -21,7 +22,8 @@ internal static class BoundaryLength
         for (var k = 0; k < moving.Length; k++)
         {
             var motion = path.Motions[moving[k]];
-            var joints = (k > 0 ? Turn(path, moving[k - 1], moving[k]) : 0) + (k < moving.Length - 1 ? Turn(path, moving[k], moving[k + 1]) : 0);
+            var joints = (k > 0 ? Turn(path, moving[k - 1], moving[k]) : 0)
+                + (k < moving.Length - 1 ? Turn(path, moving[k], moving[k + 1]) : 0);
             var turned = (motion.IsArc ? motion.Arc.Sweep.Radians : 0) + (joints / 2);
 
             // Where the tool rounds an inside corner the boundary has no length of its own; a little keeps the order of places.

@@ -5,8 +5,9 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// Finds the motions of a program that cut boundaries of which the key points are known: a proposal for a person to look at, never more. Of all uninterrupted cuts that pass the points of a boundary at one distance, all on one side,
-/// it takes the nearest ones; from the first to the last point, and on as far as the boundary goes on straight or bends gently, at most by the distance of the two outermost points.
+/// Finds the motions of a program that cut boundaries of which the key points are known: a proposal for a person to look at, never more. Of
+/// all uninterrupted cuts that pass the points of a boundary at one distance, all on one side, it takes the nearest ones; from the first to
+/// the last point, and on as far as the boundary goes on straight or bends gently, at most by the distance of the two outermost points.
 /// </summary>
 /// <remarks>The cost is that of motions times points.</remarks>
 public static class BoundarySearch
@@ -20,7 +21,8 @@ public static class BoundarySearch
     /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
     public const double BendCosine = 0.866;
 
-    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner; a match warns of such by the same word.</summary>
+    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner;
+    /// a match warns of such by the same word.</summary>
     public const string PointOnCorner = "point-on-corner";
 
     // Sine of 5.7 degrees, up to which two lines are pieces of one and an arc is tangent, as in the rewriting of the program.
@@ -32,10 +34,13 @@ public static class BoundarySearch
     /// <summary>Seeks boundaries.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="boundaries">The boundaries.</param>
-    /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet: then any distance will do that is the same for all points.</param>
+    /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet:
+    /// then any distance will do that is the same for all points.</param>
     /// <param name="mapMm">How far a key point may lie from where it belongs (<see cref="JobCounterpart.MapMm"/>).</param>
-    /// <returns>For each of the boundaries, in their order, the passes that cut it in the order of the program; none, and the reason, where it was not found, and where its blocks could not be told from another one's.</returns>
-    public static IReadOnlyList<FoundBoundary> Find(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm)
+    /// <returns>For each of the boundaries, in their order, the passes that cut it in the order of the program; none, and the reason, where
+    /// it was not found, and where its blocks could not be told from another one's.</returns>
+    public static IReadOnlyList<FoundBoundary> Find(
+        NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm)
     {
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(boundaries);
@@ -59,7 +64,11 @@ public static class BoundarySearch
             }
         }
 
-        return [.. found.Select((f, b) => (refusals[b] ?? Shared(path, boundaries, found, b)) is { } refusal ? new FoundBoundary([], refusal) : new FoundBoundary([.. f.Select(c => c.Core)]))];
+        return [
+            .. found.Select(
+                (f, b) => (refusals[b] ?? Shared(path, boundaries, found, b)) is { } refusal
+                    ? new FoundBoundary([], refusal)
+                    : new FoundBoundary([.. f.Select(c => c.Core)]))];
     }
 
     /// <summary>Why a match would refuse blocks that were found for a feature, by its own mapping of the points as designed.</summary>
@@ -81,17 +90,30 @@ public static class BoundarySearch
     internal static MatingRefusal Refuse(NcPath path, int motion, string code, string message, string feature, string? point = null)
     {
         var block = path.Program[path.Motions[motion].Block];
-        return new(code, $"{feature}, {path.Program.NameOf(block)}: {message}, or name the blocks yourself.", feature, point, path.Program.NameOf(block), block.Line);
+        return new(
+            code,
+            $"{feature}, {path.Program.NameOf(block)}: {message}, or name the blocks yourself.",
+            feature,
+            point,
+            path.Program.NameOf(block),
+            block.Line);
     }
 
     // Why the blocks of a boundary cannot be told from another one's, or null.
     private static MatingRefusal? Shared(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, List<Pass>[] found, int boundary)
     {
-        foreach (var (core, other) in found[boundary].SelectMany(c => Enumerable.Range(0, found.Length).Where(o => o != boundary).Select(o => (c.Core, o))))
+        foreach (var (core, other) in found[boundary].SelectMany(
+            c => Enumerable.Range(0, found.Length).Where(o => o != boundary).Select(o => (c.Core, o))))
         {
             if (found[other].Exists(d => Overlap(path, core, d.Core)))
             {
-                return Refuse(path, core.First, FeatureMapper.BlocksOverlap, $"from here on it leads past the points of {boundaries[boundary].Name} and of {boundaries[other].Name}, so it cannot be told whose blocks these are. Check the points of both", boundaries[boundary].Name);
+                return Refuse(
+                    path,
+                    core.First,
+                    FeatureMapper.BlocksOverlap,
+                    $"from here on it leads past the points of {boundaries[boundary].Name} and of {boundaries[other].Name}, so it cannot "
+                        + $"be told whose blocks these are. Check the points of both",
+                    boundaries[boundary].Name);
             }
         }
 
@@ -106,7 +128,9 @@ public static class BoundarySearch
         for (var m = 0; m < path.Motions.Length; m++)
         {
             var motion = path.Motions[m];
-            if (motion is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true } && motion.Plane == plane && !motion.Has(MotionFlags.Expression | MotionFlags.Transformed | MotionFlags.BadArc))
+            if (motion is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true }
+                && motion.Plane == plane
+                && !motion.Has(MotionFlags.Expression | MotionFlags.Transformed | MotionFlags.BadArc))
             {
                 (first, last) = (first < 0 ? m : first, m);
             }
@@ -121,11 +145,18 @@ public static class BoundarySearch
     }
 
     // The nearest of all cuts that pass the boundary; or why the one that comes nearest to that does not.
-    private static (List<Pass> Cores, MatingRefusal? Refusal) Cores(NcPath path, List<FoundPass> cuts, SoughtBoundary boundary, double? radius, double mapMm)
+    private static (List<Pass> Cores, MatingRefusal? Refusal) Cores(
+        NcPath path, List<FoundPass> cuts, SoughtBoundary boundary, double? radius, double mapMm)
     {
         if (boundary.Points.Count < 2)
         {
-            return ([], new(NotFound, $"{boundary.Name}: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.", boundary.Name));
+            return (
+                [],
+                new(
+                    NotFound,
+                    $"{boundary.Name}: fewer than two of its points have a place in the program. Give them their coordinates, or name "
+                        + $"the blocks yourself.",
+                    boundary.Name));
         }
 
         var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary, radius, mapMm));
@@ -133,7 +164,11 @@ public static class BoundarySearch
         if (cores.Count == 0)
         {
             return ([], fits.MinBy(f => f.MissMm)?.Refuse(path, boundary, radius, mapMm)
-                ?? new MatingRefusal(NotFound, $"{boundary.Name}: the program cuts nothing in the plane {boundary.Plane} of which it says where. Check the program and the plane.", boundary.Name));
+                ?? new MatingRefusal(
+                    NotFound,
+                    $"{boundary.Name}: the program cuts nothing in the plane {boundary.Plane} of which it says where. Check the program "
+                        + $"and the plane.",
+                    boundary.Name));
         }
 
         var nearest = cores.Min(c => c.DistanceMm);

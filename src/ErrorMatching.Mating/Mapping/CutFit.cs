@@ -7,11 +7,14 @@ namespace ErrorMatching.Mating;
 /// <summary>How an uninterrupted cut lies to the key points of a sought boundary.</summary>
 /// <param name="Cut">The cut.</param>
 /// <param name="Feet">Where it is nearest to each of them.</param>
-/// <param name="WantedMm">How far it must be away from all of them: a tool radius, nothing under cutter compensation, or the middle of what is found where the tool is not known.</param>
-/// <param name="Core">From the first motion that a key point needs to the last; both only what they are where <paramref name="Fault"/> is none.</param>
+/// <param name="WantedMm">How far it must be away from all of them: a tool radius, nothing under cutter compensation, or the middle of what
+/// is found where the tool is not known.</param>
+/// <param name="Core">From the first motion that a key point needs to the last;
+/// both only what they are where <paramref name="Fault"/> is none.</param>
 /// <param name="IsAgainst">True if the cut passes the key points from the last to the first.</param>
 /// <param name="Fault">Why it does not cut the boundary.</param>
-internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, double WantedMm, FoundPass Core, bool IsAgainst, CutFault Fault)
+internal sealed record CutFit(
+    FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, double WantedMm, FoundPass Core, bool IsAgainst, CutFault Fault)
 {
     /// <summary>How far a key point is from where it must be, at most.</summary>
     public double MissMm => Feet.Max(f => Math.Abs(f.DistanceMm - WantedMm));
@@ -43,7 +46,8 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
 
         // At a joint the way in or out is as near; a key point within a motion tells which is meant.
         var whole = boundary.Kind?.WholeOf(path, cut, feet.Where(f => f.First == f.Last && !f.IsTwice).Append(feet[0]).First().First);
-        var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
+        var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(
+            i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
         var isAgainst = whole is null && ahead.First > ahead.Last;
         var core = whole ?? (isAgainst ? back : ahead);
         var fault = most - wanted > mapMm || wanted - least > mapMm ? CutFault.Apart
@@ -72,20 +76,46 @@ internal sealed record CutFit(FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, dou
         return Fault switch
         {
             CutFault.Apart when radius is null && !Feet[0].IsCompensated => At(worst, BoundarySearch.NotFound, string.Create(
-                CultureInfo.InvariantCulture, $"of all cuts this is the nearest, and its points lie {Feet.Min(f => f.DistanceMm):0.000} to {Feet.Max(f => f.DistanceMm):0.000} mm from the path; expected one distance for all (within {mapMm:0.###} mm). Check the frame and the points")),
+                CultureInfo.InvariantCulture,
+                $"of all cuts this is the nearest, and its points lie {Feet.Min(f => f.DistanceMm):0.000} to "
+                    + $"{Feet.Max(f => f.DistanceMm):0.000} mm from the path; expected one distance for all (within {mapMm:0.###} mm). "
+                        + $"Check "
+                    + $"the frame and the points")),
             CutFault.Apart => At(worst, BoundarySearch.NotFound, string.Create(
-                CultureInfo.InvariantCulture, $"of all cuts this is the nearest, and the point {boundary.Points[worst].Label} lies {Feet[worst].DistanceMm:0.000} mm from the path; expected {Where} (within {mapMm:0.###} mm). Check the frame, the tool diameter and the points")) with
+                CultureInfo.InvariantCulture,
+                $"of all cuts this is the nearest, and the point {boundary.Points[worst].Label} lies {Feet[worst].DistanceMm:0.000} mm "
+                    + $"from the path; expected {Where} (within {mapMm:0.###} mm). Check the frame, the tool diameter and the "
+                    + $"points")) with
             { DistanceMm = Feet[worst].DistanceMm },
-            CutFault.Compensation => At(Other(f => f.IsCompensated), BoundarySearch.NotFound, $"cutter compensation is not the same at the points {boundary.Points[0].Label} and {boundary.Points[Other(f => f.IsCompensated)].Label}"),
-            CutFault.Sides => At(Other(f => f.IsLeft), FeatureMapper.SidesDiffer, $"the points {boundary.Points[0].Label} and {boundary.Points[Other(f => f.IsLeft)].Label} lie on different sides of the path, so the material cannot be told. Check the frame and the points"),
-            CutFault.Twice => At(Twice, BoundarySearch.CutTwice, $"this cut passes the point {boundary.Points[Twice].Label} twice without a break, so it cannot be told which of its blocks are meant. Check the point"),
-            _ => At(0, BoundarySearch.NotFound, "this cut does not lead past the points one behind the other, as they are named. Check the points and their order"),
+            CutFault.Compensation => At(
+                Other(f => f.IsCompensated),
+                BoundarySearch.NotFound,
+                $"cutter compensation is not the same at the points {boundary.Points[0].Label} and "
+                    + $"{boundary.Points[Other(f => f.IsCompensated)].Label}"),
+            CutFault.Sides => At(
+                Other(f => f.IsLeft),
+                FeatureMapper.SidesDiffer,
+                $"the points {boundary.Points[0].Label} and {boundary.Points[Other(f => f.IsLeft)].Label} lie on different sides of the "
+                    + $"path, so the material cannot be told. Check the frame and the points"),
+            CutFault.Twice => At(
+                Twice,
+                BoundarySearch.CutTwice,
+                $"this cut passes the point {boundary.Points[Twice].Label} twice without a break, so it cannot be told which of its "
+                    + $"blocks are meant. Check the point"),
+            _ => At(
+                0,
+                BoundarySearch.NotFound,
+                "this cut does not lead past the points one behind the other, as they are named. Check the points and their order"),
         };
 
-        MatingRefusal At(int point, string code, string message) => BoundarySearch.Refuse(path, Feet[point].First, code, message, boundary.Name, boundary.Points[point].Label);
+        MatingRefusal At(int point, string code, string message) =>
+            BoundarySearch.Refuse(path, Feet[point].First, code, message, boundary.Name, boundary.Points[point].Label);
     }
 
-    private string Where => Feet[0].IsCompensated ? "it on the path, since cutter compensation is active" : string.Create(CultureInfo.InvariantCulture, $"{WantedMm:0.###} mm, one tool radius");
+    private string Where =>
+        Feet[0].IsCompensated
+            ? "it on the path, since cutter compensation is active"
+            : string.Create(CultureInfo.InvariantCulture, $"{WantedMm:0.###} mm, one tool radius");
 
     private int Other(Func<SoughtFoot, bool> of) => Enumerable.Range(0, Feet.Count).First(i => of(Feet[i]) != of(Feet[0]));
 }

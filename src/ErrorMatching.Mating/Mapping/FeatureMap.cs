@@ -7,4 +7,5 @@ namespace ErrorMatching.Mating;
 /// <param name="Blocks">Its blocks: positions in the program, ascending.</param>
 /// <param name="Passes">Its cuts, at least one.</param>
 /// <param name="Normals">For each key point the unit normal from the counterpart's material to its tool, in the part's frame.</param>
-public sealed record FeatureMap(JobFeature Feature, IReadOnlyList<int> Blocks, IReadOnlyList<FeaturePass> Passes, IReadOnlyList<Vector2> Normals);
+public sealed record FeatureMap(
+    JobFeature Feature, IReadOnlyList<int> Blocks, IReadOnlyList<FeaturePass> Passes, IReadOnlyList<Vector2> Normals);

@@ -6,8 +6,9 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// Finds where each theoretical key point belongs on the path of its feature's blocks. Without cutter compensation it must lie one tool radius from the path, all on one side:
-/// that side holds the counterpart's material. Under G41 or G42 it lies on the path, and the code says where the material is.
+/// Finds where each theoretical key point belongs on the path of its feature's blocks.
+/// Without cutter compensation it must lie one tool radius from the path, all on one side: that side holds the counterpart's material.
+/// Under G41 or G42 it lies on the path, and the code says where the material is.
 /// </summary>
 internal static class FeatureMapper
 {
@@ -35,7 +36,8 @@ internal static class FeatureMapper
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="maps">For each feature of the job, in its order, its map; complete only if nothing is refused.</param>
     /// <returns>The reason why a feature cannot be mapped, or null.</returns>
-    /// <exception cref="MeasurementException">A key point is missing in the theoretical file, or has no coordinate in the feature's plane.</exception>
+    /// <exception cref="MeasurementException">A key point is missing in the theoretical file,
+    /// or has no coordinate in the feature's plane.</exception>
     /// <exception cref="NcException">A selector cannot be read.</exception>
     public static MatingRefusal? Map(MatingJob job, NcPath path, MeasurementFile theoretical, out IReadOnlyList<FeatureMap> maps)
     {
@@ -54,7 +56,12 @@ internal static class FeatureMapper
             {
                 if (!owners.TryAdd(block, feature.Name))
                 {
-                    return At(path, block, BlocksOverlap, $"it belongs to {owners[block]} and to {feature.Name}. Name each block once.", feature.Name);
+                    return At(
+                        path,
+                        block,
+                        BlocksOverlap,
+                        $"it belongs to {owners[block]} and to {feature.Name}. Name each block once.",
+                        feature.Name);
                 }
             }
 
@@ -70,7 +77,8 @@ internal static class FeatureMapper
         return null;
     }
 
-    private static MatingRefusal? Map(MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)
+    private static MatingRefusal? Map(
+        MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)
     {
         map = null;
         var passes = Passes(path, blocks);
@@ -105,7 +113,14 @@ internal static class FeatureMapper
 
             if (feet.Find(f => f.MaterialIsLeft != feet[0].MaterialIsLeft) is { } other)
             {
-                return At(path, path.Motions[other.Motion].Block, SidesDiffer, $"the points {feet[0].Label} and {other.Label} lie on different sides of the path, so the material cannot be told. Check the frame and the points.", feature.Name, other.Label);
+                return At(
+                    path,
+                    path.Motions[other.Motion].Block,
+                    SidesDiffer,
+                    $"the points {feet[0].Label} and {other.Label} lie on different sides of the path, so the material cannot be told. "
+                        + $"Check the frame and the points.",
+                    feature.Name,
+                    other.Label);
             }
 
             var compensated = path.Motions[first].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
@@ -115,7 +130,16 @@ internal static class FeatureMapper
             if (opposite >= 0)
             {
                 var foot = feet[opposite];
-                return At(path, path.Motions[foot.Motion].Block, SidesDiffer, $"here the tool is on the other side of the point {foot.Label} than in {NameOf(path, mapped[0].Feet[opposite].Motion)}, so the material cannot be told. Name only the blocks that cut this boundary.", feature.Name, foot.Label);
+                return At(
+                    path,
+                    path.Motions[foot.Motion].Block,
+                    SidesDiffer,
+                    $"here the tool is on the other side of the point {foot.Label} than in "
+                        + $"{NameOf(path, mapped[0].Feet[opposite].Motion)}, so the material cannot be told. Name only the blocks that "
+                            + $"cut this "
+                        + $"boundary.",
+                    feature.Name,
+                    foot.Label);
             }
         }
 
@@ -127,10 +151,18 @@ internal static class FeatureMapper
     // Why it cannot be said where a motion lies in the feature's plane, or null.
     private static (string Code, string Message)? Unplaceable(in NcMotion motion, CoordinatePlane plane) => motion switch
     {
-        _ when motion.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "the control computes where it goes (variable or expression). Post plain numbers for the blocks of a feature."),
-        _ when motion.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
-        _ when motion.Plane != plane => (PlaneDiffers, $"it cuts in the plane {motion.Plane}, the feature lies in {plane}. Set \"plane\" in the job."),
-        _ when !motion.IsKnownInPlane => (NcRefusalCodes.UnknownState, "the program does not say where this motion begins or ends. State X, Y and Z before it."),
+        _ when motion.Has(MotionFlags.Expression) =>
+            (
+                NcRefusalCodes.Expression,
+                "the control computes where it goes (variable or expression). Post plain numbers for the blocks of a feature."),
+        _ when motion.Has(MotionFlags.Transformed) =>
+            (
+                NcRefusalCodes.ActiveTransform,
+                "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
+        _ when motion.Plane != plane =>
+            (PlaneDiffers, $"it cuts in the plane {motion.Plane}, the feature lies in {plane}. Set \"plane\" in the job."),
+        _ when !motion.IsKnownInPlane =>
+            (NcRefusalCodes.UnknownState, "the program does not say where this motion begins or ends. State X, Y and Z before it."),
         _ when motion.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
         _ => null,
     };
@@ -200,18 +232,26 @@ internal static class FeatureMapper
         var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
         var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
         var onCorner = Math.Abs(side) < CornerCosine * nearestDistance && wanted > 0;
-        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, onCorner) { BeyondEndMm = onCorner ? BeyondEnd(path, point, nearest, last, nearestDistance) : 0 };
+        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, onCorner)
+        {
+            BeyondEndMm = onCorner ? BeyondEnd(path, point, nearest, last, nearestDistance) : 0
+        };
         if (Math.Abs(nearestDistance - wanted) <= job.Counterpart.MapMm)
         {
             return null;
         }
 
-        var where = compensated ? "on the path, since cutter compensation is active" : string.Create(CultureInfo.InvariantCulture, $"{wanted:0.###} mm from it, one tool radius");
+        var where = compensated
+            ? "on the path, since cutter compensation is active"
+            : string.Create(CultureInfo.InvariantCulture, $"{wanted:0.###} mm from it, one tool radius");
         return At(
             path,
             found.Block,
             PointOffPath,
-            string.Create(CultureInfo.InvariantCulture, $"the theoretical point {label} lies {nearestDistance:0.000} mm from the path, expected {where} (within {job.Counterpart.MapMm:0.###} mm). Check the frame, the tool diameter and the blocks."),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"the theoretical point {label} lies {nearestDistance:0.000} mm from the path, expected {where} (within "
+                    + $"{job.Counterpart.MapMm:0.###} mm). Check the frame, the tool diameter and the blocks."),
             feature.Name,
             label) with
         { DistanceMm = nearestDistance };
@@ -241,5 +281,11 @@ internal static class FeatureMapper
 
     /// <summary>A refusal at a block of a feature.</summary>
     internal static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
-        new(code, $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}", feature, point, path.Program.NameOf(path.Program[block]), block + 1);
+        new(
+            code,
+            $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}",
+            feature,
+            point,
+            path.Program.NameOf(path.Program[block]),
+            block + 1);
 }

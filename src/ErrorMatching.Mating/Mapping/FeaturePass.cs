@@ -3,7 +3,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>
-/// One uninterrupted cut along a feature: consecutive motions in its plane, with blocks between them that have no length. A feature that is cut at several depths has several.
+/// One uninterrupted cut along a feature: consecutive motions in its plane, with blocks between them that have no length.
+/// A feature that is cut at several depths has several.
 /// </summary>
 /// <param name="First">Position of the first motion in the path.</param>
 /// <param name="Last">Position of the last motion in the path.</param>
@@ -12,7 +13,8 @@ namespace ErrorMatching.Mating;
 public sealed record FeaturePass(int First, int Last, IReadOnlyList<double> Starts, IReadOnlyList<KeyPointFoot> Feet)
 {
     /// <summary>Positions of the motions that have a length, ascending; the first and the last of the pass are among them.</summary>
-    internal static IEnumerable<int> Moving(NcPath path, int first, int last) => Enumerable.Range(first, last - first + 1).Where(i => path.Motions[i].MovesInPlane);
+    internal static IEnumerable<int> Moving(NcPath path, int first, int last) =>
+        Enumerable.Range(first, last - first + 1).Where(i => path.Motions[i].MovesInPlane);
 
     /// <summary>Length of the nominal boundary from the start of the pass to a foot, mm.</summary>
     public double Along(KeyPointFoot foot)

@@ -40,7 +40,8 @@ internal readonly record struct SoughtFoot(double DistanceMm, int First, int Las
             }
         }
 
-        return new(best, first, last, path.Motions[first].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight), left > 0, isTwice);
+        return new(
+            best, first, last, path.Motions[first].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight), left > 0, isTwice);
     }
 
     private static bool Joined(NcPath path, int before, int behind)

@@ -9,7 +9,10 @@ namespace ErrorMatching.Mating;
 /// <param name="Points">The aligned points by label.</param>
 /// <param name="StandsOut">Points that stand out of their feature's plane, with how far; empty where the file has no Z.</param>
 public sealed record AlignedMeasurement(
-    MeasurementFile File, Alignment Alignment, IReadOnlyDictionary<string, Point2> Points, IReadOnlyList<(string Label, double Millimeters)> StandsOut)
+    MeasurementFile File,
+    Alignment Alignment,
+    IReadOnlyDictionary<string, Point2> Points,
+    IReadOnlyList<(string Label, double Millimeters)> StandsOut)
 {
     /// <summary>Code of the refusal of an alignment over features of several planes.</summary>
     public const string AlignmentNeedsOnePlane = "alignment-needs-one-plane";
@@ -23,7 +26,9 @@ public sealed record AlignedMeasurement(
         ArgumentNullException.ThrowIfNull(job);
         return job.Alignment.Kind == JobAlignmentKind.None || job.Features.All(f => f.Plane == job.Features[0].Plane)
             ? null
-            : new(AlignmentNeedsOnePlane, "The features lie in several planes, so one alignment cannot serve all. Make a job for each plane, or align in the gauge.");
+            : new(
+                AlignmentNeedsOnePlane,
+                "The features lie in several planes, so one alignment cannot serve all. Make a job for each plane, or align in the gauge.");
     }
 
     /// <summary>Takes a measurement to the part's frame.</summary>
@@ -34,7 +39,8 @@ public sealed record AlignedMeasurement(
     /// <param name="piece">Which piece it is of.</param>
     /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
-    internal static AlignedMeasurement Of(MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
+    internal static AlignedMeasurement Of(
+        MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
     {
         measured.Require(job.NeededPoints);
         var labels = new List<string>();
@@ -46,7 +52,9 @@ public sealed record AlignedMeasurement(
             for (var i = 0; i < map.Feature.Points.Count; i++)
             {
                 var label = map.Feature.Points[i];
-                var (want, have) = (ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File), ProjectedPoint.Of(measured[label], map.Feature.Plane, measured.File));
+                var (want, have) = (
+                    ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File),
+                    ProjectedPoint.Of(measured[label], map.Feature.Plane, measured.File));
                 if (have.StandsOutMm(want) is { } height && Math.Abs(height) >= Flat)
                 {
                     standsOut.Add((label, height));
@@ -59,13 +67,15 @@ public sealed record AlignedMeasurement(
             }
         }
 
-        // Balls are aligned with where their centers should be, and only then taken to the contact: the normals are those of the part's frame, which a piece reaches by its alignment.
+        // Balls are aligned with where their centers should be, and only then taken to the contact: the normals are those of the part's
+        // frame, which a piece reaches by its alignment.
         var alignment = Align(job, theoretical, measured, actual, nominal);
         var points = labels.Select((label, i) => (label, alignment.Aligned[i] + toContact[i]));
         return new(measured, alignment, points.ToDictionary(p => p.label, p => p.Item2, StringComparer.Ordinal), standsOut);
     }
 
-    private static Alignment Align(MatingJob job, MeasurementFile theoretical, MeasurementFile measured, List<Point2> actual, List<Point2> nominal)
+    private static Alignment Align(
+        MatingJob job, MeasurementFile theoretical, MeasurementFile measured, List<Point2> actual, List<Point2> nominal)
     {
         var asked = job.Alignment;
         return asked.Kind switch
@@ -81,5 +91,6 @@ public sealed record AlignedMeasurement(
     }
 
     private static AlignmentFreedom Freedom(JobAlignment asked) =>
-        (asked.LockX ? AlignmentFreedom.None : AlignmentFreedom.X) | (asked.LockY ? AlignmentFreedom.None : AlignmentFreedom.Y) | (asked.LockRotation ? AlignmentFreedom.None : AlignmentFreedom.Rotation);
+        (asked.LockX ? AlignmentFreedom.None : AlignmentFreedom.X) | (asked.LockY ? AlignmentFreedom.None : AlignmentFreedom.Y) | (
+            asked.LockRotation ? AlignmentFreedom.None : AlignmentFreedom.Rotation);
 }

@@ -11,9 +11,16 @@ namespace ErrorMatching.Mating;
 /// <param name="Counterpart">The key points as measured on a counterpart; needed for feedback, else null.</param>
 /// <param name="ProgramFile">The counterpart's program as the caller named it.</param>
 /// <param name="Program">Its bytes.</param>
-public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, MeasurementFile Part, MeasurementFile? Counterpart, string ProgramFile, ReadOnlyMemory<byte> Program)
+public sealed record MatchInput(
+    MatingJob Job,
+    MeasurementFile Theoretical,
+    MeasurementFile Part,
+    MeasurementFile? Counterpart,
+    string ProgramFile,
+    ReadOnlyMemory<byte> Program)
 {
-    /// <summary>The dialect of the program where the job names a file of the shop (<see cref="NcDialects.IsFile"/>); else null, and the job's name says which.</summary>
+    /// <summary>The dialect of the program where the job names a file of the shop (<see cref="NcDialects.IsFile"/>);
+    /// else null, and the job's name says which.</summary>
     public NcDialect? OwnDialect { get; init; }
 
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
@@ -25,7 +32,8 @@ public sealed record MatchInput(MatingJob Job, MeasurementFile Theoretical, Meas
 
     /// <summary>The measured counterpart.</summary>
     /// <exception cref="ArgumentException">There is none.</exception>
-    public MeasurementFile RequireCounterpart() => Counterpart ?? throw new ArgumentException("Feedback needs a measured counterpart.", nameof(Counterpart));
+    public MeasurementFile RequireCounterpart() =>
+        Counterpart ?? throw new ArgumentException("Feedback needs a measured counterpart.", nameof(Counterpart));
 
     /// <summary>Interprets the program in the job's dialect.</summary>
     /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>

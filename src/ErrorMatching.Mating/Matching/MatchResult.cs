@@ -30,7 +30,11 @@ public sealed record MatchResult(
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 
-    /// <summary>What was asked, as a file from which the proof can be made again; it asks for nothing where nothing is compensated.</summary>
+    /// <summary>What was asked, as a file from which the proof can be made again;
+    /// it asks for nothing where nothing is compensated.</summary>
     public WishFile WishFile() => Nc.WishFile.Of(
-        Before, Wish ?? DisplacementWish.OfElements([]), Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals), Marker?.TextIn(Before.Dialect.Syntax));
+        Before,
+        Wish ?? DisplacementWish.OfElements([]),
+        Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals),
+        Marker?.TextIn(Before.Dialect.Syntax));
 }

@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The pure core: job, measurement and base program make a program with its proof, or a refusal. No clock, disk or culture.</summary>
+/// <summary>The pure core: job, measurement and base program make a program with its proof, or a refusal.
+/// No clock, disk or culture.</summary>
 public static class Matcher
 {
     /// <summary>Computes a match.</summary>
@@ -27,7 +28,9 @@ public static class Matcher
         }
 
         var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
-        var counterpart = input.Counterpart is null ? null : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
+        var counterpart = input.Counterpart is null
+            ? null
+            : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
         var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart));
         if (!decision.IsUsable)
         {
@@ -59,25 +62,41 @@ public static class Matcher
     private static (string Code, string Why)? Refused(MatchInput input, Marker? marker) => marker switch
     {
         _ when input.Job.Compensation.From == CompensationSource.Part =>
-            (Marker.AlreadyCompensated, "the program carries a marker, so it is already compensated and not the nominal one. Start from the nominal program."),
-        null => (Marker.MarkerDamaged, "the marker was changed and cannot be read, so the program may already follow this measurement. Start from the program as it was written."),
+            (
+                Marker.AlreadyCompensated,
+                "the program carries a marker, so it is already compensated and not the nominal one. Start from the nominal program."),
+        null =>
+            (
+                Marker.MarkerDamaged,
+                "the marker was changed and cannot be read, so the program may already follow this measurement. Start from the program "
+                    + "as it was written."),
         _ when marker.MeasurementSha256 == input.Compensated.Sha256 =>
-            (Marker.SameMeasurement, "the program already follows this very measurement of the counterpart. Measure the piece that this program cut."),
+            (
+                Marker.SameMeasurement,
+                "the program already follows this very measurement of the counterpart. Measure the piece that this program cut."),
         _ => null,
     };
 
-    private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart)
+    private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(
+        MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart)
     {
         var present = input.Job.Compensation.From == CompensationSource.Counterpart ? counterpart!.Points : null;
         return [.. maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) => new BoundaryPoint(
             label,
-            present is null ? ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position : present[label],
+            present is null
+                ? ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position
+                : present[label],
             part.Points[label],
             map.Normals[i]))])];
     }
 
     private static MatchOutcome Compensate(
-        MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        MatingDecision decision)
     {
         var elements = new List<ElementWish>();
         foreach (var (map, decided) in maps.Zip(decision.Features).Where(m => m.Second.Decision == Decision.Compensated))
@@ -116,7 +135,20 @@ public static class Matcher
         var program = NcProgram.Read(marker.InsertInto(rewrite.Value.Program), path.Dialect.Syntax);
         var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         return proof.Holds
-            ? new(new(input, path, NcInterpreter.Run(program, path.Dialect), maps, part, counterpart, decision, wish, rewrite.Value, marker, proof), [])
+            ? new(
+                new(
+                    input,
+                    path,
+                    NcInterpreter.Run(program, path.Dialect),
+                    maps,
+                    part,
+                    counterpart,
+                    decision,
+                    wish,
+                    rewrite.Value,
+                    marker,
+                    proof),
+                [])
             : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
     }
 
@@ -134,7 +166,12 @@ public static class Matcher
         var block = path.Motions[worst.Motion].Block;
         var name = path.Program.NameOf(path.Program[block]);
         var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
-        return new(RefusalForms.ImplausibleCourse.Name, RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit), feature, Block: name, Line: block + 1);
+        return new(
+            RefusalForms.ImplausibleCourse.Name,
+            RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit),
+            feature,
+            Block: name,
+            Line: block + 1);
 
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
@@ -144,7 +181,12 @@ public static class Matcher
         MatingRefusal.Of(refusal, maps.FirstOrDefault(m => m.Blocks.Contains(refusal.Line - 1))?.Feature.Name);
 
     private static MatchOutcome Unchanged(
-        MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart, MatingDecision decision)
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        MatingDecision decision)
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));

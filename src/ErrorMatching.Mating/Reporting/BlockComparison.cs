@@ -27,12 +27,19 @@ internal static class BlockComparison
             }
 
             var modified = rewrite.Program[index];
-            blocks.Add(new(before.NumberOf(block), block.Line, CharacterPerByte(before, block), CharacterPerByte(rewrite.Program, modified), was, now));
+            blocks.Add(new(
+                before.NumberOf(block),
+                block.Line,
+                CharacterPerByte(before, block),
+                CharacterPerByte(rewrite.Program, modified),
+                was,
+                now));
         }
 
         return blocks;
     }
 
     // One character a byte, so that spans count the same in both; comments in other encodings are shown by their bytes.
-    private static string CharacterPerByte(NcProgram program, NcBlock block) => System.Text.Encoding.Latin1.GetString(program.BytesOf(block));
+    private static string CharacterPerByte(NcProgram program, NcBlock block) =>
+        System.Text.Encoding.Latin1.GetString(program.BytesOf(block));
 }

@@ -9,8 +9,9 @@ internal static class Correction
     private const int Iterations = 6;
 
     /// <summary>
-    /// By how much the boundary moved at a key point, along the normal from the counterpart's material to its tool: how far one has to go along it until the new path is as far away
-    /// as the old one was from the point (secant method; the distance falls by nearly what one goes).
+    /// By how much the boundary moved at a key point, along the normal from the counterpart's material to its tool: how far one has to go
+    /// along it until the new path is as far away as the old one was from the point (secant method;
+    /// the distance falls by nearly what one goes).
     /// </summary>
     public static double NormalMm(MatingJob job, NcPath before, NcPath after, FeaturePass pass, KeyPointFoot foot, Point2 theoretical)
     {

@@ -2,7 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Everything that a match has to say: what was measured, what was decided, what changed, and what was proved. <c>report.json</c> and <c>report.html</c> are made of it.</summary>
+/// <summary>Everything that a match has to say: what was measured, what was decided, what changed, and what was proved. <c>report.json</c>
+/// and <c>report.html</c> are made of it.</summary>
 public sealed record MatchReport
 {
     /// <summary>The job.</summary>
@@ -44,7 +45,8 @@ public sealed record MatchReport
     /// <summary>How long it took.</summary>
     public required ReportTime Time { get; init; }
 
-    /// <summary>The tool-radius wear value that would do the same as the whole correction (<see cref="UniformOffset"/>); null if none would.</summary>
+    /// <summary>The tool-radius wear value that would do the same as the whole correction (<see cref="UniformOffset"/>);
+    /// null if none would.</summary>
     public double? RadiusWearMm { get; init; }
 
     /// <summary>What a person should know before using the program, in sentences.</summary>
@@ -55,5 +57,6 @@ public sealed record MatchReport
 
     /// <summary>Those of some key points that the program is predicted to leave outside of their limits.</summary>
     internal OutsideLimits OutsideOf(IEnumerable<ReportKeyPoint> points) =>
-        OutsideLimits.Of(points.Select(p => (p.Point, Features.FirstOrDefault(f => f.Name == p.Feature)?.Tolerance.Band.OfMatingError, -p.DecidedMm, p.PredictedMm)));
+        OutsideLimits.Of(points.Select(
+            p => (p.Point, Features.FirstOrDefault(f => f.Name == p.Feature)?.Tolerance.Band.OfMatingError, -p.DecidedMm, p.PredictedMm)));
 }

@@ -23,8 +23,15 @@ public static class MatchReporter
         {
             Job = new(job.Name, job.WorkOrder, job.File, job.Sha256),
             Inputs = Inputs(input),
-            Alignments = [.. new[] { ("part", result.Part), ("counterpart", result.Counterpart) }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
-            OriginCheck = job.OriginCheck is { } check ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point]) : null,
+            Alignments = [
+                .. new[]
+                {
+                    ("part", result.Part),
+                    ("counterpart", result.Counterpart)
+                }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
+            OriginCheck = job.OriginCheck is { } check
+                ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point])
+                : null,
             Compensation = job.Compensation,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain,
@@ -40,10 +47,15 @@ public static class MatchReporter
     }
 
     private static FeatureEvaluation Evaluate(MatchResult result, FeatureMap map) => FeatureEvaluator.Evaluate(
-        map.Feature, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])], result.Input.Job.Gauge.Uncertainty.CombinedMm);
+        map.Feature,
+        Theoretical(result, map),
+        [.. map.Feature.Points.Select(l => result.Part.Points[l])],
+        result.Input.Job.Gauge.Uncertainty.CombinedMm);
 
     private static Point2[] Theoretical(MatchResult result, FeatureMap map) =>
-        [.. map.Feature.Points.Select(l => ProjectedPoint.Of(result.Input.Theoretical[l], map.Feature.Plane, result.Input.Theoretical.File).Position)];
+        [
+            .. map.Feature.Points.Select(
+                l => ProjectedPoint.Of(result.Input.Theoretical[l], map.Feature.Plane, result.Input.Theoretical.File).Position)];
 
     private static List<ReportInput> Inputs(MatchInput input)
     {
@@ -87,17 +99,22 @@ public static class MatchReporter
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job, result.Before, map.Passes[0]),
             CorrectedOutline = Outlines.Boundary(job, result.After, map.Passes[0]),
-            ActualOutline = map.Feature.MeasuredOutline(new(job, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
+            ActualOutline = map.Feature.MeasuredOutline(new(
+                job, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
             StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
         };
     }
 
-    // Corrected: the same quantity of the key points where the original program puts the boundary (as designed, or as measured on the counterpart that it cut), moved as the new program moves it.
-    private static IEnumerable<ReportQuantity> Quantities(MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
+    // Corrected: the same quantity of the key points where the original program puts the boundary (as designed, or as measured on the
+    // counterpart that it cut), moved as the new program moves it.
+    private static IEnumerable<ReportQuantity> Quantities(
+        MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
     {
         var theoretical = Theoretical(result, map);
-        Point2[] corrected = [.. theoretical.Select((p, i) => decision.Points[i].Point.Present + (map.Normals[i] * Moved(result, map, i, p)))];
-        var after = FeatureEvaluator.Evaluate(map.Feature, theoretical, corrected, 0).Quantities.ToDictionary(q => q.Name, q => q.Actual, StringComparer.Ordinal);
+        Point2[] corrected = [
+            .. theoretical.Select((p, i) => decision.Points[i].Point.Present + (map.Normals[i] * Moved(result, map, i, p)))];
+        var after = FeatureEvaluator.Evaluate(map.Feature, theoretical, corrected, 0).Quantities.ToDictionary(
+            q => q.Name, q => q.Actual, StringComparer.Ordinal);
         return evaluation.Quantities.Select(q => new ReportQuantity(q, after.TryGetValue(q.Name, out var value) ? value : null));
     }
 
@@ -124,7 +141,10 @@ public static class MatchReporter
                 DecidedMm = point.Point.NormalMm,
                 ExcessMm = point.ExcessMm,
                 PredictedMm = moved - point.Point.NormalMm,
-                Blocks = [.. map.Passes.Select(p => result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[p.Feet[index].Motion].Block])).Distinct(StringComparer.Ordinal)],
+                Blocks = [
+                    .. map.Passes.Select(
+                        p => result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[p.Feet[index].Motion].Block]))
+                        .Distinct(StringComparer.Ordinal)],
             };
         }
     }
@@ -137,7 +157,13 @@ public static class MatchReporter
         result.Rewrite is { } rewrite ? BlockComparison.Of(result.Before.Program, rewrite) : []);
 
     private static ReportProof Proof(NcProof proof) => new(
-        proof.Holds, proof.Motions, proof.MovedMotions, proof.Neighbors, proof.Marker, proof.MaxDeviationFromWantedMm, proof.UntouchedBytesIdentical);
+        proof.Holds,
+        proof.Motions,
+        proof.MovedMotions,
+        proof.Neighbors,
+        proof.Marker,
+        proof.MaxDeviationFromWantedMm,
+        proof.UntouchedBytesIdentical);
 
     private static IEnumerable<ReportWarning> Warnings(MatchResult result)
     {
@@ -166,7 +192,8 @@ public static class MatchReporter
         List<string> notes = [.. result.Before.Notes.Select(n => n.Message)];
         foreach (var (label, height) in result.Part.StandsOut)
         {
-            notes.Add(string.Create(CultureInfo.InvariantCulture, $"Point {label} stands {height:+0.000;-0.000} mm out of its feature's plane."));
+            notes.Add(string.Create(
+                CultureInfo.InvariantCulture, $"Point {label} stands {height:+0.000;-0.000} mm out of its feature's plane."));
         }
 
         foreach (var map in result.Maps.Where(m => m.Passes.Count > 1))

@@ -8,7 +8,8 @@ internal static class Outlines
 {
     private const int PointsOfAnArc = 24;
 
-    /// <summary>The boundary that a path leaves along a pass: the path offset by the tool's radius, or the path itself under cutter compensation.</summary>
+    /// <summary>The boundary that a path leaves along a pass: the path offset by the tool's radius,
+    /// or the path itself under cutter compensation.</summary>
     public static IReadOnlyList<Point2> Boundary(MatingJob job, NcPath path, FeaturePass pass) => Boundary(job, path, pass, _ => 0);
 
     /// <summary>That boundary, nearer to the tool by so much at each length along the pass.</summary>
@@ -31,7 +32,8 @@ internal static class Outlines
             {
                 var fraction = (double)step / steps;
                 var towardMaterial = pass.Feet[0].MaterialIsLeft ? motion.TangentAt(fraction).Left : -motion.TangentAt(fraction).Left;
-                points.Add(toPart.Apply(motion.PlaneAt(fraction) + (towardMaterial * (radius - towardTool(from + ((to - from) * fraction))))));
+                points.Add(toPart.Apply(
+                    motion.PlaneAt(fraction) + (towardMaterial * (radius - towardTool(from + ((to - from) * fraction))))));
             }
         }
 

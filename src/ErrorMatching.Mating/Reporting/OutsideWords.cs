@@ -1,20 +1,24 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What reports say of key points that a program is predicted to leave outside of their limits, and what a person can do about them.</summary>
+/// <summary>What reports say of key points that a program is predicted to leave outside of their limits,
+/// and what a person can do about them.</summary>
 public static class OutsideWords
 {
-    /// <summary>Sentences: one of the points that the compensation itself drives out, one of those that stay outside; none where no point is.</summary>
+    /// <summary>Sentences: one of the points that the compensation itself drives out, one of those that stay outside;
+    /// none where no point is.</summary>
     public static IEnumerable<string> Of(OutsideLimits outside)
     {
         ArgumentNullException.ThrowIfNull(outside);
         if (outside.DrivenOut is { Count: > 0 } driven)
         {
-            yield return $"The compensation drives {Named(driven)} out of {Their(driven)} limits; uncompensated {(driven.Count == 1 ? "it is" : "they are")} within them.";
+            yield return $"The compensation drives {Named(driven)} out of {Their(driven)} limits; uncompensated "
+                + $"{(driven.Count == 1 ? "it is" : "they are")} within them.";
         }
 
         if (outside.Staying.ToArray() is { Length: > 0 } staying)
         {
-            yield return $"{Capital(Named(staying))} {(staying.Length == 1 ? "stays" : "stay")} outside {Their(staying)} limits, with the compensation as without it.";
+            yield return $"{Capital(Named(staying))} {(staying.Length == 1 ? "stays" : "stay")} outside {Their(staying)} limits, with the "
+                + $"compensation as without it.";
         }
     }
 
@@ -27,7 +31,8 @@ public static class OutsideWords
                 + "For the next parts, choose other points there in the job, or change their limits.";
     }
 
-    private static string Named(IReadOnlyList<string> labels) => labels.Count == 1 ? $"point {labels[0]}" : $"points {string.Join(", ", labels.SkipLast(1))} and {labels[^1]}";
+    private static string Named(IReadOnlyList<string> labels) =>
+        labels.Count == 1 ? $"point {labels[0]}" : $"points {string.Join(", ", labels.SkipLast(1))} and {labels[^1]}";
 
     private static string Their(IReadOnlyList<string> labels) => labels.Count == 1 ? "its" : "their";
 

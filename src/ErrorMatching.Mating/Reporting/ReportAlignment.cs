@@ -10,4 +10,5 @@ namespace ErrorMatching.Mating;
 /// <param name="RmsMm">Root mean square of the distances that are left.</param>
 /// <param name="MaxMm">The largest distance that is left.</param>
 /// <param name="Residuals">Aligned - theoretical for each point.</param>
-public sealed record ReportAlignment(string Role, JobAlignmentKind Kind, RigidTransform2 Transform, double RmsMm, double MaxMm, IReadOnlyList<ReportResidual> Residuals);
+public sealed record ReportAlignment(
+    string Role, JobAlignmentKind Kind, RigidTransform2 Transform, double RmsMm, double MaxMm, IReadOnlyList<ReportResidual> Residuals);

@@ -7,4 +7,10 @@ namespace ErrorMatching.Mating;
 /// <param name="Modified">Its text in the new program.</param>
 /// <param name="OriginalSpans">What was replaced in the original text.</param>
 /// <param name="ModifiedSpans">What stands there in the new text.</param>
-public sealed record ReportBlock(string Number, int Line, string Original, string Modified, IReadOnlyList<TextSpan> OriginalSpans, IReadOnlyList<TextSpan> ModifiedSpans);
+public sealed record ReportBlock(
+    string Number,
+    int Line,
+    string Original,
+    string Modified,
+    IReadOnlyList<TextSpan> OriginalSpans,
+    IReadOnlyList<TextSpan> ModifiedSpans);

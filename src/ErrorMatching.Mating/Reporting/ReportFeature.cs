@@ -41,6 +41,7 @@ public sealed record ReportFeature
     /// <summary>The measured boundary as a polyline in the part's frame, for drawing.</summary>
     public IReadOnlyList<Point2> ActualOutline { get; init; } = [];
 
-    /// <summary>How far its measured points stand out of its plane at most, without sign; null where the files have no third coordinate.</summary>
+    /// <summary>How far its measured points stand out of its plane at most, without sign;
+    /// null where the files have no third coordinate.</summary>
     public double? StandsOutMm { get; init; }
 }

@@ -26,7 +26,8 @@ public sealed record ReportKeyPoint
     /// <summary>What is added to the program there, in the program's frame; zero where nothing is compensated.</summary>
     public required Vector2 Correction { get; init; }
 
-    /// <summary>The deviation that was decided about, along the normal: of the part from the theoretical point, or of the part from the counterpart.</summary>
+    /// <summary>The deviation that was decided about, along the normal:
+    /// of the part from the theoretical point, or of the part from the counterpart.</summary>
     public required double DecidedMm { get; init; }
 
     /// <summary>What of it lies beyond the limit.</summary>

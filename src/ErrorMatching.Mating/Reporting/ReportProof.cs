@@ -10,4 +10,11 @@ namespace ErrorMatching.Mating;
 /// <param name="Marker">The comment that was inserted; null if none was.</param>
 /// <param name="MaxDeviationFromWantedMm">The largest distance of an end point or center from where it was wanted.</param>
 /// <param name="UntouchedBytesIdentical">True if every byte outside the edits is the original one.</param>
-public sealed record ReportProof(bool Holds, int Motions, int MovedMotions, IReadOnlyList<ProofNeighbor> Neighbors, string? Marker, double MaxDeviationFromWantedMm, bool UntouchedBytesIdentical);
+public sealed record ReportProof(
+    bool Holds,
+    int Motions,
+    int MovedMotions,
+    IReadOnlyList<ProofNeighbor> Neighbors,
+    string? Marker,
+    double MaxDeviationFromWantedMm,
+    bool UntouchedBytesIdentical);

@@ -15,10 +15,12 @@ public static class ReportWords
     };
 
     /// <summary>none, datum or best-fit.</summary>
-    public static string Of(JobAlignmentKind kind) => kind switch { JobAlignmentKind.None => "none", JobAlignmentKind.Datum => "datum", _ => "best-fit" };
+    public static string Of(JobAlignmentKind kind) =>
+        kind switch { JobAlignmentKind.None => "none", JobAlignmentKind.Datum => "datum", _ => "best-fit" };
 
     /// <summary>job, chain:worst-case or chain:rss.</summary>
-    public static string Of(ToleranceSource source) => source switch { ToleranceSource.Stated => "job", ToleranceSource.WorstCase => "chain:worst-case", _ => "chain:rss" };
+    public static string Of(ToleranceSource source) =>
+        source switch { ToleranceSource.Stated => "job", ToleranceSource.WorstCase => "chain:worst-case", _ => "chain:rss" };
 
     /// <summary>part or counterpart.</summary>
     public static string Of(CompensationSource source) => source == CompensationSource.Part ? "part" : "counterpart";

@@ -2,25 +2,36 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The sentences of a report's warnings. They go into the cell's records as well, and are read back from there by the same forms; each is named by its warning's code.</summary>
+/// <summary>The sentences of a report's warnings. They go into the cell's records as well, and are read back from there by the same forms;
+/// each is named by its warning's code.</summary>
 public static class WarningForms
 {
     /// <summary>Feature, count of key points, length and recommended spacing in mm.</summary>
-    public static SentenceForm SparsePoints { get; } = new("sparse-points", "{0} has {1} key points on {2} mm; one per {3} mm is recommended.");
+    public static SentenceForm SparsePoints { get; } = new(
+        "sparse-points", "{0} has {1} key points on {2} mm; one per {3} mm is recommended.");
 
     /// <summary>Feature.</summary>
-    public static SentenceForm FoldedCurve { get; } = new("folded-curve", "{0} turns back over its chord, so no polynomial describes it; its compensation does not need one.");
+    public static SentenceForm FoldedCurve { get; } = new(
+        "folded-curve", "{0} turns back over its chord, so no polynomial describes it; its compensation does not need one.");
 
     /// <summary>Point and block.</summary>
     public static SentenceForm PointOnCorner { get; } = new(
-        "point-on-corner", "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be met exactly. This part is measured: see what is left over there before you cut. For the next parts, choose a key point further from the corner in the job.");
+        "point-on-corner",
+        "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be "
+            + "met exactly. This part is measured: see what is left over there before you cut. For the next parts, choose a key point "
+            + "further from the corner in the job.");
 
     /// <summary>Kind of alignment, and what is left in mm.</summary>
-    public static SentenceForm Aligned { get; } = new("aligned", "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) are left.");
+    public static SentenceForm Aligned { get; } = new(
+        "aligned",
+        "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) "
+            + "are left.");
 
     /// <summary>The file of the measured counterpart as the job names it.</summary>
     public static SentenceForm MeasuredNotThere { get; } = new(
-        "measured-not-there", "The measured counterpart \"{0}\" is not there; expected the file of the one that was cut without compensation, or no key counterpart.measured: as it is, no counterpart can be compared in a cell.");
+        "measured-not-there",
+        "The measured counterpart \"{0}\" is not there; expected the file of the one that was cut without compensation, or no key "
+            + "counterpart.measured: as it is, no counterpart can be compared in a cell.");
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere];

@@ -7,7 +7,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Band">The limits of the part's deviation: actual - theoretical along the normal.</param>
 /// <param name="Points">Its key points in the order of cutting, where they are designed.</param>
 /// <param name="Outline">The boundary that the nominal program cuts, as a polyline.</param>
-public sealed record VerifiedBoundary(string Name, ToleranceBand Band, IReadOnlyList<(string Label, Point2 Theoretical)> Points, IReadOnlyList<Point2> Outline)
+public sealed record VerifiedBoundary(
+    string Name, ToleranceBand Band, IReadOnlyList<(string Label, Point2 Theoretical)> Points, IReadOnlyList<Point2> Outline)
 {
     /// <summary>The limits of a mating error.</summary>
     public ToleranceBand ErrorBand => Band.OfMatingError;

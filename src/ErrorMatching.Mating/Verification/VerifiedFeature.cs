@@ -11,7 +11,8 @@ public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, dou
     /// <summary>Labels of the key points whose largest deviation it is; empty for lengths and angles.</summary>
     public IReadOnlyList<string> Points { get; init; } = [];
 
-    /// <summary>By how much of the error before the error after is smaller, in percent; negative where it grew, null where there was none.</summary>
+    /// <summary>By how much of the error before the error after is smaller, in percent;
+    /// negative where it grew, null where there was none.</summary>
     public double? ImprovementPercent
     {
         get
@@ -25,5 +26,13 @@ public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, dou
     /// <param name="name">Name of the feature.</param>
     /// <param name="points">Its points, at least one.</param>
     public static VerifiedFeature DeviationOf(string name, IReadOnlyList<VerifiedPoint> points) =>
-        new(name, VerifiedQuantity.Deviation, 0, points.Max(p => Math.Abs(p.BeforeError.NormalMm)), points.Max(p => Math.Abs(p.AfterError.NormalMm))) { Points = [.. points.Select(p => p.Label)] };
+        new(
+            name,
+            VerifiedQuantity.Deviation,
+            0,
+            points.Max(p => Math.Abs(p.BeforeError.NormalMm)),
+            points.Max(p => Math.Abs(p.AfterError.NormalMm)))
+        {
+            Points = [.. points.Select(p => p.Label)]
+        };
 }

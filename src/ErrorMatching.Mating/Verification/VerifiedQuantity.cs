@@ -21,7 +21,8 @@ public sealed record VerifiedQuantity(string Word, string Words, string Unit)
     public static VerifiedQuantity Angle { get; } = new("angle", "angle", "°");
 
     /// <summary>All of them, those of the kinds of features behind those of every feature and of comparisons.</summary>
-    public static IReadOnlyList<VerifiedQuantity> All => [.. new[] { Deviation, DeviationX, Angle }.Concat(FeatureKinds.All.SelectMany(k => k.Verified)).Distinct()];
+    public static IReadOnlyList<VerifiedQuantity> All =>
+        [.. new[] { Deviation, DeviationX, Angle }.Concat(FeatureKinds.All.SelectMany(k => k.Verified)).Distinct()];
 
     /// <summary>True for the largest of some deviations, of which none is wanted.</summary>
     public bool IsDeviation => this == Deviation || this == DeviationX;
@@ -29,7 +30,9 @@ public sealed record VerifiedQuantity(string Word, string Words, string Unit)
     /// <summary>The quantity of a word.</summary>
     /// <exception cref="ArgumentException">None has the word.</exception>
     public static VerifiedQuantity Of(string word) =>
-        All.FirstOrDefault(q => q.Word == word) ?? throw new ArgumentException($"Found the quantity \"{word}\"; expected one of {string.Join(", ", All.Select(q => q.Word))}.", nameof(word));
+        All.FirstOrDefault(q => q.Word == word)
+            ?? throw new ArgumentException(
+                $"Found the quantity \"{word}\"; expected one of {string.Join(", ", All.Select(q => q.Word))}.", nameof(word));
 
     /// <summary>The word.</summary>
     public override string ToString() => Word;

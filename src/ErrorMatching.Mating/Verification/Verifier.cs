@@ -19,7 +19,8 @@ internal static class Verifier
         ArgumentNullException.ThrowIfNull(points);
         if (!job.KeyPoints.SequenceEqual(points.SelectMany(p => p).Select(p => p.Label)))
         {
-            throw new ArgumentException("Found other points than the job's; expected its key points in the order of cutting.", nameof(points));
+            throw new ArgumentException(
+                "Found other points than the job's; expected its key points in the order of cutting.", nameof(points));
         }
 
         VerifiedPoint[] all = [.. points.SelectMany(p => p)];
@@ -46,22 +47,36 @@ internal static class Verifier
         }
 
         var angle = (AngleComparison)comparison;
-        return Of(comparison.Name, VerifiedQuantity.Angle, at => FeatureFits.Inside(Element(angle.First, job, byLabel, at), Element(angle.Second, job, byLabel, at)).Degrees);
+        return Of(
+            comparison.Name,
+            VerifiedQuantity.Angle,
+            at => FeatureFits.Inside(Element(angle.First, job, byLabel, at), Element(angle.Second, job, byLabel, at)).Degrees);
     }
 
-    private static LineFit Element(ElementReference reference, MatingJob job, Dictionary<string, VerifiedPoint> byLabel, Func<VerifiedPoint, Point2> at)
+    private static LineFit Element(
+        ElementReference reference, MatingJob job, Dictionary<string, VerifiedPoint> byLabel, Func<VerifiedPoint, Point2> at)
     {
         var feature = job.Features.First(f => f.Name == reference.Feature);
-        var element = feature.Element(reference.Flank) ?? throw new ArgumentException($"Found {reference}, which is not straight; expected a line or a flank.", nameof(reference));
+        var element = feature.Element(reference.Flank)
+            ?? throw new ArgumentException($"Found {reference}, which is not straight; expected a line or a flank.", nameof(reference));
         return FeatureFits.Line(feature.Name, element.Method, [.. Select(element.Points, byLabel).Select(at)], 0);
     }
 
     private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points) => alongX
-        ? new(name, VerifiedQuantity.DeviationX, 0, points.Max(p => Math.Abs(p.BeforeError.Vector.X)), points.Max(p => Math.Abs(p.AfterError.Vector.X))) { Points = [.. points.Select(p => p.Label)] }
+        ? new(
+            name,
+            VerifiedQuantity.DeviationX,
+            0,
+            points.Max(p => Math.Abs(p.BeforeError.Vector.X)),
+            points.Max(p => Math.Abs(p.AfterError.Vector.X)))
+        {
+            Points = [.. points.Select(p => p.Label)]
+        }
         : VerifiedFeature.DeviationOf(name, points);
 
     private static VerifiedFeature Of(string name, VerifiedQuantity quantity, Func<Func<VerifiedPoint, Point2>, double> value) =>
         new(name, quantity, value(p => p.Part), value(p => p.Before), value(p => p.After));
 
-    private static VerifiedPoint[] Select(IReadOnlyList<string> labels, Dictionary<string, VerifiedPoint> byLabel) => [.. labels.Select(l => byLabel[l])];
+    private static VerifiedPoint[] Select(IReadOnlyList<string> labels, Dictionary<string, VerifiedPoint> byLabel) =>
+        [.. labels.Select(l => byLabel[l])];
 }

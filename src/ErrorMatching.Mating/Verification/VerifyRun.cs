@@ -6,16 +6,18 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Compares two measured counterparts with the part: normals from the program, points aligned as the job says, then <see cref="Verifier"/>.</summary>
+/// <summary>Compares two measured counterparts with the part: normals from the program, points aligned as the job says,
+/// then <see cref="Verifier"/>.</summary>
 public static class VerifyRun
 {
-    private const string BeforeAsDesigned = "No counterpart that was cut without compensation is measured: before is the counterpart as designed, which no machine cuts exactly.";
+    private const string BeforeAsDesigned = "No counterpart that was cut without compensation is measured: before is the counterpart as "
+        + "designed, which no machine cuts exactly.";
 
     /// <summary>Makes the report of a verification.</summary>
     /// <param name="input">What it is computed from.</param>
     /// <param name="refusals">
-    /// Why nothing can be compared: an origin that is off, points in another unit, or features that are not on the program; empty where there
-    /// is a report.
+    /// Why nothing can be compared: an origin that is off, points in another unit, or features that are not on the program;
+    /// empty where there is a report.
     /// </param>
     /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
@@ -39,11 +41,20 @@ public static class VerifyRun
 
         refusals = [];
         var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
-        var before = input.Before is null ? null : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
+        var before = input.Before is null
+            ? null
+            : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
         var after = AlignedMeasurement.Of(job, maps, input.Theoretical, input.After, MeasuredPiece.Counterpart);
         var boundaries = maps.Select(m => Boundary(input, path, m)).ToArray();
         var points = maps.Zip(boundaries).Select(m => (IReadOnlyList<VerifiedPoint>)
-            [.. m.Second.Points.Select((p, i) => new VerifiedPoint(p.Label, part.Points[p.Label], before?.Points[p.Label] ?? p.Theoretical, after.Points[p.Label], m.First.Normals[i]))]);
+            [
+                .. m.Second.Points.Select(
+                    (p, i) => new VerifiedPoint(
+                        p.Label,
+                        part.Points[p.Label],
+                        before?.Points[p.Label] ?? p.Theoretical,
+                        after.Points[p.Label],
+                        m.First.Normals[i]))]);
         ReportInput[] inputs =
         [
             new("theoretical", input.Theoretical.File, input.Theoretical.Sha256),
@@ -53,7 +64,11 @@ public static class VerifyRun
             new("program", input.ProgramFile, Convert.ToHexStringLower(SHA256.HashData(input.Program.Span))),
             .. path.Dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)),
         ];
-        return new(new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256), inputs, Verifier.Verify(job, [.. points]), input.Before is null ? [BeforeAsDesigned] : [])
+        return new(
+            new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256),
+            inputs,
+            Verifier.Verify(job, [.. points]),
+            input.Before is null ? [BeforeAsDesigned] : [])
         {
             IsBeforeMeasured = input.Before is not null,
             Boundaries = boundaries,

@@ -12,14 +12,18 @@ internal static class Coordinate
         var millimeters = format.Unit == LengthUnit.Inch ? number.InchesInMillimeters : number.Value;
         return Math.Abs(millimeters) <= LargestMm
             ? millimeters
-            : throw cell.Fail(MeasurementError.ImplausibleNumber, "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
+            : throw cell.Fail(
+                MeasurementError.ImplausibleNumber,
+                "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
     }
 
     public static void ThrowIfTooMany(int count, Cell label, MeasurementFormat format)
     {
         if (count > format.MaxPoints)
         {
-            throw label.Fail(MeasurementError.TooManyPoints, $"at most {format.MaxPoints} points: is this the right file? If so, raise maxPoints of its format");
+            throw label.Fail(
+                MeasurementError.TooManyPoints,
+                $"at most {format.MaxPoints} points: is this the right file? If so, raise maxPoints of its format");
         }
     }
 }

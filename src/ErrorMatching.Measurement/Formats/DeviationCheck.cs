@@ -11,7 +11,8 @@ internal sealed class DeviationCheck
 
     /// <summary>Adds a row.</summary>
     /// <exception cref="MeasurementException">A cell is not a number.</exception>
-    public void Add(Cell nominal, Cell actual, Cell deviation) => _rows.Add((nominal.Number(), actual.Number(), deviation.Number(), deviation));
+    public void Add(Cell nominal, Cell actual, Cell deviation) =>
+        _rows.Add((nominal.Number(), actual.Number(), deviation.Number(), deviation));
 
     /// <summary>Checks all rows.</summary>
     /// <exception cref="MeasurementException">The first row whose deviation is not actual - nominal.</exception>
@@ -22,7 +23,8 @@ internal sealed class DeviationCheck
             return;
         }
 
-        var rounding = 0.5 * (_rows.Min(r => r.Nominal.LastPlace) + _rows.Min(r => r.Actual.LastPlace) + _rows.Min(r => r.Deviation.LastPlace));
+        var rounding = 0.5 * (
+            _rows.Min(r => r.Nominal.LastPlace) + _rows.Min(r => r.Actual.LastPlace) + _rows.Min(r => r.Deviation.LastPlace));
         foreach (var (nominal, actual, deviation, cell) in _rows)
         {
             var expected = actual.Value - nominal.Value;
@@ -32,8 +34,12 @@ internal sealed class DeviationCheck
                 var isReversed = Math.Abs(deviation.Value + expected) <= allowed;
                 throw cell.Fail(
                     MeasurementError.InconsistentDeviation,
-                    string.Create(CultureInfo.InvariantCulture, $"actual - nominal = {actual.Text} - {nominal.Text} = {Math.Round(expected, 12)}")
-                    + (isReversed ? ": this file has nominal - actual, the opposite sign; correct its export" : ": find out which of the three numbers is wrong"));
+                    string.Create(
+                        CultureInfo.InvariantCulture, $"actual - nominal = {actual.Text} - {nominal.Text} = {Math.Round(expected, 12)}")
+                    + (
+                        isReversed
+                            ? ": this file has nominal - actual, the opposite sign; correct its export"
+                            : ": find out which of the three numbers is wrong"));
             }
         }
     }

@@ -10,10 +10,16 @@ internal static class FormatJson
     private const int MostPoints = 10_000_000;
     private const int MostSkippedLines = 10_000;
 
-    public static JsonDocumentOptions Options { get; } = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip, AllowDuplicateProperties = false };
+    public static JsonDocumentOptions Options { get; } = new()
+    {
+        AllowTrailingCommas = true,
+        CommentHandling = JsonCommentHandling.Skip,
+        AllowDuplicateProperties = false
+    };
 
     // The kinds of point arrangement. Their default columns are data, in a file of the same name.
-    private static readonly MeasurementColumns[] Kinds = [new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
+    private static readonly MeasurementColumns[] Kinds = [
+        new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
 
     public static MeasurementFormat Embedded(string kind)
     {
@@ -102,17 +108,21 @@ internal static class FormatJson
         return columns;
     }
 
-    private static ColumnSelector? Optional(string path, JsonElement json) => json.ValueKind == JsonValueKind.Null ? null : Column(path, json);
+    private static ColumnSelector? Optional(string path, JsonElement json) =>
+        json.ValueKind == JsonValueKind.Null ? null : Column(path, json);
 
     private static ColumnSelector Column(string path, JsonElement json) => json switch
     {
-        { ValueKind: JsonValueKind.String } when !string.IsNullOrWhiteSpace(json.GetString()) => ColumnSelector.Named(json.GetString()!.Trim()),
+        { ValueKind: JsonValueKind.String } when !string.IsNullOrWhiteSpace(json.GetString()) =>
+            ColumnSelector.Named(json.GetString()!.Trim()),
         { ValueKind: JsonValueKind.Number } when json.TryGetInt32(out var position) && position >= 1 => ColumnSelector.At(position),
         _ => throw Bad(path, json, "the name of a column, or its position counted from 1"),
     };
 
     private static string OneOf(string path, JsonElement json, IReadOnlyList<string> words) =>
-        Text(json) is { } text && words.Contains(text, StringComparer.Ordinal) ? text : throw Bad(path, json, "one of " + string.Join(", ", words.Select(MeasurementException.Quote)));
+        Text(json) is { } text && words.Contains(text, StringComparer.Ordinal)
+            ? text
+            : throw Bad(path, json, "one of " + string.Join(", ", words.Select(MeasurementException.Quote)));
 
     private static bool Flag(string path, JsonElement json) =>
         json.ValueKind is JsonValueKind.True or JsonValueKind.False ? json.GetBoolean() : throw Bad(path, json, "true or false");
@@ -124,7 +134,8 @@ internal static class FormatJson
 
     private static string? Text(JsonElement json) => json.ValueKind == JsonValueKind.String ? json.GetString() : null;
 
-    private static MeasurementException Unknown(string path, string expected) => new(MeasurementError.BadFormat, "an unknown member", expected, path: path);
+    private static MeasurementException Unknown(string path, string expected) =>
+        new(MeasurementError.BadFormat, "an unknown member", expected, path: path);
 
     private static MeasurementException Bad(string path, JsonElement json, string expected) =>
         new(MeasurementError.BadFormat, MeasurementException.Quote(json.GetRawText()), expected, path: path);

@@ -24,5 +24,8 @@ public abstract record MeasurementColumns
     internal abstract MeasurementColumns With(string member, ColumnSelector? column);
 
     /// <summary>The points of a table, its nominal points if it has any, and the location of the labels.</summary>
-    internal abstract (IReadOnlyList<LabelledPoint> Points, IReadOnlyList<LabelledPoint> Nominals, Place Labels) Read(Table table, MeasurementFormat format);
+    internal abstract (
+        IReadOnlyList<LabelledPoint> Points,
+        IReadOnlyList<LabelledPoint> Nominals,
+        Place Labels) Read(Table table, MeasurementFormat format);
 }

@@ -78,7 +78,12 @@ public sealed record MeasurementFormat
         catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
             // To the parser, a member name with an invalid character escape is an invalid operation, not bad JSON.
-            throw new MeasurementException(MeasurementError.BadFormat, "text that is not JSON: " + e.Message.TrimEnd('.'), "the name of a format or a JSON object", path: "$", cause: e);
+            throw new MeasurementException(
+                MeasurementError.BadFormat,
+                "text that is not JSON: " + e.Message.TrimEnd('.'),
+                "the name of a format or a JSON object",
+                path: "$",
+                cause: e);
         }
     }
 }

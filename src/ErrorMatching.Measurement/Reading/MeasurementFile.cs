@@ -7,7 +7,13 @@ public sealed class MeasurementFile
     private readonly Table _table;
     private readonly Place _labels;
 
-    internal MeasurementFile(string sha256, LengthUnit unit, Table table, Place labels, IReadOnlyList<LabelledPoint> points, IReadOnlyList<LabelledPoint> nominals)
+    internal MeasurementFile(
+        string sha256,
+        LengthUnit unit,
+        Table table,
+        Place labels,
+        IReadOnlyList<LabelledPoint> points,
+        IReadOnlyList<LabelledPoint> nominals)
     {
         (Sha256, Unit, _table, _labels) = (sha256, unit, table, labels);
         (Points, Nominals) = (points, nominals);
@@ -58,7 +64,8 @@ public sealed class MeasurementFile
         var other = Points.FirstOrDefault(p => string.Equals(p.Label, label, StringComparison.OrdinalIgnoreCase)).Label;
         return _labels.Fail(
             MeasurementError.MissingPoint,
-            $"no point {MeasurementException.Quote(label)} among the {Points.Count} of the file" + (other is null ? "" : $" (but {MeasurementException.Quote(other)})"),
+            $"no point {MeasurementException.Quote(label)} among the {Points.Count} of the file"
+                + (other is null ? "" : $" (but {MeasurementException.Quote(other)})"),
             $"a point {MeasurementException.Quote(label)}: measure it, or correct the label");
     }
 }

@@ -6,7 +6,11 @@ public sealed class NumberTable
     private readonly IReadOnlyDictionary<string, IReadOnlyList<string>> _columns;
     private readonly IReadOnlyDictionary<string, int> _positions;
 
-    private NumberTable(string file, IReadOnlyList<int> lines, IReadOnlyDictionary<string, IReadOnlyList<string>> columns, IReadOnlyDictionary<string, int> positions) =>
+    private NumberTable(
+        string file,
+        IReadOnlyList<int> lines,
+        IReadOnlyDictionary<string, IReadOnlyList<string>> columns,
+        IReadOnlyDictionary<string, int> positions) =>
         (File, Lines, _columns, _positions) = (file, lines, columns, positions);
 
     /// <summary>The file name, as given by the caller.</summary>
@@ -35,7 +39,8 @@ public sealed class NumberTable
     /// <param name="columns">The required columns. In the header, each may end in <c>_mm</c>. Other columns are ignored.</param>
     /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or a cell of a
     /// column is not a decimal number.</exception>
-    public static NumberTable Read(string path, params IReadOnlyList<string> columns) => Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
+    public static NumberTable Read(string path, params IReadOnlyList<string> columns) =>
+        Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
 
     /// <summary>Reads columns of a CSV file from its bytes, as in the other overload.</summary>
     /// <param name="bytes">The bytes.</param>

@@ -18,7 +18,11 @@ public sealed class SourceRule
         }
         catch (Exception e) when (e is ArgumentException or NotSupportedException)
         {
-            throw new MeasurementException(MeasurementError.BadPattern, $"the pattern {MeasurementException.Quote(pattern)} of a rule about {subject}", "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'), cause: e);
+            throw new MeasurementException(
+                MeasurementError.BadPattern,
+                $"the pattern {MeasurementException.Quote(pattern)} of a rule about {subject}",
+                "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'),
+                cause: e);
         }
     }
 
@@ -34,7 +38,10 @@ public sealed class SourceRule
     /// <exception cref="MeasurementException">The pattern is not such an expression
     /// (<see cref="MeasurementError.BadPattern"/>).</exception>
     public static SourceRule OfHeaderField(string name, string pattern) =>
-        new($"the header field {name}", pattern, f => [.. f.HeaderFields.Where(h => string.Equals(h.Name, name, StringComparison.OrdinalIgnoreCase)).Select(h => h.Value)]);
+        new(
+            $"the header field {name}",
+            pattern,
+            f => [.. f.HeaderFields.Where(h => string.Equals(h.Name, name, StringComparison.OrdinalIgnoreCase)).Select(h => h.Value)]);
 
     /// <summary>A rule for the values of a column, all of which must match. A file without the column does not match.</summary>
     /// <param name="name">Name of the column; case is ignored.</param>

@@ -27,7 +27,8 @@ public sealed class SourceRules(IReadOnlyList<SourceRule> part, IReadOnlyList<So
         };
     }
 
-    private static List<SourceRule> Matching(IReadOnlyList<SourceRule> rules, MeasurementFile file) => [.. rules.Where(r => r.Matches(file))];
+    private static List<SourceRule> Matching(IReadOnlyList<SourceRule> rules, MeasurementFile file) =>
+        [.. rules.Where(r => r.Matches(file))];
 
     private static string Words(IReadOnlyList<SourceRule> rules) => rules.Count == 0 ? "no rule" : string.Join(", ", rules);
 }

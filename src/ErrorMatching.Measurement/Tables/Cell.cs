@@ -22,7 +22,8 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
     /// <exception cref="MeasurementException">It is empty or a spreadsheet formula.</exception>
     public string Label() =>
         Text.Length == 0 ? throw Fail(MeasurementError.EmptyCell, "a name")
-        : NumberDefect.IsFormula(Text) && DecimalNumber.TryRead(Text, DecimalComma) is null ? throw Fail(MeasurementError.Formula, "a name: export values, not formulas")
+        : NumberDefect.IsFormula(Text) && DecimalNumber.TryRead(Text, DecimalComma) is null
+            ? throw Fail(MeasurementError.Formula, "a name: export values, not formulas")
         : Text;
 
     /// <summary>Creates an error about the cell.</summary>

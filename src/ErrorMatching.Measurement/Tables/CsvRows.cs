@@ -65,13 +65,18 @@ internal static class CsvRows
             cells += columns;
             if (columns > MostColumns)
             {
-                throw new Place(file, line, MostColumns + 1).Fail(MeasurementError.TooManyCells, $"a line of {columns} cells", $"at most {MostColumns} in a line: is this the right file?");
+                throw new Place(file, line, MostColumns + 1).Fail(
+                    MeasurementError.TooManyCells,
+                    $"a line of {columns} cells",
+                    $"at most {MostColumns} in a line: is this the right file?");
             }
 
             if (line - firstLine >= MostLines || cells > MostCells)
             {
                 throw new Place(file, line, 1).Fail(
-                    MeasurementError.TooManyCells, $"more than {(cells > MostCells ? MostCells : MostLines)} {(cells > MostCells ? "cells" : "lines")}", "a shorter table: is this the right file?");
+                    MeasurementError.TooManyCells,
+                    $"more than {(cells > MostCells ? MostCells : MostLines)} {(cells > MostCells ? "cells" : "lines")}",
+                    "a shorter table: is this the right file?");
             }
 
             start = end;
@@ -80,6 +85,12 @@ internal static class CsvRows
 
     private static MeasurementException BadQuote(Place place, string field) =>
         field.AsSpan().Count('"') % 2 != 0 && field.StartsWith('"')
-            ? place.Fail(MeasurementError.UnclosedQuote, "a quotation mark that nothing closes: " + MeasurementException.Quote(field), "a second one at the end of the cell, or none")
-            : place.Fail(MeasurementError.BadQuote, "a quotation mark inside a cell: " + MeasurementException.Quote(field), "quotation marks around the whole cell, and doubled inside it");
+            ? place.Fail(
+                MeasurementError.UnclosedQuote,
+                "a quotation mark that nothing closes: " + MeasurementException.Quote(field),
+                "a second one at the end of the cell, or none")
+            : place.Fail(
+                MeasurementError.BadQuote,
+                "a quotation mark inside a cell: " + MeasurementException.Quote(field),
+                "quotation marks around the whole cell, and doubled inside it");
 }

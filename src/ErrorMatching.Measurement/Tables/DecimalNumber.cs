@@ -26,10 +26,16 @@ internal readonly record struct DecimalNumber
 
     /// <summary>The number times exactly 25.4, as the nearest double. The product is calculated in integers and rounded once.</summary>
     public double InchesInMillimeters =>
-        double.Parse(string.Create(CultureInfo.InvariantCulture, $"{Mantissa * 254}E{_exponent - _fraction - 1}"), NumberStyles.Float, CultureInfo.InvariantCulture);
+        double.Parse(
+            string.Create(CultureInfo.InvariantCulture, $"{Mantissa * 254}E{_exponent - _fraction - 1}"),
+            NumberStyles.Float,
+            CultureInfo.InvariantCulture);
 
     private BigInteger Mantissa =>
-        BigInteger.Parse(Text.Split('e', 'E')[0].Replace(".", "", StringComparison.Ordinal), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+        BigInteger.Parse(
+            Text.Split('e', 'E')[0].Replace(".", "", StringComparison.Ordinal),
+            NumberStyles.AllowLeadingSign,
+            CultureInfo.InvariantCulture);
 
     /// <summary>Parses a number; null if the text is anything else, or longer than any number of a gauge.</summary>
     public static DecimalNumber? TryRead(string text, bool decimalComma)

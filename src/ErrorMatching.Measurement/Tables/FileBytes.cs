@@ -29,7 +29,9 @@ internal static class FileBytes
         {
             throw new MeasurementException(
                 MeasurementError.FileUnreadable,
-                e is FileNotFoundException or DirectoryNotFoundException ? "no such file" : "a file that cannot be read: " + e.Message.TrimEnd('.'),
+                e is FileNotFoundException or DirectoryNotFoundException
+                    ? "no such file"
+                    : "a file that cannot be read: " + e.Message.TrimEnd('.'),
                 "a measurement file that exists and that this user may read",
                 path,
                 cause: e);

@@ -5,5 +5,6 @@ internal readonly record struct Place(string File, int Line, int Column)
 {
     public static Place Start(string file) => new(file, 1, 1);
 
-    public MeasurementException Fail(string code, string found, string expected, Exception? cause = null) => new(code, found, expected, File, Line, Column, cause: cause);
+    public MeasurementException Fail(string code, string found, string expected, Exception? cause = null) =>
+        new(code, found, expected, File, Line, Column, cause: cause);
 }

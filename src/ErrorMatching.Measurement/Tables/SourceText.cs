@@ -30,7 +30,8 @@ internal static class SourceText
         }
 
         var name = encodingName;
-        var encoding = Array.Find(Encodings, e => e.Name == name).Encoding?.Invoke() ?? throw new ArgumentException($"There is no encoding named {name}.", nameof(encodingName));
+        var encoding = Array.Find(Encodings, e => e.Name == name).Encoding?.Invoke()
+            ?? throw new ArgumentException($"There is no encoding named {name}.", nameof(encodingName));
         string text;
         try
         {
@@ -46,7 +47,9 @@ internal static class SourceText
                 e);
         }
 
-        var control = text.AsSpan().IndexOfAnyInRange('\0', '\b') is var low and >= 0 ? low : text.AsSpan().IndexOfAnyInRange('\u000e', '\u001f');
+        var control = text.AsSpan().IndexOfAnyInRange('\0', '\b') is var low and >= 0
+            ? low
+            : text.AsSpan().IndexOfAnyInRange('\u000e', '\u001f');
         return control < 0 ? text : throw Binary(PlaceAfter(text[..control], file, delimiter), text[control]);
     }
 
@@ -58,7 +61,13 @@ internal static class SourceText
     private static ReadOnlySpan<byte> WithoutByteOrderMark(ReadOnlySpan<byte> bytes, string file, scoped ref string encodingName)
     {
         ReadOnlySpan<byte> utf8 = [0xEF, 0xBB, 0xBF], little = [0xFF, 0xFE], big = [0xFE, 0xFF];
-        var (mark, length) = bytes.StartsWith(utf8) ? ("utf-8", 3) : bytes.StartsWith(little) ? ("utf-16", 2) : bytes.StartsWith(big) ? ("utf-16be", 2) : (encodingName, 0);
+        var (mark, length) = bytes.StartsWith(utf8)
+            ? ("utf-8", 3)
+            : bytes.StartsWith(little)
+            ? ("utf-16", 2)
+            : bytes.StartsWith(big)
+            ? ("utf-16be", 2)
+            : (encodingName, 0);
         var wide = encodingName is "utf-16" && mark is "utf-16be";
         if (mark != encodingName && !wide)
         {
@@ -103,5 +112,6 @@ internal static class SourceText
         return new(file, line, 1 + text.AsSpan(lineStart).Count(delimiter));
     }
 
-    private static Encoding CodePage(int number) => CodePagesEncodingProvider.Instance.GetEncoding(number, EncoderFallback.ExceptionFallback, DecoderFallback.ExceptionFallback)!;
+    private static Encoding CodePage(int number) =>
+        CodePagesEncodingProvider.Instance.GetEncoding(number, EncoderFallback.ExceptionFallback, DecoderFallback.ExceptionFallback)!;
 }

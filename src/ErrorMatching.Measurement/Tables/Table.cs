@@ -9,7 +9,8 @@ internal sealed class Table
     private readonly bool _decimalComma;
     private readonly char _delimiter;
 
-    private Table(string file, IReadOnlyList<HeaderField> fields, CsvRow? header, IReadOnlyList<CsvRow> rows, char delimiter, bool decimalComma)
+    private Table(
+        string file, IReadOnlyList<HeaderField> fields, CsvRow? header, IReadOnlyList<CsvRow> rows, char delimiter, bool decimalComma)
     {
         (File, Fields, _header, Rows) = (file, fields, header, rows);
         (_delimiter, _decimalComma) = (delimiter, decimalComma);
@@ -42,7 +43,10 @@ internal sealed class Table
         List<CsvRow> rows = [.. CsvRows.Read(text[start..], file, layout.SkipLines + 1, layout.Delimiter)];
         if (rows.Count == 0)
         {
-            throw Place.Start(file).Fail(MeasurementError.MissingHeader, $"nothing behind the {layout.SkipLines} lines that the format skips", "a table: correct skipLines in its format");
+            throw Place.Start(file).Fail(
+                MeasurementError.MissingHeader,
+                $"nothing behind the {layout.SkipLines} lines that the format skips",
+                "a table: correct skipLines in its format");
         }
 
         foreach (var row in rows)
@@ -50,7 +54,8 @@ internal sealed class Table
             CheckWidth(row, rows[0]);
         }
 
-        return new(file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout.Delimiter, layout.DecimalComma);
+        return new(
+            file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout.Delimiter, layout.DecimalComma);
     }
 
     /// <summary>The index of a required column.</summary>
@@ -76,7 +81,11 @@ internal sealed class Table
     }
 
     public Cell Cell(CsvRow row, int index) =>
-        new(row.Texts[index].Trim(), row.PlaceOf(index), _header is null ? "number " + (index + 1).ToString(CultureInfo.InvariantCulture) : _header.Texts[index].Trim(), _decimalComma);
+        new(
+            row.Texts[index].Trim(),
+            row.PlaceOf(index),
+            _header is null ? "number " + (index + 1).ToString(CultureInfo.InvariantCulture) : _header.Texts[index].Trim(),
+            _decimalComma);
 
     /// <summary>The location of a column's heading, or of its first cell.</summary>
     public Place Top(int index) => (_header ?? Rows[0]).PlaceOf(index);
@@ -94,21 +103,25 @@ internal sealed class Table
 
     private List<int> IndexesOf(IReadOnlyList<string> names) => _header is null
         ? []
-        : [.. Enumerable.Range(0, _header.Texts.Count).Where(i => names.Contains(_header.Texts[i].Trim(), StringComparer.OrdinalIgnoreCase))];
+        : [
+            .. Enumerable.Range(0, _header.Texts.Count).Where(i => names.Contains(
+                _header.Texts[i].Trim(), StringComparer.OrdinalIgnoreCase))];
 
     private MeasurementException MissingColumn(string name)
     {
         var cells = _header!.Texts;
         if (cells.Count > 1 && cells.Count(c => DecimalNumber.TryRead(c.Trim(), _decimalComma) is not null) * 2 > cells.Count)
         {
-            return Top(0).Fail(MeasurementError.MissingHeader, "numbers in the first line", $"a header with the names of the columns, among them {name}");
+            return Top(0).Fail(
+                MeasurementError.MissingHeader, "numbers in the first line", $"a header with the names of the columns, among them {name}");
         }
 
         var other = cells.Count == 1 ? ",;\t|".FirstOrDefault(d => d != _delimiter && cells[0].Contains(d)) : '\0';
         return Top(0).Fail(
             MeasurementError.MissingColumn,
             "a header with the columns " + string.Join(", ", cells.Take(20).Select(c => MeasurementException.Quote(c.Trim()))),
-            $"a column {name}" + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementException.Quote(other.ToString())}"));
+            $"a column {name}"
+                + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementException.Quote(other.ToString())}"));
     }
 
     private static void CheckWidth(CsvRow row, CsvRow first)
@@ -116,7 +129,10 @@ internal sealed class Table
         var (count, width) = (row.Texts.Count, first.Texts.Count);
         if (count < width)
         {
-            throw row.PlaceOf(count).Fail(MeasurementError.ShortRow, $"a line of {count} cells", $"{width} cells as in the first line: the line is cut off, or a delimiter is missing");
+            throw row.PlaceOf(count).Fail(
+                MeasurementError.ShortRow,
+                $"a line of {count} cells",
+                $"{width} cells as in the first line: the line is cut off, or a delimiter is missing");
         }
 
         for (var i = width; i < count; i++)

@@ -1,11 +1,13 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A longest common subsequence by the greedy method of Myers (Algorithmica 1, 1986, 251-266) on what is left when equal ends and items that only one side has are set aside.
+/// A longest common subsequence by the greedy method of Myers (Algorithmica 1, 1986,
+/// 251-266) on what is left when equal ends and items that only one side has are set aside.
 /// </summary>
 /// <remarks>
-/// Time grows with length times number of differences d, where it is at most <see cref="MostEdits"/>, and with length times that bound where sequences differ more: the search is then cut off
-/// at the pair that it got furthest with and goes on from there, so that the subsequence is common but may not be the longest. Memory grows with the length and the square of the smaller of d and the bound.
+/// Time grows with length times number of differences d, where it is at most <see cref="MostEdits"/>, and with length times that bound
+/// where sequences differ more: the search is then cut off at the pair that it got furthest with and goes on from there, so that the
+/// subsequence is common but may not be the longest. Memory grows with the length and the square of the smaller of d and the bound.
 /// </remarks>
 internal static class CommonSubsequence
 {
@@ -75,7 +77,8 @@ internal static class CommonSubsequence
     }
 
     // The fewest removals and insertions that lead to both ends, or as far as the bound allows.
-    private static (List<(int, int)> Path, int X, int Y) Search(ReadOnlySpan<int> first, ReadOnlySpan<int> a, ReadOnlySpan<int> second, ReadOnlySpan<int> b)
+    private static (List<(int, int)> Path, int X, int Y) Search(
+        ReadOnlySpan<int> first, ReadOnlySpan<int> a, ReadOnlySpan<int> second, ReadOnlySpan<int> b)
     {
         var bound = Math.Min(a.Length + b.Length, MostEdits);
         var furthest = new int[(2 * bound) + 3];
@@ -85,7 +88,9 @@ internal static class CommonSubsequence
         {
             for (var k = -d; k <= d; k += 2)
             {
-                var x = k == -d || (k != d && furthest[middle + k - 1] < furthest[middle + k + 1]) ? furthest[middle + k + 1] : furthest[middle + k - 1] + 1;
+                var x = k == -d || (k != d && furthest[middle + k - 1] < furthest[middle + k + 1])
+                    ? furthest[middle + k + 1]
+                    : furthest[middle + k - 1] + 1;
                 while (x < a.Length && x - k < b.Length && first[a[x]] == second[b[x - k]])
                 {
                     x++;

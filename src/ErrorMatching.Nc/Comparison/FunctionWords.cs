@@ -3,16 +3,22 @@ using System.Text;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// The words of some blocks that no motion shows: not block numbers, not coordinates of a motion, not feeds, not the codes that say how coordinates are meant, for those are compared as motions; no comments.
+/// The words of some blocks that no motion shows: not block numbers, not coordinates of a motion, not feeds, not the codes that say how
+/// coordinates are meant, for those are compared as motions; no comments.
 /// </summary>
 internal sealed class FunctionWords(NcPath path)
 {
     private readonly List<Word> _words = [];
 
     /// <summary>The words, in their order.</summary>
-    public IReadOnlyList<string> Texts => [.. _words.Select(w => w.Letter != 0 ? $"{(char)w.Letter}{w.Number}" : NcText.Decode(path.Program.Bytes.Span.Slice(w.Start, w.Length)).ToUpperInvariant())];
+    public IReadOnlyList<string> Texts => [
+        .. _words.Select(
+            w => w.Letter != 0
+                ? $"{(char)w.Letter}{w.Number}"
+                : NcText.Decode(path.Program.Bytes.Span.Slice(w.Start, w.Length)).ToUpperInvariant())];
 
-    /// <summary>Collects the words of a motion's block and of those since the motion before it; of what follows the last motion, for the position behind the last.</summary>
+    /// <summary>Collects the words of a motion's block and of those since the motion before it;
+    /// of what follows the last motion, for the position behind the last.</summary>
     public void Collect(int motion)
     {
         _words.Clear();
@@ -42,7 +48,9 @@ internal sealed class FunctionWords(NcPath path)
         for (var i = 0; i < _words.Count; i++)
         {
             var (a, b) = (_words[i], other._words[i]);
-            if (a.Letter != b.Letter || a.Number != b.Number || (a.Letter == 0 && !Ascii.EqualsIgnoreCase(path.Program.Bytes.Span.Slice(a.Start, a.Length), other.Text(b))))
+            if (a.Letter != b.Letter
+                || a.Number != b.Number
+                || (a.Letter == 0 && !Ascii.EqualsIgnoreCase(path.Program.Bytes.Span.Slice(a.Start, a.Length), other.Text(b))))
             {
                 return false;
             }
@@ -54,7 +62,9 @@ internal sealed class FunctionWords(NcPath path)
     private ReadOnlySpan<byte> Text(Word word) => path.Program.Bytes.Span.Slice(word.Start, word.Length);
 
     private (int First, int Last) Blocks(int motion) =>
-        (motion > 0 ? path.Motions[motion - 1].Block + 1 : 0, motion < path.Motions.Length ? path.Motions[motion].Block : path.Program.BlockCount - 1);
+        (
+            motion > 0 ? path.Motions[motion - 1].Block + 1 : 0,
+            motion < path.Motions.Length ? path.Motions[motion].Block : path.Program.BlockCount - 1);
 
     private void Collect(NcBlock block, bool moves, bool turns)
     {
@@ -66,9 +76,14 @@ internal sealed class FunctionWords(NcPath path)
 
         foreach (var token in path.Program.Tokens(block))
         {
-            if (token.Kind == NcTokenKind.Word ? IsFunction(token, moves, turns, dwells) : token.Kind is not (NcTokenKind.Space or NcTokenKind.Comment or NcTokenKind.Percent))
+            if (token.Kind == NcTokenKind.Word
+                ? IsFunction(token, moves, turns, dwells)
+                : token.Kind is not (NcTokenKind.Space or NcTokenKind.Comment or NcTokenKind.Percent))
             {
-                _words.Add(token.Kind == NcTokenKind.Word ? new(token.Letter, token.Number.Trim(), token.Start, token.Length) : new(0, default, token.Start, token.Length));
+                _words.Add(
+                    token.Kind == NcTokenKind.Word
+                        ? new(token.Letter, token.Number.Trim(), token.Start, token.Length)
+                        : new(0, default, token.Start, token.Length));
             }
         }
     }
@@ -80,7 +95,13 @@ internal sealed class FunctionWords(NcPath path)
         LetterRole.Axis => !moves,
         LetterRole.Center or LetterRole.Radius or LetterRole.OpeningAngle or LetterRole.MoreTurns or LetterRole.IntermediatePoint => !turns,
         LetterRole.G => Meaning(token) is not (NcMeaning.Rapid or NcMeaning.Line or NcMeaning.ArcClockwise or NcMeaning.ArcCounterClockwise
-            or NcMeaning.PlaneXY or NcMeaning.PlaneZX or NcMeaning.PlaneYZ or NcMeaning.Inch or NcMeaning.Metric or NcMeaning.Absolute or NcMeaning.Incremental
+            or NcMeaning.PlaneXY
+                or NcMeaning.PlaneZX
+                or NcMeaning.PlaneYZ
+                or NcMeaning.Inch
+                or NcMeaning.Metric
+                or NcMeaning.Absolute
+                or NcMeaning.Incremental
             or NcMeaning.AbsoluteCenters or NcMeaning.IncrementalCenters),
         _ => true,
     };

@@ -3,12 +3,12 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Compares what two programs do, motion by motion, however they are numbered and spelled. Motions of the same kind, end and center are aligned first, in their order; what is left between them
-/// is paired so that ends are near each other; the rest was inserted or removed.
+/// Compares what two programs do, motion by motion, however they are numbered and spelled. Motions of the same kind, end and center are
+/// aligned first, in their order; what is left between them is paired so that ends are near each other; the rest was inserted or removed.
 /// </summary>
 /// <remarks>
-/// Time grows with the length of the programs times the number of differences, and no more than with the length times 1024 where they differ more: programs of 100,000 blocks with few differences are
-/// compared in a fraction of a second, wholly displaced ones in about one.
+/// Time grows with the length of the programs times the number of differences, and no more than with the length times 1024 where they
+/// differ more: programs of 100,000 blocks with few differences are compared in a fraction of a second, wholly displaced ones in about one.
 /// </remarks>
 public sealed class MotionComparison
 {
@@ -57,7 +57,8 @@ public sealed class MotionComparison
     public static MotionComparison Of(NcPath before, NcPath after) => new(before, after);
 
     /// <summary>How far a motion went: its end or its center, whichever went further, mm.</summary>
-    public static double DistanceMm(MotionDifference difference) => Math.Max(difference.Displacement.Length, difference.CenterDisplacement.Length);
+    public static double DistanceMm(MotionDifference difference) =>
+        Math.Max(difference.Displacement.Length, difference.CenterDisplacement.Length);
 
     private static List<(int Before, int After)> Align(NcPath before, NcPath after)
     {
@@ -65,7 +66,8 @@ public sealed class MotionComparison
         var nearest = new NearestMotions(before, after);
         var pairs = new List<(int, int)>();
         var (b, a) = (0, 0);
-        foreach (var (i, j) in CommonSubsequence.Of(MotionPlace.Numbers(before, known), MotionPlace.Numbers(after, known)).Append((before.Motions.Length, after.Motions.Length)))
+        foreach (var (i, j) in CommonSubsequence.Of(
+            MotionPlace.Numbers(before, known), MotionPlace.Numbers(after, known)).Append((before.Motions.Length, after.Motions.Length)))
         {
             if (i > b && j > a)
             {
@@ -89,13 +91,25 @@ public sealed class MotionComparison
             for (; b < i; b++)
             {
                 _wordsBefore.Collect(b);
-                _differences.Add(new(MotionChange.Removed, b, -1, Vector3.Zero, Vector2.Zero, _wordsBefore.Texts is { Count: > 0 } words ? new(words, []) : null));
+                _differences.Add(new(
+                    MotionChange.Removed,
+                    b,
+                    -1,
+                    Vector3.Zero,
+                    Vector2.Zero,
+                    _wordsBefore.Texts is { Count: > 0 } words ? new(words, []) : null));
             }
 
             for (; a < j; a++)
             {
                 _wordsAfter.Collect(a);
-                _differences.Add(new(MotionChange.Inserted, -1, a, Vector3.Zero, Vector2.Zero, _wordsAfter.Texts is { Count: > 0 } words ? new([], words) : null));
+                _differences.Add(new(
+                    MotionChange.Inserted,
+                    -1,
+                    a,
+                    Vector3.Zero,
+                    Vector2.Zero,
+                    _wordsAfter.Texts is { Count: > 0 } words ? new([], words) : null));
             }
 
             if (i < Before.Motions.Length && j < After.Motions.Length)
@@ -113,7 +127,8 @@ public sealed class MotionComparison
         var center = was.IsArc && now.IsArc ? now.Center - was.Center : Vector2.Zero;
         var functions = FunctionsOf(i, j);
         MotionChange? change = was.Kind != now.Kind || was.Plane != now.Plane ? MotionChange.Replaced
-            : (now.End - was.End).Length > Same || center.Length > Same || was.Turns != now.Turns || was.UnknownEnd != now.UnknownEnd ? MotionChange.Moved
+            : (now.End - was.End).Length > Same || center.Length > Same || was.Turns != now.Turns || was.UnknownEnd != now.UnknownEnd
+                ? MotionChange.Moved
             : Math.Abs(was.Feed - now.Feed) > Same ? MotionChange.Feed
             : functions is not null ? KindOf(functions)
             : null;
@@ -137,7 +152,9 @@ public sealed class MotionComparison
 
     private static MotionChange KindOf(FunctionChange functions)
     {
-        string[] differing = [.. functions.Before.Except(functions.After, StringComparer.Ordinal), .. functions.After.Except(functions.Before, StringComparer.Ordinal)];
+        string[] differing = [
+            .. functions.Before.Except(functions.After, StringComparer.Ordinal),
+            .. functions.After.Except(functions.Before, StringComparer.Ordinal)];
         return differing.Any(w => w is "M6" || w is ['T', ..]) ? MotionChange.Tool
             : differing.Any(w => w is "M3" or "M4" or "M5" || w is ['S', ..]) ? MotionChange.Spindle
             : MotionChange.Words;

@@ -9,4 +9,5 @@ namespace ErrorMatching.Nc;
 /// <param name="Displacement">New end - old end; zero where it was inserted or removed.</param>
 /// <param name="CenterDisplacement">New center - old center in the motion's plane; zero for all but arcs.</param>
 /// <param name="Functions">Words that move nothing, since the motion before, where they differ; null where they do not.</param>
-public sealed record MotionDifference(MotionChange Change, int Before, int After, Vector3 Displacement, Vector2 CenterDisplacement, FunctionChange? Functions = null);
+public sealed record MotionDifference(
+    MotionChange Change, int Before, int After, Vector3 Displacement, Vector2 CenterDisplacement, FunctionChange? Functions = null);

@@ -2,8 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What makes two motions the same wherever they stand in a program: kind, plane, end and center on a grid so fine that only equal decimals meet.</summary>
-internal readonly record struct MotionPlace(MotionKind Kind, CoordinatePlane Plane, int Turns, long X, long Y, long Z, long CenterX, long CenterY)
+/// <summary>What makes two motions the same wherever they stand in a program:
+/// kind, plane, end and center on a grid so fine that only equal decimals meet.</summary>
+internal readonly record struct MotionPlace(
+    MotionKind Kind, CoordinatePlane Plane, int Turns, long X, long Y, long Z, long CenterX, long CenterY)
 {
     private const double StepsPerMm = 1e7;
 

@@ -1,10 +1,12 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Pairs the motions of two stretches that have none in common: in their order, so that the distances between their ends are least in sum. A block number in common speaks for a pair.
+/// Pairs the motions of two stretches that have none in common: in their order, so that the distances between their ends are least in sum.
+/// A block number in common speaks for a pair.
 /// </summary>
 /// <remarks>
-/// A table along the diagonal, as wide as the lengths differ and <see cref="Slack"/> to both sides. Where it would have more than <see cref="MostCells"/> cells, motions with the same kind and block number are paired.
+/// A table along the diagonal, as wide as the lengths differ and <see cref="Slack"/> to both sides. Where it would have more than
+/// <see cref="MostCells"/> cells, motions with the same kind and block number are paired.
 /// </remarks>
 internal sealed class NearestMotions(NcPath before, NcPath after)
 {
@@ -100,7 +102,8 @@ internal sealed class NearestMotions(NcPath before, NcPath after)
         return pairs;
     }
 
-    // From 0 where they are the same to just below the cost of a removal and an insertion, so that motions of one kind are rather moved than replaced.
+    // From 0 where they are the same to just below the cost of a removal and an insertion,
+    // so that motions of one kind are rather moved than replaced.
     private float Cost(int i, int j)
     {
         var (was, now) = (before.Motions[i], after.Motions[j]);
@@ -111,7 +114,9 @@ internal sealed class NearestMotions(NcPath before, NcPath after)
     }
 
     private bool HasSameNumber(in NcMotion was, in NcMotion now) =>
-        before.Program.TryNumber(before.Program[was.Block], out var a) && after.Program.TryNumber(after.Program[now.Block], out var b) && a.Number.SameValue(b.Number);
+        before.Program.TryNumber(before.Program[was.Block], out var a)
+            && after.Program.TryNumber(after.Program[now.Block], out var b)
+            && a.Number.SameValue(b.Number);
 
     private List<(int, int)> ByNumber(int b, int n, int a, int m)
     {

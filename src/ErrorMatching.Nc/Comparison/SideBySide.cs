@@ -2,7 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Two programs side by side: blocks of motions that are taken for one another stand in one row, and between them blocks with the same text.</summary>
+/// <summary>Two programs side by side: blocks of motions that are taken for one another stand in one row,
+/// and between them blocks with the same text.</summary>
 public static class SideBySide
 {
     /// <summary>All rows, in the order of both programs.</summary>
@@ -27,13 +28,16 @@ public static class SideBySide
     }
 
     /// <summary>Which words of two blocks differ by their values, numbers aside: ranges of bytes from the start of each block.</summary>
-    public static (IReadOnlyList<Range> Before, IReadOnlyList<Range> After) Words(NcProgram before, NcBlock block, NcProgram after, NcBlock other)
+    public static (IReadOnlyList<Range> Before, IReadOnlyList<Range> After) Words(
+        NcProgram before, NcBlock block, NcProgram after, NcBlock other)
     {
         var known = new Dictionary<string, int>(StringComparer.Ordinal);
         var (was, now) = (Read(before, block), Read(after, other));
         var same = CommonSubsequence.Of([.. was.Select(w => Number(w.Text, known))], [.. now.Select(w => Number(w.Text, known))]);
         var (sameBefore, sameAfter) = (same.Select(p => p.First).ToHashSet(), same.Select(p => p.Second).ToHashSet());
-        return ([.. was.Where((_, i) => !sameBefore.Contains(i)).Select(w => w.Place)], [.. now.Where((_, i) => !sameAfter.Contains(i)).Select(w => w.Place)]);
+        return (
+            [.. was.Where((_, i) => !sameBefore.Contains(i)).Select(w => w.Place)],
+            [.. now.Where((_, i) => !sameAfter.Contains(i)).Select(w => w.Place)]);
     }
 
     private static void AddBetween(NcProgram before, int b, int endBefore, NcProgram after, int a, int endAfter, List<BlockPair> rows)
@@ -46,7 +50,9 @@ public static class SideBySide
         var known = new Dictionary<string, int>(StringComparer.Ordinal);
         var (first, second) = (Numbers(before, b, endBefore, known), Numbers(after, a, endAfter, known));
         var (i, j) = (b, a);
-        foreach (var (nextI, nextJ) in CommonSubsequence.Of(first, second).ConvertAll(p => (p.First + b, p.Second + a)).Append((endBefore, endAfter)))
+        foreach (var (nextI, nextJ) in CommonSubsequence.Of(first, second)
+            .ConvertAll(p => (p.First + b, p.Second + a))
+            .Append((endBefore, endAfter)))
         {
             // As many on both sides were rather changed than replaced.
             for (var isPaired = nextI - i == nextJ - j; i < nextI; i++)
@@ -69,7 +75,12 @@ public static class SideBySide
     }
 
     private static BlockPair Row(NcProgram before, int block, NcProgram after, int other) =>
-        new(block, other, before.BytesOf(before[block]).SequenceEqual(after.BytesOf(after[other])) || Read(before, before[block]).Select(w => w.Text).SequenceEqual(Read(after, after[other]).Select(w => w.Text), StringComparer.Ordinal));
+        new(
+            block,
+            other,
+            before.BytesOf(before[block]).SequenceEqual(after.BytesOf(after[other]))
+                || Read(before, before[block]).Select(w => w.Text).SequenceEqual(
+                    Read(after, after[other]).Select(w => w.Text), StringComparer.Ordinal));
 
     private static int[] Numbers(NcProgram program, int start, int end, Dictionary<string, int> known)
     {
@@ -100,7 +111,9 @@ public static class SideBySide
         {
             if (token.Kind != NcTokenKind.Space && token is not { Kind: NcTokenKind.Word, Letter: (byte)'N' })
             {
-                var text = token.Kind == NcTokenKind.Word ? $"{(char)token.Letter}{token.Number.Trim()}" : Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length));
+                var text = token.Kind == NcTokenKind.Word
+                    ? $"{(char)token.Letter}{token.Number.Trim()}"
+                    : Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length));
                 words.Add((text, (token.Start - block.Start)..(token.End - block.Start)));
             }
         }

@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Arcs from what a block says: center words, a radius, an opening angle, a point on the way, or the direction of the motion before.</summary>
+/// <summary>Arcs from what a block says: center words, a radius, an opening angle, a point on the way,
+/// or the direction of the motion before.</summary>
 internal sealed class Arcs(
     ControlState control,
     BlockValues values,
@@ -38,11 +39,13 @@ internal sealed class Arcs(
         writer.Append(turned, flags, end, unknownEnd, center, Turns());
     }
 
-    private static MotionKind Opposite(MotionKind kind) => kind == MotionKind.ArcClockwise ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
+    private static MotionKind Opposite(MotionKind kind) =>
+        kind == MotionKind.ArcClockwise ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
 
     private int Turns() =>
         values.Words.Has(NcAddress.Turn) ? (int)Math.Clamp(values.Words.Value(NcAddress.Turn), 0, 100_000)
-        : values.Dialect.TurnsLetter != 0 && values.Words.Has(values.Dialect.TurnsLetter) ? (int)Math.Clamp(values.Words.Value(values.Dialect.TurnsLetter) - 1, 0, 100_000)
+        : values.Dialect.TurnsLetter != 0 && values.Words.Has(values.Dialect.TurnsLetter)
+            ? (int)Math.Clamp(values.Words.Value(values.Dialect.TurnsLetter) - 1, 0, 100_000)
         : 0;
 
     private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, double endHeight, bool isKnown)
@@ -72,11 +75,17 @@ internal sealed class Arcs(
             return ByRadius(kind, start, end, values.Length(NcAddress.CircleRadius), isKnown);
         }
 
-        var (first, second) = control.State.Plane switch { CoordinatePlane.ZX => ('K', 'I'), CoordinatePlane.YZ => ('J', 'K'), _ => ('I', 'J') };
+        var (first, second) = control.State.Plane switch
+        {
+            CoordinatePlane.ZX => ('K', 'I'),
+            CoordinatePlane.YZ => ('J', 'K'),
+            _ => ('I', 'J')
+        };
         var hasCenter = values.Words.Has(first) || values.Words.Has(second);
         if (values.Words.Has(NcAddress.OpeningAngle))
         {
-            return ByAngle(kind, start, end, values.Words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
+            return ByAngle(
+                kind, start, end, values.Words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
         }
 
         if (!hasCenter)
@@ -89,7 +98,10 @@ internal sealed class Arcs(
         var tolerance = Math.Max(values.Dialect.ArcMismatchMm, values.Dialect.ArcMismatchOfRadius * radius);
         var mismatch = ArcCenter.Mismatch(start, end, center);
         var bad = isKnown && !(mismatch <= tolerance && radius > 0);
-        return new(kind, center, bad ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
+        return new(
+            kind,
+            center,
+            bad ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
     }
 
     public Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));
@@ -105,7 +117,10 @@ internal sealed class Arcs(
     private FoundArc ByRadius(MotionKind kind, Point2 start, Point2 end, double radius, bool isKnown) =>
         ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, values.Dialect.ArcMismatchMm) is { } center
             ? new(kind, center, MotionFlags.ByRadius)
-            : new(kind, start.Lerp(end, 0.5), MotionFlags.ByRadius | (isKnown ? BadArc("no circle of this radius reaches from the start to the end") : MotionFlags.None));
+            : new(
+                kind,
+                start.Lerp(end, 0.5),
+                MotionFlags.ByRadius | (isKnown ? BadArc("no circle of this radius reaches from the start to the end") : MotionFlags.None));
 
     // An opening angle with a center gives the end; with an end it gives the center.
     private FoundArc ByAngle(MotionKind kind, Point2 start, Point2 end, double degrees, Point2? center, bool isKnown)
@@ -113,20 +128,23 @@ internal sealed class Arcs(
         var counterClockwise = kind == MotionKind.ArcCounterClockwise;
         if (!(degrees is > 0 and < 360))
         {
-            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("the opening angle must lie between 0 and 360 degrees") : MotionFlags.BadArc);
+            return new(
+                kind, start.Lerp(end, 0.5), isKnown ? BadArc("the opening angle must lie between 0 and 360 degrees") : MotionFlags.BadArc);
         }
 
         if (center is { } c)
         {
             var from = start - c;
             var (sin, cos) = Math.SinCos((counterClockwise ? degrees : -degrees) * Math.PI / 180);
-            return new(kind, c, MotionFlags.OtherArcForm, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
+            return new(
+                kind, c, MotionFlags.OtherArcForm, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
         }
 
         var chord = end - start;
         var height = chord.Length / 2 / Math.Tan(degrees * Math.PI / 360);
         return chord.Length > 0
-            ? new(kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.OtherArcForm)
+            ? new(
+                kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.OtherArcForm)
             : new(kind, start, isKnown ? BadArc("start and end are one place") : MotionFlags.BadArc);
     }
 
@@ -139,7 +157,10 @@ internal sealed class Arcs(
         var kind = side < 0 ? MotionKind.ArcClockwise : MotionKind.ArcCounterClockwise;
         if (control.State.Plane.Height(way) != height || endHeight != height)
         {
-            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("its three points lie at different heights; an arc in space is not followed") : MotionFlags.BadArc);
+            return new(
+                kind,
+                start.Lerp(end, 0.5),
+                isKnown ? BadArc("its three points lie at different heights; an arc in space is not followed") : MotionFlags.BadArc);
         }
 
         try
@@ -148,7 +169,8 @@ internal sealed class Arcs(
         }
         catch (GeometryException)
         {
-            return new(kind, start.Lerp(end, 0.5), isKnown ? BadArc("start, intermediate point and end lie on one line") : MotionFlags.BadArc);
+            return new(
+                kind, start.Lerp(end, 0.5), isKnown ? BadArc("start, intermediate point and end lie on one line") : MotionFlags.BadArc);
         }
     }
 
@@ -161,21 +183,30 @@ internal sealed class Arcs(
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
-        if (result.Motions.Length > 0 && result.Motions[result.Motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before && (layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
+        if (result.Motions.Length > 0
+            && result.Motions[result.Motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before
+            && (layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
         {
             var plane = control.State.Plane;
             var direction = plane.Lift(Point2.Origin + before.TangentAt(1), 0) - default(Point3);
-            var tangent = (plane.Project(default(Point3) + (layers.Transforms.Inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
+            var tangent = (
+                plane.Project(default(Point3) + (layers.Transforms.Inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
             var chord = end - start;
             var side = tangent.Cross(chord);
             if (Math.Abs(side) > 1e-9 * chord.Length)
             {
                 var radius = chord.Dot(chord) / (2 * side);
-                return new(side > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise, start + (tangent.Left * radius), MotionFlags.OtherArcForm);
+                return new(
+                    side > 0 ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise,
+                    start + (tangent.Left * radius),
+                    MotionFlags.OtherArcForm);
             }
         }
 
-        return new(MotionKind.ArcClockwise, start.Lerp(end, 0.5), isKnown ? BadArc("no motion before it gives a direction to continue, or its end lies straight ahead") : MotionFlags.BadArc);
+        return new(
+            MotionKind.ArcClockwise,
+            start.Lerp(end, 0.5),
+            isKnown ? BadArc("no motion before it gives a direction to continue, or its end lies straight ahead") : MotionFlags.BadArc);
     }
 
     private MotionFlags BadArc(string why) => result.Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);

@@ -15,10 +15,17 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     {
         var letter = values.Words.Corner;
         var inPlane = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
-        _pending = !inPlane ? default : letter is (byte)'R' or (byte)'C' or (byte)'F' ? (letter, values.CornerLength()) : control.State.ModalRounding != 0 ? ((byte)'R', control.State.ModalRounding) : default;
+        _pending = !inPlane
+            ? default
+            : letter is (byte)'R' or (byte)'C' or (byte)'F'
+            ? (letter, values.CornerLength())
+            : control.State.ModalRounding != 0
+            ? ((byte)'R', control.State.ModalRounding)
+            : default;
     }
 
-    /// <summary>Cuts it. Called with the motion that follows, before it is appended: its start moves to the end of the corner. The center is one of the work.</summary>
+    /// <summary>Cuts it. Called with the motion that follows, before it is appended: its start moves to the end of the corner.
+    /// The center is one of the work.</summary>
     public void Cut(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2? center)
     {
         var (letter, value) = _pending;
@@ -28,7 +35,9 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             return;
         }
 
-        if (values.Dialect.Syntax == NcSyntax.Siemens && kind is MotionKind.Line or MotionKind.Rapid && plane.Project(end) == plane.Project(control.State.Position))
+        if (values.Dialect.Syntax == NcSyntax.Siemens
+            && kind is MotionKind.Line or MotionKind.Rapid
+            && plane.Project(end) == plane.Project(control.State.Position))
         {
             // Siemens inserts nothing where the next motion leaves the plane.
             _pending = default;
@@ -36,9 +45,27 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         }
 
         var before = result.Motions[result.Motions.Length - 1];
-        var behind = new NcMotion(result.Block, kind, plane, flags, layers.Work(control.State.Position, AxisSet.None).Place, layers.Work(end, AxisSet.None).Place, center ?? default, 0, 0, control.State.Frame, control.State.Unknown, unknownEnd);
-        var isPlain = behind is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true } && before is { MovesInPlane: true, IsKnownInPlane: true } && !before.Has(MotionFlags.BadArc) && !flags.HasFlag(MotionFlags.BadArc);
-        var isLevel = before.Plane == plane && before.Frame == behind.Frame && plane.Height(behind.End) == plane.Height(behind.Start) && (layers.Transforms.Frame?.OnCircles(plane).StayCircles ?? true);
+        var behind = new NcMotion(
+            result.Block,
+            kind,
+            plane,
+            flags,
+            layers.Work(control.State.Position, AxisSet.None).Place,
+            layers.Work(end, AxisSet.None).Place,
+            center ?? default,
+            0,
+            0,
+            control.State.Frame,
+            control.State.Unknown,
+            unknownEnd);
+        var isPlain = behind is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true }
+            && before is { MovesInPlane: true, IsKnownInPlane: true }
+            && !before.Has(MotionFlags.BadArc)
+            && !flags.HasFlag(MotionFlags.BadArc);
+        var isLevel = before.Plane == plane
+            && before.Frame == behind.Frame
+            && plane.Height(behind.End) == plane.Height(behind.Start)
+            && (layers.Transforms.Frame?.OnCircles(plane).StayCircles ?? true);
         value *= (control.State.Inch ? ControlState.MmPerInch : 1) * (layers.Transforms.Frame?.FactorIn(plane) ?? 1);
         if (!isPlain || !isLevel || !(value > 0) || Between(before, behind, letter, value) is not { } corner)
         {
@@ -62,13 +89,17 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     {
         if (IsPending)
         {
-            result.Problem("corner-word", "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.", MotionFlags.None);
+            result.Problem(
+                "corner-word",
+                "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.",
+                MotionFlags.None);
             control.State.Unknown |= control.State.Plane.Axes();
             _pending = default;
         }
     }
 
-    private static (MotionKind Kind, Point2 Start, Point2 End, Point2 Center)? Between(in NcMotion before, in NcMotion behind, byte letter, double value)
+    private static (MotionKind Kind, Point2 Start, Point2 End, Point2 Center)? Between(
+        in NcMotion before, in NcMotion behind, byte letter, double value)
     {
         var (a, b) = (before.TangentAt(1), behind.TangentAt(0));
         var turn = a.Cross(b);
@@ -82,7 +113,9 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         {
             // A chamfer by its legs, or by its width.
             var leg = letter == 'C' ? value : value / (2 * Math.Cos(Math.Atan2(Math.Abs(turn), a.Dot(b)) / 2));
-            return before.IsArc || behind.IsArc || leg >= before.PlaneLength || leg >= behind.PlaneLength ? null : (MotionKind.Line, vertex - (a * leg), vertex + (b * leg), default);
+            return before.IsArc || behind.IsArc || leg >= before.PlaneLength || leg >= behind.PlaneLength
+                ? null
+                : (MotionKind.Line, vertex - (a * leg), vertex + (b * leg), default);
         }
 
         // The center lies one radius inside both.
@@ -109,7 +142,9 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         return radius > 0 ? new(null, new(circle.Center, radius)) : null;
     }
 
-    private static Point2 FootOf(in NcMotion motion, Point2 center) => motion.IsArc ? motion.Arc.Circle.Foot(center) : motion.Segment.Line.Foot(center);
+    private static Point2 FootOf(in NcMotion motion, Point2 center) =>
+        motion.IsArc ? motion.Arc.Circle.Foot(center) : motion.Segment.Line.Foot(center);
 
-    private static bool IsOn(in NcMotion motion, Point2 place) => motion.PlaneAt(motion.IsArc ? motion.Arc.NearestFraction(place) : motion.Segment.NearestFraction(place)).DistanceTo(place) < 1e-6;
+    private static bool IsOn(in NcMotion motion, Point2 place) =>
+        motion.PlaneAt(motion.IsArc ? motion.Arc.NearestFraction(place) : motion.Segment.NearestFraction(place)).DistanceTo(place) < 1e-6;
 }

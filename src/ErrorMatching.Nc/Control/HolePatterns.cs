@@ -20,7 +20,9 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
 
     private int? CountOf(double? number)
     {
-        if (number is not (>= 1 and <= CycleSteps.Most) || number != Math.Floor(number.Value) || (steps.Count += number.Value) > CycleSteps.Most)
+        if (number is not (>= 1 and <= CycleSteps.Most)
+            || number != Math.Floor(number.Value)
+            || (steps.Count += number.Value) > CycleSteps.Most)
         {
             return null;
         }
@@ -28,7 +30,8 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
         return (int)number;
     }
 
-    // SPCA, SPCO (a point of the row), STA1 (angle to the first axis), FDIS (from there to the first hole), DBH (between holes), NUM. It begins at the end that is nearer.
+    // SPCA, SPCO (a point of the row), STA1 (angle to the first axis), FDIS (from there to the first hole), DBH (between holes), NUM.
+    // It begins at the end that is nearer.
     private List<Point2>? Row(CycleCall call, int count)
     {
         var along = Vector2.FromDirection(Angle.FromDegrees(call[2] ?? 0));
@@ -67,7 +70,8 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
         return places;
     }
 
-    // SPCA, SPCO (a corner), STA (angle to the first axis), DIS1, DIS2 (between columns, rows), NUM1, NUM2 (columns, rows), VARI (1: the border only). In which order is the control's affair.
+    // SPCA, SPCO (a corner), STA (angle to the first axis), DIS1, DIS2 (between columns, rows), NUM1, NUM2 (columns, rows), VARI (1: the
+    // border only). In which order is the control's affair.
     private List<Point2>? Grid(CycleCall call)
     {
         if (CountOf(call[5]) is not { } columns || CountOf(call[6]) is not { } rows)
@@ -94,5 +98,7 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
 
     // As exact as the sums of increments are.
     private Point2 Place(CycleCall call, Vector2 from) =>
-        new(BlockValues.Sum((call[0] ?? 0) * control.Unit, from.X * control.Unit), BlockValues.Sum((call[1] ?? 0) * control.Unit, from.Y * control.Unit));
+        new(
+            BlockValues.Sum((call[0] ?? 0) * control.Unit, from.X * control.Unit),
+            BlockValues.Sum((call[1] ?? 0) * control.Unit, from.Y * control.Unit));
 }

@@ -41,7 +41,12 @@ internal static class DialectChain
             }
             else
             {
-                throw Refuse(document, like, "unknown-like", $"\"{like.Text}\"", $"{string.Join(", ", NcDialects.Bases)}, or a file that ends in .json");
+                throw Refuse(
+                    document,
+                    like,
+                    "unknown-like",
+                    $"\"{like.Text}\"",
+                    $"{string.Join(", ", NcDialects.Bases)}, or a file that ends in .json");
             }
         }
 
@@ -69,7 +74,8 @@ internal static class DialectChain
         return Checked(bytes, file);
     }
 
-    private static bool IsSame(string file, string other) => string.Equals(Path.GetFullPath(file), Path.GetFullPath(other), StringComparison.Ordinal);
+    private static bool IsSame(string file, string other) =>
+        string.Equals(Path.GetFullPath(file), Path.GetFullPath(other), StringComparison.Ordinal);
 
     private static DialectDocument Checked(ReadOnlySpan<byte> bytes, string file)
     {
@@ -103,7 +109,8 @@ internal static class DialectChain
     }
 
     // The files that come with the library are checked against the schema by its tests.
-    private static DialectDocument Embedded(string name) => new(name + ".json", JsonInput.Read(Resource(name), name + ".json", Limits), null);
+    private static DialectDocument Embedded(string name) =>
+        new(name + ".json", JsonInput.Read(Resource(name), name + ".json", Limits), null);
 
     private static NcDialect Build(IReadOnlyList<DialectDocument> documents)
     {
@@ -119,7 +126,12 @@ internal static class DialectChain
         }
 
         var last = documents[^1];
-        return new(last.Name, last.Root["description"].Text, tables, [.. documents.Where(d => d.Sha256 is not null).Reverse().Select(d => new DialectFile(d.File, d.Sha256!))], () => DialectPage.Of(documents));
+        return new(
+            last.Name,
+            last.Root["description"].Text,
+            tables,
+            [.. documents.Where(d => d.Sha256 is not null).Reverse().Select(d => new DialectFile(d.File, d.Sha256!))],
+            () => DialectPage.Of(documents));
     }
 
     private static JsonDocumentException Refuse(DialectDocument document, JsonItem item, string code, string found, string expected) =>

@@ -2,7 +2,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Turns the files of a dialect into the rows of its manual page. A subject that a later file states again is left out of the earlier row; a row without subjects is left out.</summary>
+/// <summary>Turns the files of a dialect into the rows of its manual page. A subject that a later file states again is left out of the
+/// earlier row; a row without subjects is left out.</summary>
 internal static class DialectPage
 {
     public static IReadOnlyList<DialectFact> Of(IReadOnlyList<DialectDocument> documents)
@@ -18,7 +19,11 @@ internal static class DialectPage
         return facts;
     }
 
-    private static void AddNamed(List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, Func<DialectDocument, IEnumerable<(string Name, JsonItem Item)>> rowsOf)
+    private static void AddNamed(
+        List<DialectFact> facts,
+        DialectTopic topic,
+        IReadOnlyList<DialectDocument> documents,
+        Func<DialectDocument, IEnumerable<(string Name, JsonItem Item)>> rowsOf)
     {
         var start = facts.Count;
         foreach (var document in documents)
@@ -39,7 +44,8 @@ internal static class DialectPage
         }
     }
 
-    private static void AddSubjects(List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, string list, string key)
+    private static void AddSubjects(
+        List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, string list, string key)
     {
         // Who has the last word on a subject: the later file, and within a file the single subject before the range.
         var owners = new Dictionary<string, (int Row, int Subject)>(StringComparer.Ordinal);
@@ -89,7 +95,11 @@ internal static class DialectPage
 
     private static string MeaningOf(JsonItem item)
     {
-        var meaning = (item.Find("means") ?? item.Find("role") ?? item.Find("value")) is { } value ? value.Kind == JsonItemKind.Text ? value.Text : value.ToJson() : "";
+        var meaning = (item.Find("means") ?? item.Find("role") ?? item.Find("value")) is { } value
+            ? value.Kind == JsonItemKind.Text
+            ? value.Text
+            : value.ToJson()
+            : "";
         var family = item.Find("family") is { } name ? $" ({name.Text})" : "";
         return meaning + family + (item.Find("feeds") is { Flag: false } ? " (not feeds)" : "");
     }

@@ -2,7 +2,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Applies one file to the tables of a dialect, and collects what a schema cannot say: codes that are none, and codes stated twice.</summary>
+/// <summary>Applies one file to the tables of a dialect, and collects what a schema cannot say:
+/// codes that are none, and codes stated twice.</summary>
 internal sealed class DialectReader(DialectDocument document, DialectTables tables)
 {
     private static readonly Dictionary<string, int> Meanings = KebabNames.Of(typeof(NcMeaning));
@@ -93,7 +94,11 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
                 Problems.Add(JsonProblem.At(entry["role"], "bad-role", $"\"{entry["role"].Text}\" for {subject.Spelling}", expected));
                 break;
             case DialectTopic.Code:
-                Code(subject, (NcMeaning)Meanings[entry["means"].Text], tables.FamilyNumber(entry.Find("family")?.Text ?? ""), entry.Find("feeds") is { Flag: false });
+                Code(
+                    subject,
+                    (NcMeaning)Meanings[entry["means"].Text],
+                    tables.FamilyNumber(entry.Find("family")?.Text ?? ""),
+                    entry.Find("feeds") is { Flag: false });
                 break;
             case DialectTopic.Letter when subject.Word.Length == 1:
                 tables.RoleOf[subject.Word[0] - 'A'] = (LetterRole)Roles[entry["role"].Text];
@@ -106,7 +111,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
 
                 break;
             case DialectTopic.Function:
-                Array.Fill(tables.FunctionOf, (FunctionRole)FunctionRoles[entry["role"].Text], subject.First, subject.Last - subject.First + 1);
+                Array.Fill(
+                    tables.FunctionOf, (FunctionRole)FunctionRoles[entry["role"].Text], subject.First, subject.Last - subject.First + 1);
                 break;
             case DialectTopic.Flow:
                 tables.Flow.UnionWith(subject.Names());

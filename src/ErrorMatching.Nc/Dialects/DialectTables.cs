@@ -1,7 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What the files of a dialect add up to while they are read, from the first base to the file that was asked for: what comes later replaces what came before.</summary>
-/// <remarks>Arrays, and dictionaries of plain numbers: they are filled at every start, before the runtime has compiled anything else.</remarks>
+/// <summary>What the files of a dialect add up to while they are read, from the first base to the file that was asked for:
+/// what comes later replaces what came before.</summary>
+/// <remarks>Arrays, and dictionaries of plain numbers: they are filled at every start,
+/// before the runtime has compiled anything else.</remarks>
 internal sealed class DialectTables
 {
     /// <summary>G codes up to 999.9 are told apart.</summary>
@@ -76,5 +78,6 @@ internal sealed class DialectTables
         return index;
     }
 
-    private static int Find(Dictionary<string, int> table, ReadOnlySpan<byte> word) => table.GetAlternateLookup<ReadOnlySpan<byte>>().TryGetValue(word, out var value) ? value : 0;
+    private static int Find(Dictionary<string, int> table, ReadOnlySpan<byte> word) =>
+        table.GetAlternateLookup<ReadOnlySpan<byte>>().TryGetValue(word, out var value) ? value : 0;
 }

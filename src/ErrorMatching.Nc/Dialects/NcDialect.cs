@@ -1,14 +1,17 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A control's language as data: what its codes, words and letters mean, its increments and tolerances. What goes with a whole family that spells alike (<see cref="NcSyntax"/>) is in the interpreter; what tells controls apart is here.</summary>
-/// <remarks>Immutable. Built-in ones come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both are JSON files of one form (<see cref="NcDialects.Schema"/>).</remarks>
+/// <summary>A control's language as data: what its codes, words and letters mean, its increments and tolerances. What goes with a whole
+/// family that spells alike (<see cref="NcSyntax"/>) is in the interpreter; what tells controls apart is here.</summary>
+/// <remarks>Immutable. Built-in ones come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both are
+/// JSON files of one form (<see cref="NcDialects.Schema"/>).</remarks>
 public sealed class NcDialect
 {
     private readonly DialectTables _tables;
     private readonly Lazy<IReadOnlyList<DialectFact>> _facts;
     private readonly Lazy<IReadOnlySet<int>> _callFunctions;
 
-    internal NcDialect(string name, string description, DialectTables tables, IReadOnlyList<DialectFile> files, Func<IReadOnlyList<DialectFact>> facts)
+    internal NcDialect(
+        string name, string description, DialectTables tables, IReadOnlyList<DialectFile> files, Func<IReadOnlyList<DialectFact>> facts)
     {
         (Name, Description, _tables, Files, _facts) = (name, description, tables, files, new(facts));
         BlockSkip = tables.BlockSkip;
@@ -27,10 +30,12 @@ public sealed class NcDialect
     /// <summary>How its programs are spelled.</summary>
     public NcSyntax Syntax => _tables.Syntax;
 
-    /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm), false if it counts millimetres or inches.</summary>
+    /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm),
+    /// false if it counts millimetres or inches.</summary>
     public bool IntegersAreIncrements => _tables.IntegersAreIncrements;
 
-    /// <summary>True if results say how coordinates without a point were read: machines of the kind differ there, or the dialect's own file has them count increments.</summary>
+    /// <summary>True if results say how coordinates without a point were read:
+    /// machines of the kind differ there, or the dialect's own file has them count increments.</summary>
     public bool NotesNumbersWithoutPoint => _tables.NotesNumbersWithoutPoint || _tables.IntegersAreIncrements;
 
     /// <summary>True if a semicolon ends a block, so that words behind it are another one; false if it begins a comment.</summary>
@@ -54,8 +59,10 @@ public sealed class NcDialect
     /// <summary>Letter that gives the number of turns of an arc, the first included; 0 where the control has none.</summary>
     public byte TurnsLetter => _tables.TurnsLetter;
 
-    /// <summary>Everything the dialect states about its control, each with its source, in the order of a manual: settings, codes, letters, functions, flow, programs, notes.</summary>
-    /// <remarks>Where it restates what a dialect says that it continues, only its own statement is listed. Made when it is first asked for.</remarks>
+    /// <summary>Everything the dialect states about its control, each with its source, in the order of a manual: settings, codes, letters,
+    /// functions, flow, programs, notes.</summary>
+    /// <remarks>Where it restates what a dialect says that it continues, only its own statement is listed.
+    /// Made when it is first asked for.</remarks>
     public IReadOnlyList<DialectFact> Facts => _facts.Value;
 
     /// <summary>Words of several letters that branch, loop or define programs; compared without regard to case.</summary>
@@ -78,11 +85,13 @@ public sealed class NcDialect
     /// <param name="keyword">The word without arguments or value, in any case: <c>TRANS</c>, <c>CYCLE81</c>, <c>MEAS</c>.</param>
     public NcMeaning MeaningOf(ReadOnlySpan<byte> keyword) => _tables.MeaningOfWord(keyword);
 
-    /// <summary>The family of transformations that a G code begins or ends: an end ends what is of its own family. 0 where the dialect tells none apart.</summary>
+    /// <summary>The family of transformations that a G code begins or ends: an end ends what is of its own family.
+    /// 0 where the dialect tells none apart.</summary>
     /// <param name="tenths">The code times ten.</param>
     public int FamilyOf(int tenths) => (uint)tenths < (uint)_tables.FamilyOf.Length ? _tables.FamilyOf[tenths] : 0;
 
-    /// <summary>The family of transformations that a keyword begins or ends: an end ends what is of its own family. 0 where the dialect tells none apart.</summary>
+    /// <summary>The family of transformations that a keyword begins or ends: an end ends what is of its own family.
+    /// 0 where the dialect tells none apart.</summary>
     /// <param name="keyword">The word without arguments or value, in any case.</param>
     public int FamilyOf(ReadOnlySpan<byte> keyword) => _tables.FamilyOfWord(keyword);
 
@@ -107,13 +116,15 @@ public sealed class NcDialect
 
     /// <summary>What an M function does to the run of the program.</summary>
     /// <param name="function">Its number.</param>
-    public FunctionRole FunctionOf(int function) => (uint)function < DialectTables.Functions ? _tables.FunctionOf[function] : FunctionRole.Unknown;
+    public FunctionRole FunctionOf(int function) =>
+        (uint)function < DialectTables.Functions ? _tables.FunctionOf[function] : FunctionRole.Unknown;
 
     /// <summary>Whether a word branches, loops or defines programs. A lookup without allocation.</summary>
     /// <param name="keyword">The word without arguments, in any case.</param>
     public bool IsFlow(ReadOnlySpan<byte> keyword) => _tables.Flow.GetAlternateLookup<ReadOnlySpan<byte>>().Contains(keyword);
 
-    /// <summary>Whether a program of this number is known to be in the machine: a call to it makes positions and modes unknown, but it is not missing.</summary>
+    /// <summary>Whether a program of this number is known to be in the machine:
+    /// a call to it makes positions and modes unknown, but it is not missing.</summary>
     public bool IsMachineProgram(int number) => _tables.MachineNumbers.Exists(r => r.First <= number && number <= r.Last);
 
     /// <summary>Whether a program of this name is known to be in the machine.</summary>

@@ -19,7 +19,8 @@ public static class NcDialects
     /// <summary>Names of the built-in dialects, in the order in which they are listed.</summary>
     public static IReadOnlyList<string> Names => BuiltInNames;
 
-    /// <summary>What a file may name as <c>like</c>, beside other files: the built-in dialects, and <c>iso</c>, the part that they all share.</summary>
+    /// <summary>What a file may name as <c>like</c>, beside other files:
+    /// the built-in dialects, and <c>iso</c>, the part that they all share.</summary>
     public static IReadOnlyList<string> Bases { get; } = ["iso", .. BuiltInNames];
 
     /// <summary>What most ISO milling controls have in common.</summary>
@@ -47,7 +48,9 @@ public static class NcDialects
     /// <exception cref="NcException">No dialect has this name (<see cref="NcErrorCode.UnknownDialect"/>).</exception>
     public static NcDialect Named(string name) => Array.IndexOf(BuiltInNames, name) is var index and >= 0
         ? BuiltIn[index].Value
-        : throw new NcException(NcErrorCode.UnknownDialect, $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json.");
+        : throw new NcException(
+            NcErrorCode.UnknownDialect,
+            $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json.");
 
     /// <summary>Whether a text names a dialect's file and not a built-in dialect: it ends in <c>.json</c>.</summary>
     public static bool IsFile(string dialect)
@@ -67,9 +70,10 @@ public static class NcDialects
     /// <param name="bytes">JSON with comments and trailing commas allowed, at most 1 MiB.</param>
     /// <param name="file">Name for messages; files that it continues are found from its folder.</param>
     /// <exception cref="JsonDocumentException">
-    /// The bytes are no JSON (as of <see cref="JsonInput.Read"/>), break <see cref="Schema"/> (as of <see cref="JsonSchema.Check"/>), name a code that is none (<c>bad-subject</c>), state one twice
-    /// (<c>stated-twice</c>), have the name of a built-in dialect (<c>name-taken</c>), or continue what is not there (<c>unknown-like</c>) or leads back (<c>circular-like</c>). The error names the file that is
-    /// wrong, which may be one of those that are continued.
+    /// The bytes are no JSON (as of <see cref="JsonInput.Read"/>), break <see cref="Schema"/> (as of <see cref="JsonSchema.Check"/>), name
+    /// a code that is none (<c>bad-subject</c>), state one twice (<c>stated-twice</c>), have the name of a built-in dialect
+    /// (<c>name-taken</c>), or continue what is not there (<c>unknown-like</c>) or leads back (<c>circular-like</c>). The error names the
+    /// file that is wrong, which may be one of those that are continued.
     /// </exception>
     public static NcDialect Parse(ReadOnlySpan<byte> bytes, string file) => DialectChain.Own(bytes, file);
 }

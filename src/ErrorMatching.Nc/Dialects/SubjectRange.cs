@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>One subject of a statement as a dialect's file spells it: <c>G1</c>, <c>G54..G59</c>, <c>TRANS</c>, <c>CYCLE81..CYCLE89</c>, <c>X</c>, <c>M98</c>, <c>9810</c>.</summary>
+/// <summary>One subject of a statement as a dialect's file spells it: <c>G1</c>, <c>G54..G59</c>, <c>TRANS</c>, <c>CYCLE81..CYCLE89</c>,
+/// <c>X</c>, <c>M98</c>, <c>9810</c>.</summary>
 /// <param name="Spelling">As it stands in the file.</param>
 /// <param name="Word">The word, or the part before the numbers of a range.</param>
 /// <param name="First">First number, of G codes in tenths; -1 where there are no numbers.</param>
@@ -47,7 +48,8 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
             {
                 DialectTopic.Code => Code(spelling, first, last) ?? Words(spelling, first, last),
                 DialectTopic.Function => Numbered(spelling, "M", first, last, DialectTables.Functions - 1),
-                DialectTopic.MachineProgram => Numbered(spelling, "", first.TrimStart('O'), last.TrimStart('O'), MostNumber) ?? Words(spelling, first, last),
+                DialectTopic.MachineProgram =>
+                    Numbered(spelling, "", first.TrimStart('O'), last.TrimStart('O'), MostNumber) ?? Words(spelling, first, last),
                 DialectTopic.Letter when spelling.Length == 1 => Letter(spelling),
                 _ => Words(spelling, first, last),
             };
@@ -62,12 +64,15 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
         return subjects.Count > 0;
     }
 
-    private static SubjectRange? Letter(string spelling) => char.IsAsciiLetterUpper(spelling[0]) ? new(spelling, spelling, -1, -1, 1) : null;
+    private static SubjectRange? Letter(string spelling) =>
+        char.IsAsciiLetterUpper(spelling[0]) ? new(spelling, spelling, -1, -1, 1) : null;
 
     private static SubjectRange? Code(string spelling, string first, string last)
     {
         var (from, to) = (Tenths(first), Tenths(last));
-        return from >= 0 && to >= from && (first == last || (from % 10 == 0 && to % 10 == 0 && to > from)) ? new(spelling, "G", from, to, 10) : null;
+        return from >= 0 && to >= from && (first == last || (from % 10 == 0 && to % 10 == 0 && to > from))
+            ? new(spelling, "G", from, to, 10)
+            : null;
     }
 
     // G54.1 is 541; -1 for what is no G code.
@@ -108,19 +113,34 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
         }
 
         var stem = first.AsSpan().TrimEnd("0123456789");
-        var (from, to) = (Number(first.AsSpan(stem.Length), MostNumber), Number(last.AsSpan(Math.Min(stem.Length, last.Length)), MostNumber));
+        var (from, to) = (
+            Number(first.AsSpan(stem.Length), MostNumber), Number(last.AsSpan(Math.Min(stem.Length, last.Length)), MostNumber));
 
         // Numbers with leading zeros would come out as other words.
         var isPlain = first[stem.Length..].StartsWith('0') || last.Length == stem.Length;
-        return last.AsSpan().StartsWith(stem, StringComparison.Ordinal) && from >= 0 && to > from && to - from < LongestWordRange && !isPlain ? new(spelling, stem.ToString(), from, to, 1) : null;
+        return last.AsSpan().StartsWith(stem, StringComparison.Ordinal)
+            && from >= 0
+            && to > from
+            && to - from < LongestWordRange
+            && !isPlain
+            ? new(spelling, stem.ToString(), from, to, 1)
+            : null;
     }
 
     private static bool IsWord(string word) =>
-        word.Length is >= 2 and <= LongestWord && !char.IsAsciiDigit(word[0]) && word.All(c => char.IsAsciiLetterUpper(c) || char.IsAsciiDigit(c) || c is '_' or '$') && !IsCode(word);
+        word.Length is >= 2 and <= LongestWord
+            && !char.IsAsciiDigit(word[0])
+            && word.All(c => char.IsAsciiLetterUpper(c) || char.IsAsciiDigit(c) || c is '_' or '$')
+            && !IsCode(word);
 
     // A G with digits is a code, in range or not, and never a word.
     private static bool IsCode(string word) => word[0] == 'G' && !word.AsSpan(1).ContainsAnyExceptInRange('0', '9');
 
     private static int Number(ReadOnlySpan<char> digits, int most) =>
-        digits.Length is > 0 and <= 8 && !digits.ContainsAnyExceptInRange('0', '9') && int.Parse(digits, CultureInfo.InvariantCulture) is var number && number <= most ? number : -1;
+        digits.Length is > 0 and <= 8
+            && !digits.ContainsAnyExceptInRange('0', '9')
+            && int.Parse(digits, CultureInfo.InvariantCulture) is var number
+            && number <= most
+            ? number
+            : -1;
 }

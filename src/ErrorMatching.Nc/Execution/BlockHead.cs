@@ -32,7 +32,11 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
             {
                 (number, at) = (found.Value, found.Start + found.Length);
             }
-            else if (syntax == NcSyntax.Siemens && labelLength == 0 && NameLength(text, at) is > 1 and var length && at + length < text.Length && text[at + length] == ':'
+            else if (syntax == NcSyntax.Siemens
+                && labelLength == 0
+                && NameLength(text, at) is > 1 and var length
+                && at + length < text.Length
+                && text[at + length] == ':'
                 && (at + length + 1 == text.Length || text[at + length + 1] != '='))
             {
                 (labelAt, labelLength, at) = (at, length, at + length + 1);
@@ -46,7 +50,8 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         return new(at, number, labelAt, labelLength, isSkip);
     }
 
-    /// <summary>Length of the name (letters, digits, underscores, not beginning with a digit) at a place; 0 where none stands there.</summary>
+    /// <summary>Length of the name (letters, digits, underscores, not beginning with a digit) at a place;
+    /// 0 where none stands there.</summary>
     public static int NameLength(ReadOnlySpan<byte> text, int at)
     {
         var end = at;

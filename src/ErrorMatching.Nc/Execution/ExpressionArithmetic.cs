@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// What operators and functions compute. Whatever is computed from an unknown value is unknown; what has no value is an error in words, never a NaN.
+/// What operators and functions compute. Whatever is computed from an unknown value is unknown;
+/// what has no value is an error in words, never a NaN.
 /// </summary>
 internal static class ExpressionArithmetic
 {
@@ -37,7 +38,8 @@ internal static class ExpressionArithmetic
         return Finite(Compute(what, a.Number, b.Number, equality, ref error), ref error);
     }
 
-    /// <summary>Applies a function to its arguments; <see cref="ExpressionFunction.Round"/> rounds to a number of decimals. The error is null where there is a result.</summary>
+    /// <summary>Applies a function to its arguments; <see cref="ExpressionFunction.Round"/> rounds to a number of decimals. The error is
+    /// null where there is a result.</summary>
     public static NcValue Apply(ExpressionFunction what, ReadOnlySpan<NcValue> arguments, int decimals, out string? error)
     {
         error = null;
@@ -62,13 +64,15 @@ internal static class ExpressionArithmetic
         var value = what switch
         {
             ExpressionFunction.ArcTangentOfTurn when arguments.Length == 1 => Degrees(Math.Atan(a)),
-            ExpressionFunction.Bound => a > b ? Fail("the bounds are the wrong way round", ref error) : Math.Clamp(arguments[2].Number, a, b),
+            ExpressionFunction.Bound =>
+                a > b ? Fail("the bounds are the wrong way round", ref error) : Math.Clamp(arguments[2].Number, a, b),
             _ => Compute(what, a, b, decimals, ref error),
         };
         return Finite(value, ref error);
     }
 
-    // Whether two values differ where at least one is no number: nothing equals only nothing, a text only the same text. Null where both are numbers.
+    // Whether two values differ where at least one is no number: nothing equals only nothing, a text only the same text.
+    // Null where both are numbers.
     private static bool? Differ(NcValue a, NcValue b) =>
         a.Kind != b.Kind ? true : a.Kind switch
         {
@@ -136,7 +140,9 @@ internal static class ExpressionArithmetic
                 var cosine = Sine((a % 360) + 90);
                 return cosine == 0 ? Fail("this angle has no tangent", ref error) : Sine(a) / cosine;
             case ExpressionFunction.ArcSine or ExpressionFunction.ArcSineOfTurn or ExpressionFunction.ArcCosine:
-                return Math.Abs(a) > 1 ? Fail("the argument of an arc sine or arc cosine is not between -1 and 1", ref error) : ArcOf(what, a);
+                return Math.Abs(a) > 1
+                    ? Fail("the argument of an arc sine or arc cosine is not between -1 and 1", ref error)
+                    : ArcOf(what, a);
             case ExpressionFunction.ArcTangent: return Degrees(Math.Atan(a));
             case ExpressionFunction.ArcTangentOfPoint: return Degrees(Math.Atan2(a, b));
             case ExpressionFunction.ArcTangentOfTurn: return Turn(Degrees(Math.Atan2(a, b)));

@@ -7,7 +7,8 @@ internal ref partial struct ExpressionReader
 {
     private const double Nearly = 0.0001;
 
-    /// <summary>Reads which variable stands here: <c>#1</c>, <c>#[#2+1]</c>, <c>##3</c>, <c>#&lt;name&gt;</c>, <c>R1</c>, <c>R[..]</c>, <c>NAME</c>, <c>NAME[i, j]</c>, <c>$..</c>.</summary>
+    /// <summary>Reads which variable stands here: <c>#1</c>, <c>#[#2+1]</c>, <c>##3</c>, <c>#&lt;name&gt;</c>, <c>R1</c>, <c>R[..]</c>,
+    /// <c>NAME</c>, <c>NAME[i, j]</c>, <c>$..</c>.</summary>
     public VariablePlace Place()
     {
         SkipSpaces();
@@ -107,7 +108,9 @@ internal ref partial struct ExpressionReader
         }
 
         var place = Place();
-        return Close() ? NcValue.Of(place.Kind != VariableKind.Named || _variables.Knows(place.Name!) || LinuxCncNames.IsOfMachine(place.Name!)) : NcValue.Unknown;
+        return Close()
+            ? NcValue.Of(place.Kind != VariableKind.Named || _variables.Knows(place.Name!) || LinuxCncNames.IsOfMachine(place.Name!))
+            : NcValue.Unknown;
     }
 
     private VariablePlace SiemensPlace()
@@ -216,7 +219,10 @@ internal ref partial struct ExpressionReader
                 NcValueKind.Unknown => NcValue.Unknown,
                 NcValueKind.Text => Fail("a text is neither true nor false"),
                 _ when !isBits => NcValue.Of(operand.Number == 0),
-                _ => Math.Abs(operand.Number) < int.MaxValue ? NcValue.Of(~(int)Math.Round(operand.Number)) : Fail("the number is too large for an operation on its bits"),
+                _ =>
+                    Math.Abs(operand.Number) < int.MaxValue
+                        ? NcValue.Of(~(int)Math.Round(operand.Number))
+                        : Fail("the number is too large for an operation on its bits"),
             };
             return true;
         }
@@ -258,7 +264,8 @@ internal ref partial struct ExpressionReader
         {
             digits[length++] = (byte)'E';
             _at += 2;
-            for (var first = _at; (SyntaxBytes.IsDigit(Peek()) || (_at == first && Peek() is (byte)'-' or (byte)'+')) && _at - first < 5; _at++)
+            for (var first = _at; (SyntaxBytes.IsDigit(Peek()) || (_at == first && Peek() is (byte)'-' or (byte)'+'))
+                && _at - first < 5; _at++)
             {
                 digits[length++] = Peek();
             }

@@ -1,8 +1,9 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Reads an expression from a block's bytes and computes it while reading: precedence climbing over the operators of <see cref="ExpressionSyntax"/>.
-/// The first error stops it; from then on every value is unknown and nothing is read any more.
+/// Reads an expression from a block's bytes and computes it while reading:
+/// precedence climbing over the operators of <see cref="ExpressionSyntax"/>. The first error stops it;
+/// from then on every value is unknown and nothing is read any more.
 /// </summary>
 internal ref partial struct ExpressionReader
 {
@@ -27,7 +28,8 @@ internal ref partial struct ExpressionReader
         _variables = variables;
     }
 
-    /// <summary>Decimals to which ROUND rounds: 0 in a computation; Fanuc rounds to the least increment where ROUND stands in an address.</summary>
+    /// <summary>Decimals to which ROUND rounds: 0 in a computation; Fanuc rounds to the least increment where ROUND stands in an
+    /// address.</summary>
     public int RoundDecimals { get; init; }
 
     /// <summary>The first byte not read.</summary>
@@ -177,7 +179,10 @@ internal ref partial struct ExpressionReader
     {
         foreach (var function in _syntax.Functions)
         {
-            if (StandsHere(function.Name) && BehindSpaces(function.Name.Length) is var open && open < _text.Length && _text[open] == _syntax.Open)
+            if (StandsHere(function.Name)
+                && BehindSpaces(function.Name.Length) is var open
+                && open < _text.Length
+                && _text[open] == _syntax.Open)
             {
                 var place = _at;
                 _at = open;
@@ -219,7 +224,12 @@ internal ref partial struct ExpressionReader
         }
 
         // ATAN[y]/[x]: the second argument stands in a bracket of its own.
-        if (!IsSiemens && function.Most == 2 && arguments.Count == 1 && BehindSpaces(0) is var slash && slash < _text.Length && _text[slash] == '/'
+        if (!IsSiemens
+            && function.Most == 2
+            && arguments.Count == 1
+            && BehindSpaces(0) is var slash
+            && slash < _text.Length
+            && _text[slash] == '/'
             && function.Meaning is ExpressionFunction.ArcTangentOfPoint or ExpressionFunction.ArcTangentOfTurn)
         {
             var back = _at;

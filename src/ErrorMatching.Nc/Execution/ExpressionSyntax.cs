@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// How a family of controls writes expressions: brackets, operators with their rank, functions. All operators of one rank are computed from left to right.
+/// How a family of controls writes expressions: brackets, operators with their rank, functions.
+/// All operators of one rank are computed from left to right.
 /// </summary>
 /// <remarks>
 /// Sources: Fanuc Series 0i-MF operator's manual B-64604EN, custom macro (parameter 6004#0 = 0, which gives the ranges of ASIN and ATAN);
@@ -15,18 +16,23 @@ internal sealed class ExpressionSyntax
         Syntax = NcSyntax.Iso,
         Operators =
         [
-            new("*", ExpressionOperator.Multiply, 3), new("/", ExpressionOperator.Divide, 3), new("MOD", ExpressionOperator.Remainder, 3), new("AND", ExpressionOperator.BitAnd, 3),
-            new("+", ExpressionOperator.Add, 2), new("-", ExpressionOperator.Subtract, 2), new("XOR", ExpressionOperator.BitXor, 2), new("OR", ExpressionOperator.BitOr, 2),
+            new("*", ExpressionOperator.Multiply, 3), new("/", ExpressionOperator.Divide, 3), new("MOD", ExpressionOperator.Remainder, 3),
+            new("AND", ExpressionOperator.BitAnd, 3),
+            new("+", ExpressionOperator.Add, 2), new("-", ExpressionOperator.Subtract, 2), new("XOR", ExpressionOperator.BitXor, 2),
+            new("OR", ExpressionOperator.BitOr, 2),
             .. Comparisons(1),
         ],
         Functions =
         [
             new("SIN", ExpressionFunction.Sine), new("COS", ExpressionFunction.Cosine), new("TAN", ExpressionFunction.Tangent),
-            new("ASIN", ExpressionFunction.ArcSineOfTurn), new("ACOS", ExpressionFunction.ArcCosine), new("ATAN", ExpressionFunction.ArcTangentOfTurn, 1, 2), new("ATN", ExpressionFunction.ArcTangentOfTurn, 1, 2),
+            new("ASIN", ExpressionFunction.ArcSineOfTurn), new("ACOS", ExpressionFunction.ArcCosine),
+            new("ATAN", ExpressionFunction.ArcTangentOfTurn, 1, 2), new("ATN", ExpressionFunction.ArcTangentOfTurn, 1, 2),
             new("SQRT", ExpressionFunction.SquareRoot), new("SQR", ExpressionFunction.SquareRoot), new("ABS", ExpressionFunction.Absolute),
-            new("ROUND", ExpressionFunction.Round), new("RND", ExpressionFunction.Round), new("FIX", ExpressionFunction.Truncate), new("FUP", ExpressionFunction.AwayFromZero),
+            new("ROUND", ExpressionFunction.Round), new("RND", ExpressionFunction.Round), new("FIX", ExpressionFunction.Truncate),
+            new("FUP", ExpressionFunction.AwayFromZero),
             new("LN", ExpressionFunction.Logarithm), new("EXP", ExpressionFunction.Exponential), new("POW", ExpressionFunction.Power, 2, 2),
-            new("BIN", ExpressionFunction.FromDecimalCode), new("BCD", ExpressionFunction.ToDecimalCode), new("ADP", ExpressionFunction.Same),
+            new("BIN", ExpressionFunction.FromDecimalCode), new("BCD", ExpressionFunction.ToDecimalCode),
+            new("ADP", ExpressionFunction.Same),
         ],
     };
 
@@ -36,7 +42,8 @@ internal sealed class ExpressionSyntax
         Equality = ExpressionEquality.Close,
         Operators =
         [
-            new("**", ExpressionOperator.Power, 5), new("*", ExpressionOperator.Multiply, 4), new("/", ExpressionOperator.Divide, 4), new("MOD", ExpressionOperator.PositiveRemainder, 4),
+            new("**", ExpressionOperator.Power, 5), new("*", ExpressionOperator.Multiply, 4), new("/", ExpressionOperator.Divide, 4),
+            new("MOD", ExpressionOperator.PositiveRemainder, 4),
             new("+", ExpressionOperator.Add, 3), new("-", ExpressionOperator.Subtract, 3),
             .. Comparisons(2),
             new("AND", ExpressionOperator.And, 1), new("XOR", ExpressionOperator.Xor, 1), new("OR", ExpressionOperator.Or, 1),
@@ -44,9 +51,11 @@ internal sealed class ExpressionSyntax
         Functions =
         [
             new("SIN", ExpressionFunction.Sine), new("COS", ExpressionFunction.Cosine), new("TAN", ExpressionFunction.Tangent),
-            new("ASIN", ExpressionFunction.ArcSine), new("ACOS", ExpressionFunction.ArcCosine), new("ATAN", ExpressionFunction.ArcTangentOfPoint, 2, 2),
+            new("ASIN", ExpressionFunction.ArcSine), new("ACOS", ExpressionFunction.ArcCosine),
+            new("ATAN", ExpressionFunction.ArcTangentOfPoint, 2, 2),
             new("SQRT", ExpressionFunction.SquareRoot), new("ABS", ExpressionFunction.Absolute), new("ROUND", ExpressionFunction.Round),
-            new("FIX", ExpressionFunction.Floor), new("FUP", ExpressionFunction.Ceiling), new("LN", ExpressionFunction.Logarithm), new("EXP", ExpressionFunction.Exponential),
+            new("FIX", ExpressionFunction.Floor), new("FUP", ExpressionFunction.Ceiling), new("LN", ExpressionFunction.Logarithm),
+            new("EXP", ExpressionFunction.Exponential),
         ],
     };
 
@@ -58,20 +67,27 @@ internal sealed class ExpressionSyntax
         Equality = ExpressionEquality.Relative,
         Operators =
         [
-            new("*", ExpressionOperator.Multiply, 10), new("/", ExpressionOperator.Divide, 10), new("DIV", ExpressionOperator.DivideWhole, 10), new("MOD", ExpressionOperator.Remainder, 10),
+            new("*", ExpressionOperator.Multiply, 10), new("/", ExpressionOperator.Divide, 10),
+            new("DIV", ExpressionOperator.DivideWhole, 10), new("MOD", ExpressionOperator.Remainder, 10),
             new("+", ExpressionOperator.Add, 9), new("-", ExpressionOperator.Subtract, 9),
-            new("B_AND", ExpressionOperator.BitAnd, 8), new("B_XOR", ExpressionOperator.BitXor, 7), new("B_OR", ExpressionOperator.BitOr, 6),
-            new("AND", ExpressionOperator.And, 5), new("XOR", ExpressionOperator.Xor, 4), new("OR", ExpressionOperator.Or, 3), new("<<", ExpressionOperator.Join, 2),
-            new("==", ExpressionOperator.Equal, 1), new("<>", ExpressionOperator.NotEqual, 1), new(">=", ExpressionOperator.GreaterOrEqual, 1),
+            new("B_AND", ExpressionOperator.BitAnd, 8), new("B_XOR", ExpressionOperator.BitXor, 7),
+            new("B_OR", ExpressionOperator.BitOr, 6),
+            new("AND", ExpressionOperator.And, 5), new("XOR", ExpressionOperator.Xor, 4), new("OR", ExpressionOperator.Or, 3),
+            new("<<", ExpressionOperator.Join, 2),
+            new("==", ExpressionOperator.Equal, 1), new("<>", ExpressionOperator.NotEqual, 1),
+            new(">=", ExpressionOperator.GreaterOrEqual, 1),
             new("<=", ExpressionOperator.LessOrEqual, 1), new(">", ExpressionOperator.Greater, 1), new("<", ExpressionOperator.Less, 1),
         ],
         Functions =
         [
             new("SIN", ExpressionFunction.Sine), new("COS", ExpressionFunction.Cosine), new("TAN", ExpressionFunction.Tangent),
-            new("ASIN", ExpressionFunction.ArcSine), new("ACOS", ExpressionFunction.ArcCosine), new("ATAN2", ExpressionFunction.ArcTangentOfPoint, 2, 2),
+            new("ASIN", ExpressionFunction.ArcSine), new("ACOS", ExpressionFunction.ArcCosine),
+            new("ATAN2", ExpressionFunction.ArcTangentOfPoint, 2, 2),
             new("SQRT", ExpressionFunction.SquareRoot), new("ABS", ExpressionFunction.Absolute), new("POT", ExpressionFunction.Square),
-            new("TRUNC", ExpressionFunction.Truncate), new("ROUND", ExpressionFunction.Round), new("LN", ExpressionFunction.Logarithm), new("EXP", ExpressionFunction.Exponential),
-            new("MINVAL", ExpressionFunction.Minimum, 2, 2), new("MAXVAL", ExpressionFunction.Maximum, 2, 2), new("BOUND", ExpressionFunction.Bound, 3, 3),
+            new("TRUNC", ExpressionFunction.Truncate), new("ROUND", ExpressionFunction.Round), new("LN", ExpressionFunction.Logarithm),
+            new("EXP", ExpressionFunction.Exponential),
+            new("MINVAL", ExpressionFunction.Minimum, 2, 2), new("MAXVAL", ExpressionFunction.Maximum, 2, 2),
+            new("BOUND", ExpressionFunction.Bound, 3, 3),
         ],
     };
 
@@ -97,7 +113,9 @@ internal sealed class ExpressionSyntax
 
     private static OperatorSpelling[] Comparisons(int rank) =>
     [
-        new("EQ", ExpressionOperator.Equal, rank), new("NE", ExpressionOperator.NotEqual, rank), new("GT", ExpressionOperator.Greater, rank),
-        new("GE", ExpressionOperator.GreaterOrEqual, rank), new("LT", ExpressionOperator.Less, rank), new("LE", ExpressionOperator.LessOrEqual, rank),
+        new("EQ", ExpressionOperator.Equal, rank), new("NE", ExpressionOperator.NotEqual, rank),
+        new("GT", ExpressionOperator.Greater, rank),
+        new("GE", ExpressionOperator.GreaterOrEqual, rank), new("LT", ExpressionOperator.Less, rank),
+        new("LE", ExpressionOperator.LessOrEqual, rank),
     ];
 }

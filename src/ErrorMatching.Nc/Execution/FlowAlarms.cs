@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Branches on what only the machine knows (a probe that touched nothing), one way of which only stops the run: whatever is executed behind them went the other way, so that no guess is needed.</summary>
+/// <summary>Branches on what only the machine knows (a probe that touched nothing), one way of which only stops the run: whatever is
+/// executed behind them went the other way, so that no guess is needed.</summary>
 internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory)
 {
     private const string ConditionalStop = "conditional-stop";
@@ -49,7 +50,10 @@ internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport re
     {
         // Once a program: a probing program has one at every point.
         block = report.Notes.FirstOrDefault(n => n.Code == ConditionalStop)?.Block ?? block;
-        report.Note(ConditionalStop, block, "Whether the program stops here with an alarm is known to the machine only; what is shown is what it does where it goes on.");
+        report.Note(
+            ConditionalStop,
+            block,
+            "Whether the program stops here with an alarm is known to the machine only; what is shown is what it does where it goes on.");
         return true;
     }
 

@@ -9,7 +9,8 @@ internal sealed partial class FlowIndex
 
     private readonly Stack<(string Label, FlowStatement Begin, FlowStatement Last)> _open = new();
 
-    /// <summary>Splits an O word block of LinuxCNC: its label (empty where it is computed), its keyword in upper case, and where each ends.</summary>
+    /// <summary>Splits an O word block of LinuxCNC: its label (empty where it is computed), its keyword in upper case,
+    /// and where each ends.</summary>
     public static (string Label, int LabelEnd, string Keyword, int KeywordEnd) OWordAt(ReadOnlySpan<byte> text, int at)
     {
         var number = BlockHead.NumberAt(text, at + 1);
@@ -21,7 +22,9 @@ internal sealed partial class FlowIndex
         else if (end < text.Length && text[end] == '<')
         {
             var length = text[end..].IndexOf((byte)'>');
-            label = length > 0 ? NcText.Decode(text.Slice(end + 1, length - 1)).Replace(" ", "", StringComparison.Ordinal).ToUpperInvariant() : "";
+            label = length > 0
+                ? NcText.Decode(text.Slice(end + 1, length - 1)).Replace(" ", "", StringComparison.Ordinal).ToUpperInvariant()
+                : "";
             end = length > 0 ? end + length + 1 : text.Length;
         }
         else
@@ -104,13 +107,18 @@ internal sealed partial class FlowIndex
             case "ELSE": Branch(label, new(FlowKind.Else, block, end)); break;
             case "ENDIF": Finish(label, new(FlowKind.EndIf, block, end), FlowKind.If); break;
             case "DO": Begin(label, new(FlowKind.Do, block, end)); break;
-            case "WHILE" when _open.Any(o => o.Label == label && o.Begin.Kind == FlowKind.Do): Finish(label, new(FlowKind.Until, block, end), FlowKind.Do); break;
+            case "WHILE" when _open.Any(o => o.Label == label && o.Begin.Kind == FlowKind.Do):
+                Finish(label, new(FlowKind.Until, block, end), FlowKind.Do);
+                break;
             case "WHILE": Begin(label, new(FlowKind.While, block, end)); break;
             case "ENDWHILE": Finish(label, new(FlowKind.EndWhile, block, end), FlowKind.While); break;
             case "REPEAT": Begin(label, new(FlowKind.Repeat, block, end)); break;
             case "ENDREPEAT": Finish(label, new(FlowKind.EndRepeat, block, end), FlowKind.Repeat); break;
             case "BREAK" or "CONTINUE":
-                _statements[block] = new(keyword[0] == 'B' ? FlowKind.Break : FlowKind.Continue, block, end) { Start = _open.FirstOrDefault(o => o.Label == label).Begin };
+                _statements[block] = new(keyword[0] == 'B' ? FlowKind.Break : FlowKind.Continue, block, end)
+                {
+                    Start = _open.FirstOrDefault(o => o.Label == label).Begin
+                };
                 break;
         }
     }
@@ -135,7 +143,9 @@ internal sealed partial class FlowIndex
             case "ENDFOR": Finish("FOR", new(FlowKind.EndFor, block, end), FlowKind.For); break;
             case "LOOP": Begin("LOOP", new(FlowKind.Loop, block, end)); break;
             case "ENDLOOP": Finish("LOOP", new(FlowKind.EndLoop, block, end), FlowKind.Loop); break;
-            case "REPEAT" when end + BlockSpaces(text, end) is var rest && (rest >= text.Length || text[rest] == ';'): Begin("REPEAT", new(FlowKind.Do, block, end)); break;
+            case "REPEAT" when end + BlockSpaces(text, end) is var rest && (rest >= text.Length || text[rest] == ';'):
+                Begin("REPEAT", new(FlowKind.Do, block, end));
+                break;
             case "UNTIL": Finish("REPEAT", new(FlowKind.Until, block, end), FlowKind.Do); break;
         }
     }
@@ -185,7 +195,8 @@ internal sealed partial class FlowIndex
         return end - at;
     }
 
-    private static string NumberText(ReadOnlySpan<byte> text, int at) => BlockHead.NumberAt(text, at).Value.ToString(CultureInfo.InvariantCulture);
+    private static string NumberText(ReadOnlySpan<byte> text, int at) =>
+        BlockHead.NumberAt(text, at).Value.ToString(CultureInfo.InvariantCulture);
 
     private void Begin(string label, FlowStatement statement)
     {

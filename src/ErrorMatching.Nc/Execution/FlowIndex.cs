@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What a file consists of: its programs, and the statements that belong together. Made once, when the first statement of flow is met.</summary>
+/// <summary>What a file consists of: its programs, and the statements that belong together.
+/// Made once, when the first statement of flow is met.</summary>
 internal sealed partial class FlowIndex
 {
     private readonly NcSyntax _syntax;
@@ -102,11 +103,14 @@ internal sealed partial class FlowIndex
     /// <summary>The definition of a LinuxCNC subroutine; null where the file has none.</summary>
     public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
 
-    /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 where there is none.</summary>
-    public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) => Find(unit, from, forward, backward, number, "");
+    /// <summary>The block with a number, searched forward from a block and then from the start of the program;
+    /// -1 where there is none.</summary>
+    public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) =>
+        Find(unit, from, forward, backward, number, "");
 
     /// <summary>The block with a label, searched as for a number.</summary>
-    public int FindLabel(FlowUnit unit, int from, string label, bool forward = true, bool backward = true) => Find(unit, from, forward, backward, -1, label);
+    public int FindLabel(FlowUnit unit, int from, string label, bool forward = true, bool backward = true) =>
+        Find(unit, from, forward, backward, -1, label);
 
     /// <summary>How a program number is named: <c>O0100</c>.</summary>
     public static string NumberName(long number) => string.Create(CultureInfo.InvariantCulture, $"O{number:D4}");
@@ -116,7 +120,10 @@ internal sealed partial class FlowIndex
     {
         name = name.ToUpperInvariant();
         name = name.StartsWith("_N_", StringComparison.Ordinal) ? name[3..] : name;
-        return name.EndsWith("_SPF", StringComparison.Ordinal) || name.EndsWith(MainEnding, StringComparison.Ordinal) || name.EndsWith(".SPF", StringComparison.Ordinal) || name.EndsWith(".MPF", StringComparison.Ordinal)
+        return name.EndsWith("_SPF", StringComparison.Ordinal)
+            || name.EndsWith(MainEnding, StringComparison.Ordinal)
+            || name.EndsWith(".SPF", StringComparison.Ordinal)
+            || name.EndsWith(".MPF", StringComparison.Ordinal)
             ? name[..^4]
             : name;
     }
@@ -203,6 +210,7 @@ internal sealed partial class FlowIndex
         var head = BlockHead.Read(text, _syntax);
         return _skips && head.IsSkip ? false : label.Length == 0
             ? head.Number == number && number >= 0
-            : head.LabelLength == label.Length && NcText.Decode(text.Slice(head.LabelAt, head.LabelLength)).Equals(label, StringComparison.OrdinalIgnoreCase);
+            : head.LabelLength == label.Length
+                && NcText.Decode(text.Slice(head.LabelAt, head.LabelLength)).Equals(label, StringComparison.OrdinalIgnoreCase);
     }
 }

@@ -3,7 +3,8 @@ namespace ErrorMatching.Nc;
 /// <summary>What a running program may use.</summary>
 internal sealed record FlowSettings
 {
-    /// <summary>Finds a program that is not in the file, by its name: <c>O1002</c>, <c>L10</c>, <c>POCKET</c>, <c>bore</c>; null where there is none. What may be opened is the caller's business.</summary>
+    /// <summary>Finds a program that is not in the file, by its name: <c>O1002</c>, <c>L10</c>, <c>POCKET</c>, <c>bore</c>; null where
+    /// there is none. What may be opened is the caller's business.</summary>
     public Func<string, NcProgram?> Library { get; init; } = _ => null;
 
     /// <summary>Called when a pass of a call ends, with the depth of that call: 1 where the main program called.</summary>

@@ -3,7 +3,8 @@ namespace ErrorMatching.Nc;
 /// <summary>Which blocks the machine must see: those that assign, branch, call, return, end, or begin a program.</summary>
 internal static class FlowTrigger
 {
-    /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Answering true for another block costs time and nothing else.</summary>
+    /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>.
+    /// Answering true for another block costs time and nothing else.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
         var syntax = dialect.Syntax;

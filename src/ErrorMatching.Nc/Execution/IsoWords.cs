@@ -43,7 +43,8 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         return true;
     }
 
-    /// <summary>Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their values.</summary>
+    /// <summary>Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their
+    /// values.</summary>
     public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
     {
         _words.Clear();
@@ -79,7 +80,11 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
             }
         }
 
-        return !memory.Check(ref reader, block) ? FlowAction.Stop : _words.Count > 0 || _pending.Count > 0 ? FlowAction.Words : FlowAction.Continue;
+        return !memory.Check(ref reader, block)
+            ? FlowAction.Stop
+            : _words.Count > 0 || _pending.Count > 0
+            ? FlowAction.Words
+            : FlowAction.Continue;
     }
 
     private FlowAction AssignOne(int block, ref ExpressionReader reader)
@@ -107,7 +112,8 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         {
             if (IsLock(block))
             {
-                const string locked = "The program raises an alarm here (#3000) before it moves, until this block is taken out. What is shown is what it does then.";
+                const string locked = "The program raises an alarm here (#3000) before it moves, until this block is taken out. What is "
+                    + "shown is what it does then.";
                 report.Note("program-alarm", block, locked);
                 return FlowAction.Continue;
             }
@@ -120,7 +126,8 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         return memory.Assigned(block, place, value, column);
     }
 
-    // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock: somebody takes it out once the program is complete.
+    // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock:
+    // somebody takes it out once the program is complete.
     private bool IsLock(int block)
     {
         var isLock = calls.Depth == 0 && course.Steps == 0 && !memory.HasComputed;
@@ -128,7 +135,8 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         {
             foreach (var token in calls.Program.Tokens(calls.Program[i]))
             {
-                isLock &= token.Kind != NcTokenKind.Word || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
+                isLock &= token.Kind != NcTokenKind.Word
+                    || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
             }
         }
 

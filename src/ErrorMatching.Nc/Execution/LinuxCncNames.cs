@@ -1,17 +1,23 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Named parameters that LinuxCNC itself provides (LinuxCNC 2.9, predefined named parameters): what they hold is the machine's affair.</summary>
+/// <summary>Named parameters that LinuxCNC itself provides (LinuxCNC 2.9, predefined named parameters):
+/// what they hold is the machine's affair.</summary>
 internal static class LinuxCncNames
 {
     private static readonly HashSet<string> Predefined = new(StringComparer.Ordinal)
     {
-        "_VMAJOR", "_VMINOR", "_LINE", "_MOTION_MODE", "_PLANE", "_CCOMP", "_METRIC", "_IMPERIAL", "_ABSOLUTE", "_INCREMENTAL", "_INVERSE_TIME", "_UNITS_PER_MINUTE",
-        "_UNITS_PER_REV", "_COORD_SYSTEM", "_TOOL_OFFSET", "_RETRACT_R_PLANE", "_RETRACT_OLD_Z", "_SPINDLE_RPM_MODE", "_SPINDLE_CSS_MODE", "_IJK_ABSOLUTE_MODE",
-        "_LATHE_DIAMETER_MODE", "_LATHE_RADIUS_MODE", "_SPINDLE_ON", "_SPINDLE_CW", "_MIST", "_FLOOD", "_SPEED_OVERRIDE", "_FEED_OVERRIDE", "_ADAPTIVE_FEED", "_FEED_HOLD",
+        "_VMAJOR", "_VMINOR", "_LINE", "_MOTION_MODE", "_PLANE", "_CCOMP", "_METRIC", "_IMPERIAL", "_ABSOLUTE", "_INCREMENTAL",
+        "_INVERSE_TIME", "_UNITS_PER_MINUTE",
+        "_UNITS_PER_REV", "_COORD_SYSTEM", "_TOOL_OFFSET", "_RETRACT_R_PLANE", "_RETRACT_OLD_Z", "_SPINDLE_RPM_MODE", "_SPINDLE_CSS_MODE",
+        "_IJK_ABSOLUTE_MODE",
+        "_LATHE_DIAMETER_MODE", "_LATHE_RADIUS_MODE", "_SPINDLE_ON", "_SPINDLE_CW", "_MIST", "_FLOOD", "_SPEED_OVERRIDE", "_FEED_OVERRIDE",
+        "_ADAPTIVE_FEED", "_FEED_HOLD",
         "_FEED", "_RPM", "_X", "_Y", "_Z", "_A", "_B", "_C", "_U", "_V", "_W", "_ABS_X", "_ABS_Y", "_ABS_Z", "_ABS_A", "_ABS_B", "_ABS_C",
         "_CURRENT_TOOL", "_CURRENT_POCKET", "_SELECTED_TOOL", "_SELECTED_POCKET", "_TASK", "_CALL_LEVEL", "_REMAP_LEVEL",
     };
 
     public static bool IsOfMachine(string name) =>
-        Predefined.Contains(name) || name.StartsWith("_INI[", StringComparison.Ordinal) || name.StartsWith("_HAL[", StringComparison.Ordinal);
+        Predefined.Contains(name)
+            || name.StartsWith("_INI[", StringComparison.Ordinal)
+            || name.StartsWith("_HAL[", StringComparison.Ordinal);
 }

@@ -3,11 +3,13 @@ using System.Globalization;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// The variables of a running program. What was left in the control by an earlier program, and what only the machine knows, is unknown until the program assigns it.
+/// The variables of a running program. What was left in the control by an earlier program, and what only the machine knows,
+/// is unknown until the program assigns it.
 /// </summary>
 /// <remarks>
-/// Fanuc: #1 to #33 belong to a macro call and begin vacant, #100 to #999 are common. LinuxCNC: #1 to #30 and names belong to a subroutine, #31 to #5000 and names
-/// that begin with an underscore to all; unassigned numbers are 0. Siemens: R parameters are common, DEF variables belong to a program level.
+/// Fanuc: #1 to #33 belong to a macro call and begin vacant, #100 to #999 are common. LinuxCNC:
+/// #1 to #30 and names belong to a subroutine, #31 to #5000 and names that begin with an underscore to all; unassigned numbers are 0.
+/// Siemens: R parameters are common, DEF variables belong to a program level.
 /// </remarks>
 internal sealed class NcVariables
 {
@@ -128,7 +130,8 @@ internal sealed class NcVariables
         return _levels.Peek().Named[name] = new(type, rows, columns);
     }
 
-    private bool IsOfMachine(int number) => _syntax switch { NcSyntax.LinuxCnc => number > 5000, NcSyntax.Siemens => false, _ => number >= 1000 };
+    private bool IsOfMachine(int number) =>
+        _syntax switch { NcSyntax.LinuxCnc => number > 5000, NcSyntax.Siemens => false, _ => number >= 1000 };
 
     private string? NumberError(int number, bool assigned)
     {
@@ -138,7 +141,11 @@ internal sealed class NcVariables
             NcSyntax.Siemens => number >= 0,
             _ => (number > 0 || (number == 0 && !assigned)) && number is not (> 33 and < 100),
         };
-        return exists ? null : string.Create(CultureInfo.InvariantCulture, $"there is no variable {(_syntax == NcSyntax.Siemens ? "R" : "#")}{number}{(number == 0 ? " to be assigned" : "")}");
+        return exists
+            ? null
+            : string.Create(
+                CultureInfo.InvariantCulture,
+                $"there is no variable {(_syntax == NcSyntax.Siemens ? "R" : "#")}{number}{(number == 0 ? " to be assigned" : "")}");
     }
 
     private NcValue ReadNumber(int number)

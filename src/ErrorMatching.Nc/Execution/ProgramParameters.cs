@@ -25,10 +25,18 @@ internal sealed class ProgramParameters(NcSyntax syntax, FlowReport report, Flow
             return BindParameters(block, text, at + 4, values, results);
         }
 
-        return values.Count == 0 ? FlowAction.Continue : report.Refuse(NcRefusalCodes.BadExpression, unit.First, "the program is called with arguments and has no PROC with parameters.");
+        return values.Count == 0
+            ? FlowAction.Continue
+            : report.Refuse(
+                NcRefusalCodes.BadExpression, unit.First, "the program is called with arguments and has no PROC with parameters.");
     }
 
-    private FlowAction BindParameters(int block, ReadOnlySpan<byte> text, int at, List<(NcValue Value, VariablePlace? Place)> values, List<(VariablePlace, VariablePlace)> results)
+    private FlowAction BindParameters(
+        int block,
+        ReadOnlySpan<byte> text,
+        int at,
+        List<(NcValue Value, VariablePlace? Place)> values,
+        List<(VariablePlace, VariablePlace)> results)
     {
         var reader = memory.ReaderAt(text, at);
         var count = 0;
@@ -54,7 +62,11 @@ internal sealed class ProgramParameters(NcSyntax syntax, FlowReport report, Flow
         return memory.Check(ref reader, block) ? FlowAction.Continue : FlowAction.Stop;
     }
 
-    private void BindOne(ref ExpressionReader reader, ReadOnlySpan<byte> text, (NcValue Value, VariablePlace? Place) given, List<(VariablePlace, VariablePlace)> results)
+    private void BindOne(
+        ref ExpressionReader reader,
+        ReadOnlySpan<byte> text,
+        (NcValue Value, VariablePlace? Place) given,
+        List<(VariablePlace, VariablePlace)> results)
     {
         var word = FlowMemory.Word(ref reader, text);
         var isReference = word == "VAR";

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Which variable is meant: a number, a name, an element of an array, or something of the machine that a program cannot know.</summary>
+/// <summary>Which variable is meant: a number, a name, an element of an array, or something of the machine that a program cannot
+/// know.</summary>
 /// <param name="Kind">Which of these.</param>
 /// <param name="Number">Number of a numbered variable; position in an array.</param>
 /// <param name="Name">Name of a named variable or array, as <see cref="VariableNames"/> keeps it.</param>

@@ -4,7 +4,8 @@ using System.Text;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// The comment by which a compensated program tells what it was made of: the SHA-256 of the measurement and of the base program. It keeps a correction from being applied twice.
+/// The comment by which a compensated program tells what it was made of: the SHA-256 of the measurement and of the base program.
+/// It keeps a correction from being applied twice.
 /// </summary>
 /// <param name="MeasurementSha256">SHA-256 of the measurement that was compensated, 64 hexadecimal digits.</param>
 /// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a program was made anew.</param>
@@ -21,7 +22,8 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>Code of the refusal of a measurement that the program already follows.</summary>
     public const string SameMeasurement = "same-measurement";
 
-    /// <summary>Code of the refusal of a marker that cannot be read, so that nobody knows which measurements the program already follows.</summary>
+    /// <summary>Code of the refusal of a marker that cannot be read, so that nobody knows which measurements the program already
+    /// follows.</summary>
     public const string MarkerDamaged = "marker-damaged";
 
     /// <summary>The comment, as a line of a program without its line end.</summary>
@@ -32,7 +34,8 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         return syntax == NcSyntax.Siemens ? $"; {text}" : $"({text})";
     }
 
-    /// <summary>All markers of a program with the positions of their blocks; a marker that was damaged so that its hashes cannot be read is null.</summary>
+    /// <summary>All markers of a program with the positions of their blocks;
+    /// a marker that was damaged so that its hashes cannot be read is null.</summary>
     public static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -47,7 +50,8 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
             foreach (var token in program.Tokens(program[i]))
             {
                 // A comment that lost its end is no comment for the tokenizer, but it is a marker for us.
-                if (token.Kind is NcTokenKind.Comment or NcTokenKind.Invalid && IsMarker(Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length)), out var marker))
+                if (token.Kind is NcTokenKind.Comment or NcTokenKind.Invalid
+                    && IsMarker(Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length)), out var marker))
                 {
                     found.Add((i, marker));
                 }
@@ -58,7 +62,8 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     }
 
     /// <summary>
-    /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them, so that the control still finds both.
+    /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them,
+    /// so that the control still finds both.
     /// </summary>
     public byte[] InsertInto(NcProgram program)
     {
@@ -93,14 +98,20 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     private static bool IsMarker(string comment, out Marker? marker)
     {
         var words = comment.Trim('(', ')', ';', ' ').Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        marker = words is [_, var measurement, var program] && HashBehind(Measurement, measurement) is { } m && HashBehind(Base, program) is { } b ? new(m, b) : null;
+        marker = words is [_, var measurement, var program]
+            && HashBehind(Measurement, measurement) is { } m
+            && HashBehind(Base, program) is { } b
+            ? new(m, b)
+            : null;
         return words.Length > 0 && words[0].Equals(Word, StringComparison.OrdinalIgnoreCase);
     }
 
     private static string? HashBehind(string name, string word)
     {
         const int digits = 64;
-        return word.Length == name.Length + digits && word.StartsWith(name, StringComparison.OrdinalIgnoreCase) && word.AsSpan(name.Length).IndexOfAnyExcept(HexDigits) < 0
+        return word.Length == name.Length + digits
+            && word.StartsWith(name, StringComparison.OrdinalIgnoreCase)
+            && word.AsSpan(name.Length).IndexOfAnyExcept(HexDigits) < 0
             ? word[name.Length..].ToLowerInvariant()
             : null;
     }

@@ -6,8 +6,8 @@ namespace ErrorMatching.Nc;
 internal static class ArcCenter
 {
     /// <summary>
-    /// Center of an arc given by its radius: of the two circles through both ends the one whose arc is at most half a turn for a positive radius,
-    /// at least half a turn for a negative one.
+    /// Center of an arc given by its radius: of the two circles through both ends the one whose arc is at most half a turn for a positive
+    /// radius, at least half a turn for a negative one.
     /// </summary>
     /// <param name="start">Start in the plane.</param>
     /// <param name="end">End in the plane.</param>

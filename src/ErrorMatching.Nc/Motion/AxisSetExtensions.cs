@@ -16,7 +16,10 @@ internal static class AxisSetExtensions
     /// <summary>A place with the unknown coordinates read as zero.</summary>
     public static Point3 KnownPartOf(this AxisSet unknown, Point3 place) => unknown == AxisSet.None
         ? place
-        : new((unknown & AxisSet.X) == AxisSet.None ? place.X : 0, (unknown & AxisSet.Y) == AxisSet.None ? place.Y : 0, (unknown & AxisSet.Z) == AxisSet.None ? place.Z : 0);
+        : new(
+            (unknown & AxisSet.X) == AxisSet.None ? place.X : 0,
+            (unknown & AxisSet.Y) == AxisSet.None ? place.Y : 0,
+            (unknown & AxisSet.Z) == AxisSet.None ? place.Z : 0);
 
     /// <summary>The axes along which a vector points.</summary>
     public static AxisSet Axes(this Vector3 v) =>
@@ -24,5 +27,7 @@ internal static class AxisSetExtensions
 
     /// <summary>The part of a vector along these axes.</summary>
     public static Vector3 PartOf(this AxisSet axes, Vector3 v) => new(
-        (axes & AxisSet.X) != AxisSet.None ? v.X : 0, (axes & AxisSet.Y) != AxisSet.None ? v.Y : 0, (axes & AxisSet.Z) != AxisSet.None ? v.Z : 0);
+        (axes & AxisSet.X) != AxisSet.None ? v.X : 0,
+        (axes & AxisSet.Y) != AxisSet.None ? v.Y : 0,
+        (axes & AxisSet.Z) != AxisSet.None ? v.Z : 0);
 }

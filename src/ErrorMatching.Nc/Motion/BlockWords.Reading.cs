@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// Reading a block: in one pass over its bytes where it has plain words only, as nearly all blocks do, else by its tokens. Both give the same words; a test holds that.
+/// Reading a block: in one pass over its bytes where it has plain words only, as nearly all blocks do, else by its tokens.
+/// Both give the same words; a test holds that.
 /// </content>
 internal sealed partial class BlockWords
 {
@@ -93,13 +94,15 @@ internal sealed partial class BlockWords
         }
     }
 
-    private static bool GoesOn(ReadOnlySpan<byte> text) => text.TrimStart((byte)' ') is { Length: > 0 } rest && (rest[0] == '.' || SyntaxBytes.IsDigit(rest[0]));
+    private static bool GoesOn(ReadOnlySpan<byte> text) =>
+        text.TrimStart((byte)' ') is { Length: > 0 } rest && (rest[0] == '.' || SyntaxBytes.IsDigit(rest[0]));
 
     /// <summary>Reads any block by its tokens.</summary>
     /// <param name="bytes">The program's bytes.</param>
     /// <param name="block">Where the block is.</param>
     /// <param name="syntax">How it is spelled.</param>
-    /// <param name="compute">The value of a computed word: NaN where only the machine knows it, null where it is a variable that was never set.</param>
+    /// <param name="compute">The value of a computed word: NaN where only the machine knows it,
+    /// null where it is a variable that was never set.</param>
     public void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
     {
         Clear();
@@ -114,7 +117,8 @@ internal sealed partial class BlockWords
                     AddFunction(token.Number.Digits, token.Number.Decimals);
                     break;
                 case NcTokenKind.Word:
-                    AddNumber(token.Letter - 'A', token.Number.Value, !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.'));
+                    AddNumber(
+                        token.Letter - 'A', token.Number.Value, !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.'));
                     AddDistance(token);
                     break;
                 case NcTokenKind.ExpressionWord:
@@ -149,7 +153,8 @@ internal sealed partial class BlockWords
         token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
 
     // A word of a plain zero; a computed one has no number either.
-    private static bool IsZero(ReadOnlySpan<byte> bytes, NcToken token) => !bytes.Slice(token.ValueStart, token.ValueLength).ContainsAnyExcept(ZeroBytes);
+    private static bool IsZero(ReadOnlySpan<byte> bytes, NcToken token) =>
+        !bytes.Slice(token.ValueStart, token.ValueLength).ContainsAnyExcept(ZeroBytes);
 
     private void AddDistance(NcToken token)
     {

@@ -40,7 +40,8 @@ internal sealed partial class BlockWords
     /// <summary>Letters that say themselves that they are increments.</summary>
     public uint Incremental { get; private set; }
 
-    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding), 0 where the block has none.</summary>
+    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding),
+    /// 0 where the block has none.</summary>
     public byte Corner { get; private set; }
 
     /// <summary>Value of the corner word; NaN where it is computed.</summary>
@@ -49,13 +50,16 @@ internal sealed partial class BlockWords
     /// <summary>True if the corner word's number has no point.</summary>
     public bool CornerIsInteger { get; private set; }
 
-    /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it, null where the block has none.</summary>
+    /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it,
+    /// null where the block has none.</summary>
     public double? PlaneAngle { get; set; }
 
-    /// <summary>Distance from the origin in the plane XY (@), as programmed; NaN where only the machine knows it, null where the block has none.</summary>
+    /// <summary>Distance from the origin in the plane XY (@), as programmed;
+    /// NaN where only the machine knows it, null where the block has none.</summary>
     public double? PolarDistance { get; private set; }
 
-    /// <summary>Angle about the origin in the plane XY (^), degrees; NaN where only the machine knows it, null where the block has none.</summary>
+    /// <summary>Angle about the origin in the plane XY (^), degrees;
+    /// NaN where only the machine knows it, null where the block has none.</summary>
     public double? PolarAngle { get; private set; }
 
     /// <summary>True if the block has a polar coordinate.</summary>

@@ -57,7 +57,8 @@ internal sealed class Chunks<T>
         _used++;
     }
 
-    /// <summary>Appends the items that the list has which this one is like, from this one's end up to a position. It must have been made in that one's place. Whole pieces are shared.</summary>
+    /// <summary>Appends the items that the list has which this one is like, from this one's end up to a position. It must have been made in
+    /// that one's place. Whole pieces are shared.</summary>
     public void TakeOver(int behind)
     {
         while (Count < behind)
@@ -131,7 +132,9 @@ internal sealed class Chunks<T>
         }
 
         var other = _like._chunks[piece];
-        if (!ReferenceEquals(_chunks[piece], other) && !System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(_last).SequenceEqual(System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(other)))
+        if (!ReferenceEquals(_chunks[piece], other)
+            && !System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(_last).SequenceEqual(
+                System.Runtime.InteropServices.MemoryMarshal.AsBytes<T>(other)))
         {
             return false;
         }

@@ -3,8 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Finds where a contour comes back to a place. A few searches walk along the contour; for many, all joints of the path are sorted by place once, so that the cost grows
-/// with the program and not with its square.
+/// Finds where a contour comes back to a place. A few searches walk along the contour;
+/// for many, all joints of the path are sorted by place once, so that the cost grows with the program and not with its square.
 /// </summary>
 internal sealed class ContourSearch
 {
@@ -45,7 +45,8 @@ internal sealed class ContourSearch
         }
     }
 
-    /// <summary>The first motion from a position on that ends at a place, all between being cuts of one contour; -1 where there is none.</summary>
+    /// <summary>The first motion from a position on that ends at a place, all between being cuts of one contour;
+    /// -1 where there is none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="from">Where to begin.</param>
     /// <param name="like">A motion whose plane and frame the contour has.</param>
@@ -65,7 +66,8 @@ internal sealed class ContourSearch
         return WalkAhead(place, from, like);
     }
 
-    /// <summary>The last motion up to a position that begins at a place, all between being cuts of one contour; -1 where there is none.</summary>
+    /// <summary>The last motion up to a position that begins at a place, all between being cuts of one contour;
+    /// -1 where there is none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="from">Where to begin to search backwards.</param>
     /// <param name="like">A motion whose plane and frame the contour has.</param>
@@ -165,7 +167,13 @@ internal sealed class ContourSearch
     private int FindInCell(ulong[] keys, Func<int, Point3> placeOf, Point3 place, ulong first, ulong last, bool ahead)
     {
         var at = Array.BinarySearch(keys, ahead ? first : last);
-        for (at = at >= 0 ? at : ahead ? ~at : ~at - 1; at >= 0 && at < keys.Length && keys[at] >= first && keys[at] <= last; at += ahead ? 1 : -1)
+        for (at = at >= 0
+            ? at
+            : ahead
+            ? ~at
+            : ~at - 1; at >= 0 && at < keys.Length && keys[at] >= first && keys[at] <= last; at += ahead
+            ? 1
+            : -1)
         {
             var motion = (int)(uint)keys[at];
             if (IsSame(placeOf(motion), place) && _motions.IsContour(motion))

@@ -1,8 +1,9 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Finds the words behind the coordinates of a motion's end: where its own block has no word for an axis, the coordinate still stands from the last block before it, in the order in
-/// which blocks are executed, that has one. Asked motion after motion, the whole path costs one pass over its words.
+/// Finds the words behind the coordinates of a motion's end: where its own block has no word for an axis, the coordinate still stands from
+/// the last block before it, in the order in which blocks are executed, that has one.
+/// Asked motion after motion, the whole path costs one pass over its words.
 /// </summary>
 /// <param name="path">The path.</param>
 public sealed class CoordinateWords(NcPath path)
@@ -13,7 +14,8 @@ public sealed class CoordinateWords(NcPath path)
     /// <summary>The word behind a coordinate of a motion's end; null where no motion so far had one.</summary>
     /// <param name="motion">Position of the motion; not before one that was asked for earlier.</param>
     /// <param name="axis">X, Y or Z.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The motion lies before one that was asked for earlier, or the axis is none of the three.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion lies before one that was asked for earlier,
+    /// or the axis is none of the three.</exception>
     public CoordinateWord? Behind(int motion, char axis)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(motion, _next - 1);

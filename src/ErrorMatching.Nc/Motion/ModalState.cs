@@ -40,11 +40,24 @@ internal struct ModalState
         | (Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
     /// <summary>True if everything is the same, to the last bit of where the tool is.</summary>
-    public readonly bool SameAs(in ModalState other) => Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
-        && Incremental == other.Incremental && AbsoluteCenters == other.AbsoluteCenters && Compensation == other.Compensation && CompensationSwitched == other.CompensationSwitched
-        && Cycle == other.Cycle && RetractsToR == other.RetractsToR && InverseTime == other.InverseTime && LengthOffset == other.LengthOffset && Frame == other.Frame
-        && Unknown == other.Unknown && Unsure == other.Unsure && Bits(Feed) == Bits(other.Feed) && Bits(ModalRounding) == Bits(other.ModalRounding)
-        && Bits(Position.X) == Bits(other.Position.X) && Bits(Position.Y) == Bits(other.Position.Y) && Bits(Position.Z) == Bits(other.Position.Z);
+    public readonly bool SameAs(in ModalState other) =>
+        Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
+        && Incremental == other.Incremental
+            && AbsoluteCenters == other.AbsoluteCenters
+            && Compensation == other.Compensation
+            && CompensationSwitched == other.CompensationSwitched
+        && Cycle == other.Cycle
+            && RetractsToR == other.RetractsToR
+            && InverseTime == other.InverseTime
+            && LengthOffset == other.LengthOffset
+            && Frame == other.Frame
+        && Unknown == other.Unknown
+            && Unsure == other.Unsure
+            && Bits(Feed) == Bits(other.Feed)
+            && Bits(ModalRounding) == Bits(other.ModalRounding)
+        && Bits(Position.X) == Bits(other.Position.X)
+            && Bits(Position.Y) == Bits(other.Position.Y)
+            && Bits(Position.Z) == Bits(other.Position.Z);
 
     private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 

@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Some motions of a path, as runs without gap: what was named is mostly a few stretches, so that this takes little memory, and looking one up after the other little time.
+/// Some motions of a path, as runs without gap: what was named is mostly a few stretches, so that this takes little memory,
+/// and looking one up after the other little time.
 /// </summary>
 internal sealed class MotionRuns
 {
@@ -43,7 +44,8 @@ internal sealed class MotionRuns
             return -1;
         }
 
-        // Motions are mostly asked for in their order, by two cores in different places: what the other remembers must not change under this one's hands.
+        // Motions are mostly asked for in their order, by two cores in different places:
+        // what the other remembers must not change under this one's hands.
         var recent = _recent;
         var run = _runs[recent];
         if (motion < run.First || motion > run.Last)

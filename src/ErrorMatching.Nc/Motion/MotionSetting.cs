@@ -6,5 +6,6 @@ namespace ErrorMatching.Nc;
 internal readonly record struct MotionSetting(double Feed, int Frame)
 {
     /// <summary>True if both are the same, to the last bit.</summary>
-    public bool SameAs(in MotionSetting other) => Frame == other.Frame && BitConverter.DoubleToInt64Bits(Feed) == BitConverter.DoubleToInt64Bits(other.Feed);
+    public bool SameAs(in MotionSetting other) =>
+        Frame == other.Frame && BitConverter.DoubleToInt64Bits(Feed) == BitConverter.DoubleToInt64Bits(other.Feed);
 }

@@ -135,7 +135,8 @@ public enum NcMeaning : byte
     /// <summary>Ends polar coordinates.</summary>
     PolarOff,
 
-    /// <summary>A transformation that is not followed (cylinder, polar interpolation, tilted plane, tool center point): nothing is known of the path, and nothing is changed.</summary>
+    /// <summary>A transformation that is not followed (cylinder, polar interpolation, tilted plane, tool center point): nothing is known of
+    /// the path, and nothing is changed.</summary>
     OpaqueTransform,
 
     /// <summary>Ends all such transformations.</summary>
@@ -240,7 +241,8 @@ public enum NcMeaning : byte
     /// <summary>Feed is in length per revolution.</summary>
     FeedPerRevolution,
 
-    /// <summary>The control smooths the path (G641, COMPCAD): it is as programmed only within the control's tolerance. Worth a warning.</summary>
+    /// <summary>The control smooths the path (G641, COMPCAD): it is as programmed only within the control's tolerance.
+    /// Worth a warning.</summary>
     Smoothing,
 
     /// <summary>Calls a cycle or subprogram behind every motion from here on (MCALL); alone, ends that.</summary>

@@ -57,7 +57,8 @@ public readonly record struct NcMotion(
         }
     }
 
-    /// <summary>True if it moves in its plane, or may, since it begins at an unknown place. A full circle does; a plunge or retract does not.</summary>
+    /// <summary>True if it moves in its plane, or may, since it begins at an unknown place. A full circle does;
+    /// a plunge or retract does not.</summary>
     public bool MovesInPlane => IsArc || PlaneStart != PlaneEnd || (UnknownStart & Plane.Axes()) != (UnknownEnd & Plane.Axes());
 
     /// <summary>True if the program says where in its plane it begins and ends.</summary>

@@ -26,7 +26,8 @@ public sealed partial class NcMotions
             return;
         }
 
-        // The first of them can have the setting of the last one here; whether the others begin a new one does not depend on what was before.
+        // The first of them can have the setting of the last one here; whether the others begin a new one does not depend on what was
+        // before.
         var first = Length;
         var setting = ahead._newSettings[1] ? 1 : 0;
         Share(ahead._settings[setting].Feed, ahead._settings[setting].Frame, ahead._areArcs[1]);
@@ -53,11 +54,15 @@ public sealed partial class NcMotions
         _ahead = ahead;
     }
 
-    /// <summary>True if what follows here would be stored as it is stored behind so many motions of the list that this one is like: as many came before, and the last is the same in all that counts for the next.</summary>
-    internal bool EndsAsAfter(int motions) => Length == motions && motions > 0 && _motions[motions - 1].SameEnd(_like!._motions[motions - 1])
-        && SettingAt(motions - 1).SameAs(_like.SettingAt(motions - 1)) && _areArcs.CountTo(motions - 1) == _like._areArcs.CountTo(motions - 1);
+    /// <summary>True if what follows here would be stored as it is stored behind so many motions of the list that this one is like: as many
+    /// came before, and the last is the same in all that counts for the next.</summary>
+    internal bool EndsAsAfter(int motions) =>
+        Length == motions && motions > 0 && _motions[motions - 1].SameEnd(_like!._motions[motions - 1])
+        && SettingAt(motions - 1).SameAs(_like.SettingAt(motions - 1))
+            && _areArcs.CountTo(motions - 1) == _like._areArcs.CountTo(motions - 1);
 
-    /// <summary>Appends the motions that the list has which this one is like, up to one that is not appended. Here it must end as that one after as many motions, and none of them may jump.</summary>
+    /// <summary>Appends the motions that the list has which this one is like, up to one that is not appended. Here it must end as that one
+    /// after as many motions, and none of them may jump.</summary>
     internal void TakeOver(int behind)
     {
         var (first, like) = (Length, _like!);

@@ -59,12 +59,36 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
                 ref readonly var before = ref _motions[index - 1];
                 if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
                 {
-                    return new(m.Block, m.Kind, m.Plane, m.Flags, before.End, m.End, arc.Center, arc.Turns, setting.Feed, setting.Frame, AxisSet.None, AxisSet.None);
+                    return new(
+                        m.Block,
+                        m.Kind,
+                        m.Plane,
+                        m.Flags,
+                        before.End,
+                        m.End,
+                        arc.Center,
+                        arc.Turns,
+                        setting.Feed,
+                        setting.Frame,
+                        AxisSet.None,
+                        AxisSet.None);
                 }
             }
 
             var (start, unknown) = StartOf(index, m.Flags);
-            return new(m.Block, m.Kind, m.Plane, m.Flags, unknown.KnownPartOf(start), m.UnknownEnd.KnownPartOf(m.End), arc.Center, arc.Turns, setting.Feed, setting.Frame, unknown, m.UnknownEnd);
+            return new(
+                m.Block,
+                m.Kind,
+                m.Plane,
+                m.Flags,
+                unknown.KnownPartOf(start),
+                m.UnknownEnd.KnownPartOf(m.End),
+                arc.Center,
+                arc.Turns,
+                setting.Feed,
+                setting.Frame,
+                unknown,
+                m.UnknownEnd);
         }
     }
 
@@ -72,7 +96,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     public int BlockOf(int index) => _motions[index].Block;
 
     /// <summary>
-    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the program says it, a stand-in where only the machine knows.
+    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the
+    /// program says it, a stand-in where only the machine knows.
     /// </summary>
     public Point3 AssumedEnd(int index) => _motions[index].End;
 
@@ -100,7 +125,9 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     internal bool IsContour(int index)
     {
         ref readonly var m = ref _motions[index];
-        return m.Kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise && (m.Flags & MotionFlags.CompensationSwitches) == MotionFlags.None && MovesInPlane(index);
+        return m.Kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise
+            && (m.Flags & MotionFlags.CompensationSwitches) == MotionFlags.None
+            && MovesInPlane(index);
     }
 
     /// <summary>The same as of the motion itself.</summary>
@@ -122,7 +149,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         }
 
         var (start, unknown) = StartOf(index, m.Flags);
-        return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End)) || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
+        return m.Plane.Project(unknown.KnownPartOf(start)) != m.Plane.Project(m.UnknownEnd.KnownPartOf(m.End))
+            || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
     }
 
     /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
@@ -133,7 +161,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return a.Plane == b.Plane && (_lastFrame == 0 || SettingAt(index).Frame == SettingAt(other).Frame);
     }
 
-    /// <summary>True if a motion is the same in another list, to the last bit of each of its values, but for the lines that were inserted before its block.</summary>
+    /// <summary>True if a motion is the same in another list, to the last bit of each of its values,
+    /// but for the lines that were inserted before its block.</summary>
     internal bool SameAt(NcMotions other, int index, int linesBefore)
     {
         ref readonly var a = ref _motions[index];
@@ -165,8 +194,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
     /// <summary>
-    /// Passes over straight cuts that have the modes of another one, move in the plane XY and do not end at a place: the first motion from a position on for which that is not so.
-    /// A walk along a contour has to look closely only there.
+    /// Passes over straight cuts that have the modes of another one, move in the plane XY and do not end at a place: the first motion from
+    /// a position on for which that is not so. A walk along a contour has to look closely only there.
     /// </summary>
     internal int PassAhead(int from, int like, Point3 place, double tolerance)
     {
@@ -196,10 +225,15 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var m = ref _motions[index];
         ref readonly var before = ref _motions[index - 1];
-        return _lastFrame == 0 && m.SameModes(model) && m.IsPlainCut && before.UnknownEnd == AxisSet.None && (before.X != m.X || before.Y != m.Y);
+        return _lastFrame == 0
+            && m.SameModes(model)
+            && m.IsPlainCut
+            && before.UnknownEnd == AxisSet.None
+            && (before.X != m.X || before.Y != m.Y);
     }
 
-    /// <summary>The motions that differ from those at the same place of another list of the same length, in their order, as <see cref="SameAt"/> says.</summary>
+    /// <summary>The motions that differ from those at the same place of another list of the same length, in their order,
+    /// as <see cref="SameAt"/> says.</summary>
     /// <param name="other">The other list.</param>
     /// <param name="border">The first block before which a line was inserted in the other.</param>
     internal List<int> DifferencesFrom(NcMotions other, int border)
@@ -235,7 +269,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return same;
     }
 
-    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the origin.</summary>
+    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the
+    /// origin.</summary>
     internal void Add(in NcMotion motion)
     {
         Share(motion.Feed, motion.Frame, motion.IsArc);
@@ -264,7 +299,19 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     {
         if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
         {
-            Add(new(block, state.Mode, state.Plane, flags, state.Position, end, default, 0, state.Feed, state.Frame, state.Unknown, unknownEnd));
+            Add(new(
+                block,
+                state.Mode,
+                state.Plane,
+                flags,
+                state.Position,
+                end,
+                default,
+                0,
+                state.Feed,
+                state.Frame,
+                state.Unknown,
+                unknownEnd));
             return;
         }
 

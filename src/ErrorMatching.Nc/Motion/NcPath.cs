@@ -9,7 +9,16 @@ public sealed class NcPath
     private int[]? _byBlock;
     private int _recent;
 
-    internal NcPath(NcProgram program, NcDialect dialect, NcMotions motions, IReadOnlyList<NcProblem> problems, IReadOnlyList<(int Block, int Joint)> placeDependents, IReadOnlyList<NcFrame> frames, IReadOnlyList<NcNote> notes, NcRefusal? refusal, Func<string, NcProgram?>? library)
+    internal NcPath(
+        NcProgram program,
+        NcDialect dialect,
+        NcMotions motions,
+        IReadOnlyList<NcProblem> problems,
+        IReadOnlyList<(int Block, int Joint)> placeDependents,
+        IReadOnlyList<NcFrame> frames,
+        IReadOnlyList<NcNote> notes,
+        NcRefusal? refusal,
+        Func<string, NcProgram?>? library)
     {
         Program = program;
         Dialect = dialect;
@@ -31,7 +40,8 @@ public sealed class NcPath
     /// <summary>All motions, in the order in which they are executed.</summary>
     public NcMotions Motions { get; }
 
-    /// <summary>The layers of offsets and transforms, in the order in which they came; <see cref="NcMotion.Frame"/> is an index into them.</summary>
+    /// <summary>The layers of offsets and transforms, in the order in which they came;
+    /// <see cref="NcMotion.Frame"/> is an index into them.</summary>
     public IReadOnlyList<NcFrame> Frames { get; }
 
     /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
@@ -40,7 +50,8 @@ public sealed class NcPath
     /// <summary>How something was read that another machine could read differently. Every result of the program shows them.</summary>
     public IReadOnlyList<NcNote> Notes { get; }
 
-    /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the machine knows. Null where it was.</summary>
+    /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the
+    /// machine knows. Null where it was.</summary>
     public NcRefusal? Refusal { get; }
 
     /// <summary>How the program was reached at some of its blocks.</summary>
@@ -50,8 +61,8 @@ public sealed class NcPath
     internal Func<string, NcProgram?>? Library { get; }
 
     /// <summary>
-    /// Blocks whose effect can depend on where the tool stands although they move nothing themselves (what sets an origin, calls a program that is not known),
-    /// each with the joint of the path at which the tool stands.
+    /// Blocks whose effect can depend on where the tool stands although they move nothing themselves (what sets an origin,
+    /// calls a program that is not known), each with the joint of the path at which the tool stands.
     /// </summary>
     internal IReadOnlyList<(int Block, int Joint)> PlaceDependents { get; }
 
@@ -71,7 +82,8 @@ public sealed class NcPath
         return low < ToolChanges.Count && ToolChanges[low] <= lastJoint;
     }
 
-    /// <summary>All motions of a block, in the order in which they are executed: several where it runs several times, or is a canned cycle.</summary>
+    /// <summary>All motions of a block, in the order in which they are executed:
+    /// several where it runs several times, or is a canned cycle.</summary>
     public ReadOnlySpan<int> MotionsOf(int block)
     {
         if (Motions.FollowBlocks)
@@ -134,7 +146,8 @@ public sealed class NcPath
         return order;
     }
 
-    // The first motion of a block or of a later one, in the order of the blocks (null: the path's own). It is mostly near the one that was asked for last.
+    // The first motion of a block or of a later one, in the order of the blocks (null: the path's own).
+    // It is mostly near the one that was asked for last.
     private int FirstFrom(int[]? order, int block, ref int recent)
     {
         var (low, high) = (0, Motions.Length);

@@ -3,7 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// An affine map from coordinates as programmed to work coordinates: rotation, scale, mirror and shift as one matrix. Null stands for "as programmed".
+/// An affine map from coordinates as programmed to work coordinates: rotation, scale, mirror and shift as one matrix.
+/// Null stands for "as programmed".
 /// </summary>
 internal sealed class ProgramFrame
 {
@@ -18,7 +19,11 @@ internal sealed class ProgramFrame
     public static ProgramFrame Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), Vector3.Zero);
 
     /// <summary>True if places stay where they are.</summary>
-    public bool IsIdentity => _shift.Length < 1e-12 && (_x - Identity._x).Length < 1e-12 && (_y - Identity._y).Length < 1e-12 && (_z - Identity._z).Length < 1e-12;
+    public bool IsIdentity =>
+        _shift.Length < 1e-12
+            && (_x - Identity._x).Length < 1e-12
+            && (_y - Identity._y).Length < 1e-12
+            && (_z - Identity._z).Length < 1e-12;
 
     /// <summary>The shift, if that is all that the map does; else null.</summary>
     public Vector3? ShiftOnly => _x == Identity._x && _y == Identity._y && _z == Identity._z ? _shift : null;
@@ -30,7 +35,8 @@ internal sealed class ProgramFrame
     public static ProgramFrame Shift(Vector3 by) => new(Identity._x, Identity._y, Identity._z, by);
 
     /// <summary>Factors along the axes about a point.</summary>
-    public static ProgramFrame Scale(Point3 center, Vector3 factors) => About(center, new(new(factors.X, 0, 0), new(0, factors.Y, 0), new(0, 0, factors.Z), Vector3.Zero));
+    public static ProgramFrame Scale(Point3 center, Vector3 factors) =>
+        About(center, new(new(factors.X, 0, 0), new(0, factors.Y, 0), new(0, 0, factors.Z), Vector3.Zero));
 
     /// <summary>A rotation in a plane about a point, counter-clockwise in the plane's own axis order.</summary>
     public static ProgramFrame Rotation(CoordinatePlane plane, Point3 center, double degrees)
@@ -64,7 +70,11 @@ internal sealed class ProgramFrame
             return null;
         }
 
-        var inverse = new ProgramFrame(new Vector3(a.X, b.X, c.X) * (1 / determinant), new Vector3(a.Y, b.Y, c.Y) * (1 / determinant), new Vector3(a.Z, b.Z, c.Z) * (1 / determinant), Vector3.Zero);
+        var inverse = new ProgramFrame(
+            new Vector3(a.X, b.X, c.X) * (1 / determinant),
+            new Vector3(a.Y, b.Y, c.Y) * (1 / determinant),
+            new Vector3(a.Z, b.Z, c.Z) * (1 / determinant),
+            Vector3.Zero);
         return new(inverse._x, inverse._y, inverse._z, inverse.Turn(_shift) * -1);
     }
 
@@ -103,7 +113,8 @@ internal sealed class ProgramFrame
         };
     }
 
-    private static Vector3 Cross(Vector3 a, Vector3 b) => new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
+    private static Vector3 Cross(Vector3 a, Vector3 b) =>
+        new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
 
     private static double Dot(Vector3 a, Vector3 b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
 }

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>One bit for each of many positions, and how many are set before each: a fifth of a byte a position instead of an index of four.</summary>
+/// <summary>One bit for each of many positions, and how many are set before each:
+/// a fifth of a byte a position instead of an index of four.</summary>
 internal sealed class RankedBits
 {
     private ulong[] _bits = new ulong[16];
@@ -74,5 +75,6 @@ internal sealed class RankedBits
 
     /// <summary>How many bits are set up to a position, its own included.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int CountTo(int position) => _before[position >> 6] + BitOperations.PopCount(_bits[position >> 6] & (ulong.MaxValue >> (63 - (position & 63))));
+    public int CountTo(int position) =>
+        _before[position >> 6] + BitOperations.PopCount(_bits[position >> 6] & (ulong.MaxValue >> (63 - (position & 63))));
 }

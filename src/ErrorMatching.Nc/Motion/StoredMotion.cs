@@ -4,7 +4,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A motion in 32 bytes: where it ends. Its start is the end of the one before, unless it says otherwise; what many motions share, and what only arcs have, is kept beside.
+/// A motion in 32 bytes: where it ends. Its start is the end of the one before, unless it says otherwise;
+/// what many motions share, and what only arcs have, is kept beside.
 /// </summary>
 internal struct StoredMotion
 {
@@ -38,8 +39,13 @@ internal struct StoredMotion
 
     public readonly AxisSet UnknownEnd => (AxisSet)(_packed >> UnknownShift);
 
-    /// <summary>True for a straight cut in the plane XY that begins where the one before ends, ends at a known place and switches no compensation.</summary>
-    public readonly bool IsPlainCut => Kind == MotionKind.Line && Plane == CoordinatePlane.XY && UnknownEnd == AxisSet.None && (Flags & (MotionFlags.StartsElsewhere | MotionFlags.CompensationSwitches)) == MotionFlags.None;
+    /// <summary>True for a straight cut in the plane XY that begins where the one before ends,
+    /// ends at a known place and switches no compensation.</summary>
+    public readonly bool IsPlainCut =>
+        Kind == MotionKind.Line
+            && Plane == CoordinatePlane.XY
+            && UnknownEnd == AxisSet.None
+            && (Flags & (MotionFlags.StartsElsewhere | MotionFlags.CompensationSwitches)) == MotionFlags.None;
 
     /// <summary>True if both have the same kind, plane and flags, and the same axes are known of their ends.</summary>
     public readonly bool SameModes(in StoredMotion other) => _packed == other._packed;
@@ -51,7 +57,8 @@ internal struct StoredMotion
     public readonly bool SameEnd(in StoredMotion other) => UnknownEnd == other.UnknownEnd && SamePlace(other);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly bool SamePlace(in StoredMotion other) => Bits(X) == Bits(other.X) && Bits(Y) == Bits(other.Y) && Bits(Z) == Bits(other.Z);
+    private readonly bool SamePlace(in StoredMotion other) =>
+        Bits(X) == Bits(other.X) && Bits(Y) == Bits(other.Y) && Bits(Z) == Bits(other.Z);
 
     private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 }

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Modes that something could have changed unseen (a called program, an unknown code) and that have not been stated again since.</summary>
+/// <summary>Modes that something could have changed unseen (a called program, an unknown code) and that have not been stated again
+/// since.</summary>
 [Flags]
 internal enum Unsure : byte
 {

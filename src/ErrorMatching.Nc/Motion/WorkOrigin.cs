@@ -17,7 +17,8 @@ internal readonly record struct WorkOrigin(Vector3 Place, AxisSet Unknown, doubl
     public static AxisSet Mixed(AxisSet unknown) => (unknown & Flat) != AxisSet.None ? unknown | Flat : unknown;
 
     /// <summary>A vector turned about Z.</summary>
-    public static Vector3 Turned(Vector3 by, double degrees) => degrees == 0 ? by : ProgramFrame.Rotation(CoordinatePlane.XY, default, degrees).Turn(by);
+    public static Vector3 Turned(Vector3 by, double degrees) =>
+        degrees == 0 ? by : ProgramFrame.Rotation(CoordinatePlane.XY, default, degrees).Turn(by);
 
     /// <summary>The coordinates of a place when its work offset changes from one to another.</summary>
     /// <param name="place">The place in the first.</param>
@@ -27,14 +28,17 @@ internal readonly record struct WorkOrigin(Vector3 Place, AxisSet Unknown, doubl
     /// <param name="unknownDifference">Axes in which it is not known how far they lie apart.</param>
     /// <param name="shift">The shift on top of both (G92).</param>
     /// <param name="unknownShift">Axes in which that is not known.</param>
-    public static (Point3 Place, AxisSet Unknown) Reseen(Point3 place, AxisSet unknown, WorkOrigin was, WorkOrigin now, AxisSet unknownDifference, Vector3 shift, AxisSet unknownShift)
+    public static (Point3 Place, AxisSet Unknown) Reseen(
+        Point3 place, AxisSet unknown, WorkOrigin was, WorkOrigin now, AxisSet unknownDifference, Vector3 shift, AxisSet unknownShift)
     {
         var by = was.Place - now.Place;
         if (was.Degrees is { } from && now.Degrees is { } to)
         {
             return from == to
                 ? (place + Turned(by, -to), unknown | (to == 0 ? unknownDifference : Mixed(unknownDifference)))
-                : (default(Point3) + (Turned(Turned(place - default(Point3) + shift, from) + by, -to) - shift), Mixed(unknown | unknownDifference | (unknownShift & Flat)));
+                : (
+                    default(Point3) + (Turned(Turned(place - default(Point3) + shift, from) + by, -to) - shift),
+                    Mixed(unknown | unknownDifference | (unknownShift & Flat)));
         }
 
         var isStraight = now.KeepsRotation && by.X == 0 && by.Y == 0 && (unknownDifference & Flat) == AxisSet.None;

@@ -4,8 +4,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Compares two programs byte by byte: runs of bytes that are the same are passed over at once, and a block that differs is held against what the new place of its motion can change in it.
-/// One comparison serves block after block.
+/// Compares two programs byte by byte: runs of bytes that are the same are passed over at once, and a block that differs is held against
+/// what the new place of its motion can change in it. One comparison serves block after block.
 /// </summary>
 internal sealed class BlockComparison(NcPath before, NcPath after)
 {
@@ -15,7 +15,8 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
     private readonly BlockRemainder _original = new(before.Program);
     private readonly BlockRemainder _result = new(after.Program);
 
-    /// <summary>The first block from one on whose bytes, its line end included, are not those of the result; the end of the range where there is none.</summary>
+    /// <summary>The first block from one on whose bytes, its line end included, are not those of the result;
+    /// the end of the range where there is none.</summary>
     /// <param name="first">Block of the original to begin with.</param>
     /// <param name="behind">End of the range.</param>
     /// <param name="linesBefore">How many lines further down the blocks stand in the result.</param>
@@ -45,7 +46,8 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         return behind;
     }
 
-    /// <summary>True if nothing differs between two blocks but the values of words that the new place of a motion changes, and words that it needs or no longer needs.</summary>
+    /// <summary>True if nothing differs between two blocks but the values of words that the new place of a motion changes,
+    /// and words that it needs or no longer needs.</summary>
     /// <param name="motion">The motion, in both paths.</param>
     /// <param name="block">Its block in the original.</param>
     /// <param name="blockInResult">Its block in the result.</param>
@@ -76,7 +78,8 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
 
     private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;
 
-    private static ReadOnlySpan<byte> Bytes(NcProgram program, int block) => program.Bytes.Span.Slice(program[block].Start, program[block].FullLength);
+    private static ReadOnlySpan<byte> Bytes(NcProgram program, int block) =>
+        program.Bytes.Span.Slice(program[block].Start, program[block].FullLength);
 
     private static uint Changeable(in NcMotion motion)
     {

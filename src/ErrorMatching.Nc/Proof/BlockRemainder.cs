@@ -39,7 +39,8 @@ internal sealed class BlockRemainder(NcProgram program)
         }
     }
 
-    /// <summary>The block with the changed values masked, and words that only one program has left out together with the one space that separates them.</summary>
+    /// <summary>The block with the changed values masked, and words that only one program has left out together with the one space that
+    /// separates them.</summary>
     /// <param name="changed">Letters whose value changed.</param>
     /// <param name="leftOut">Letters whose words the other program does not have.</param>
     public ReadOnlySpan<byte> Without(uint changed, uint leftOut)

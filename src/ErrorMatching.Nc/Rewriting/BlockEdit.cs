@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Changes and inserts words of one block, in the style in which the block is written. One edit serves block after block.</summary>
+/// <summary>Changes and inserts words of one block, in the style in which the block is written.
+/// One edit serves block after block.</summary>
 internal sealed class BlockEdit
 {
     private readonly NcProgram _program;
@@ -32,7 +33,8 @@ internal sealed class BlockEdit
     {
     }
 
-    /// <summary>Most decimals, up to six, of the coordinates and centers of all blocks that were opened, and whether any of them was padded with zeros.</summary>
+    /// <summary>Most decimals, up to six, of the coordinates and centers of all blocks that were opened,
+    /// and whether any of them was padded with zeros.</summary>
     public (int Decimals, bool IsFixed) Spelling { get; private set; }
 
     /// <summary>Patches of the block, in ascending order.</summary>
@@ -75,12 +77,15 @@ internal sealed class BlockEdit
     }
 
     /// <summary>Counts the blocks that another edit opened as well.</summary>
-    public void Join(BlockEdit other) => Spelling = (Math.Max(Spelling.Decimals, other.Spelling.Decimals), Spelling.IsFixed | other.Spelling.IsFixed);
+    public void Join(BlockEdit other) =>
+        Spelling = (Math.Max(Spelling.Decimals, other.Spelling.Decimals), Spelling.IsFixed | other.Spelling.IsFixed);
 
     /// <summary>How coordinates and centers are spelled when a token is one more of them.</summary>
     public static (int Decimals, bool IsFixed) SpellingWith((int Decimals, bool IsFixed) others, in NcToken token) =>
         token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' }
-            ? (Math.Max(others.Decimals, Math.Min(6, token.Number.Decimals)), others.IsFixed | (token.Number.Decimals > 1 && token.Number.Digits % 10 == 0))
+            ? (
+                Math.Max(others.Decimals, Math.Min(6, token.Number.Decimals)),
+                others.IsFixed | (token.Number.Decimals > 1 && token.Number.Digits % 10 == 0))
             : others;
 
     // The first word of a letter is found by its place, from 1.
@@ -119,7 +124,8 @@ internal sealed class BlockEdit
     /// <summary>What a letter's word itself says about how it counts.</summary>
     public WordDistance Distance(byte letter) => PlaceOf(letter) is >= 0 and var place ? _words[place].Distance : WordDistance.Modal;
 
-    /// <summary>Gives a letter a new value: changes its word, or inserts one. A word that has the value already stays as it is spelled.</summary>
+    /// <summary>Gives a letter a new value: changes its word, or inserts one.
+    /// A word that has the value already stays as it is spelled.</summary>
     public void Set(byte letter, NcNumber value)
     {
         var place = PlaceOf(letter);
@@ -156,7 +162,10 @@ internal sealed class BlockEdit
 
     private NcNumber ValueOf(in NcToken token) => CountsIncrements(token) ? new(token.Number.Digits, _incrementDecimals) : token.Number;
 
-    private bool CountsIncrements(in NcToken token) => _incrementDecimals >= 0 && token.Number.Decimals == 0 && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
+    private bool CountsIncrements(in NcToken token) =>
+        _incrementDecimals >= 0
+            && token.Number.Decimals == 0
+            && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
 
     // A number that counts increments goes on doing so; if it cannot, it gets a point.
     private int Format(in NcToken like, NcNumber value, Span<byte> text)

@@ -9,8 +9,9 @@ internal readonly record struct Carrier(Line2? Line, Circle2? Circle)
     public static Carrier Of(in NcMotion motion) => motion.IsArc ? new(null, motion.Arc.Circle) : new(motion.Segment.Line, null);
 
     /// <summary>
-    /// The carrier displaced as wished. A line runs through its displaced ends. A circle runs through its displaced start, middle and end, which for an equal
-    /// displacement along the normals keeps the center; a full circle has its displaced start and middle as a diameter.
+    /// The carrier displaced as wished. A line runs through its displaced ends.
+    /// A circle runs through its displaced start, middle and end, which for an equal displacement along the normals keeps the center; a
+    /// full circle has its displaced start and middle as a diameter.
     /// </summary>
     /// <returns>The displaced carrier, or null where the element vanishes or turns inside out.</returns>
     public static Carrier? Displaced(in NcMotion motion, in ElementWish wish)
@@ -64,5 +65,6 @@ internal readonly record struct Carrier(Line2? Line, Circle2? Circle)
     /// <summary>Unsigned distance of a point.</summary>
     public double Distance(Point2 point) => Math.Abs(Line?.SignedDistance(point) ?? Circle!.Value.SignedDistance(point));
 
-    private static double Outward(Arc2 arc, double fraction, Vector2 displacement) => displacement.Dot(Vector2.FromDirection(arc.StartAngle + (arc.Sweep * fraction)));
+    private static double Outward(Arc2 arc, double fraction, Vector2 displacement) =>
+        displacement.Dot(Vector2.FromDirection(arc.StartAngle + (arc.Sweep * fraction)));
 }

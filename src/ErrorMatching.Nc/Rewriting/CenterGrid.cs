@@ -3,8 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Chooses the center words of an arc among the grid points around the exact center: both radii must agree, and the arc's middle must lie where it is wanted.
-/// Rounding each word for itself would leave the radii up to 1.4 increments apart, which some controls refuse.
+/// Chooses the center words of an arc among the grid points around the exact center:
+/// both radii must agree, and the arc's middle must lie where it is wanted. Rounding each word for itself would leave the radii up to 1.4
+/// increments apart, which some controls refuse.
 /// </summary>
 internal static class CenterGrid
 {

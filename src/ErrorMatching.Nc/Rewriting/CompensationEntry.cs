@@ -3,8 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Entries and exits of cutter compensation beside a displaced contour. A control takes the tool to the compensated path on a straight move, and treats an inside corner
-/// there differently from an outside one: what was straight and on one side must stay so, or the tool cuts in, or the control stops with an alarm.
+/// Entries and exits of cutter compensation beside a displaced contour.
+/// A control takes the tool to the compensated path on a straight move, and treats an inside corner there differently from an outside one:
+/// what was straight and on one side must stay so, or the tool cuts in, or the control stops with an alarm.
 /// </summary>
 internal static class CompensationEntry
 {
@@ -30,19 +31,30 @@ internal static class CompensationEntry
 
             if (motion.IsArc)
             {
-                return Refuse(change, motion, "it is an arc; cutter compensation begins and ends on a straight move only. Post a straight entry.");
+                return Refuse(
+                    change, motion, "it is an arc; cutter compensation begins and ends on a straight move only. Post a straight entry.");
             }
 
             var (was, now) = (motion.PlaneEnd - motion.PlaneStart, After(change, i));
             if (now.Length < ShortestFraction * was.Length || now.Dot(was) <= 0)
             {
-                return Refuse(change, motion, "it would get shorter than half of what it was, or turn round; the control needs its length to take up the tool radius. Displace less, or post a longer entry.");
+                return Refuse(
+                    change,
+                    motion,
+                    "it would get shorter than half of what it was, or turn round; the control needs its length to take up the tool "
+                        + "radius. Displace less, or post a longer entry.");
             }
 
             var neighbor = motion.Has(MotionFlags.CompensationLeft) || motion.Has(MotionFlags.CompensationRight) ? i + 1 : i - 1;
-            if (Turn(change, i, neighbor, displaced: false) is { } before && Turn(change, i, neighbor, displaced: true) is { } after && before * after < 0)
+            if (Turn(change, i, neighbor, displaced: false) is { } before
+                && Turn(change, i, neighbor, displaced: true) is { } after
+                && before * after < 0)
             {
-                return Refuse(change, motion, "its corner with the contour would change from inside to outside or back. Post the entry at a larger angle to the contour.");
+                return Refuse(
+                    change,
+                    motion,
+                    "its corner with the contour would change from inside to outside or back. Post the entry at a larger angle to the "
+                        + "contour.");
             }
         }
 
@@ -55,7 +67,8 @@ internal static class CompensationEntry
         return motion.PlaneEnd + change.PlaneMoveOf(i + 1, motion.Plane) - (motion.PlaneStart + change.PlaneMoveOf(i, motion.Plane));
     }
 
-    // Sine of the turn between an entry and the contour behind it, or the contour and the exit behind it; null where it is none to speak of.
+    // Sine of the turn between an entry and the contour behind it, or the contour and the exit behind it;
+    // null where it is none to speak of.
     private static double? Turn(PathChange change, int entry, int neighbor, bool displaced)
     {
         var motions = change.Path.Motions;
@@ -65,7 +78,11 @@ internal static class CompensationEntry
         }
 
         var own = displaced ? After(change, entry) : motions[entry].PlaneEnd - motions[entry].PlaneStart;
-        var beside = contour.IsArc ? contour.TangentAt(neighbor > entry ? 0 : 1) : displaced ? After(change, neighbor) : contour.PlaneEnd - contour.PlaneStart;
+        var beside = contour.IsArc
+            ? contour.TangentAt(neighbor > entry ? 0 : 1)
+            : displaced
+            ? After(change, neighbor)
+            : contour.PlaneEnd - contour.PlaneStart;
         if (own.Length < 1e-9 || beside.Length < 1e-9)
         {
             return null;
@@ -76,5 +93,9 @@ internal static class CompensationEntry
     }
 
     private static NcRefusal Refuse(PathChange change, in NcMotion motion, string why) =>
-        NcRefusal.At(change.Path.Program, motion.Block, NcRefusalCodes.CompensationEntry, $"cutter compensation is switched here, and displaced as asked {why}");
+        NcRefusal.At(
+            change.Path.Program,
+            motion.Block,
+            NcRefusalCodes.CompensationEntry,
+            $"cutter compensation is switched here, and displaced as asked {why}");
 }

@@ -24,7 +24,8 @@ public sealed class DisplacementWish
     /// <summary>The vector by which the end points move, mm; zero where each has its own.</summary>
     public Vector3 By { get; }
 
-    /// <summary>True if each end point has a vector of its own. Then no other end moves: nothing retracts along, and no arc follows.</summary>
+    /// <summary>True if each end point has a vector of its own. Then no other end moves:
+    /// nothing retracts along, and no arc follows.</summary>
     public bool IsPointByPoint => _byEach is not null;
 
     /// <summary>The vector by which one of the end points moves, mm.</summary>
@@ -38,13 +39,16 @@ public sealed class DisplacementWish
     {
         ElementWish[] sorted = [.. elements];
         Array.Sort(sorted, (a, b) => a.Motion.CompareTo(b.Motion));
-        return IsAscending(sorted) ? new(sorted, [], Vector3.Zero) : throw new ArgumentException("A motion has two wishes.", nameof(elements));
+        return IsAscending(sorted)
+            ? new(sorted, [], Vector3.Zero)
+            : throw new ArgumentException("A motion has two wishes.", nameof(elements));
     }
 
     /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
     /// <param name="motions">The motions, in any order.</param>
     /// <param name="by">The vector, mm.</param>
-    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) => new([], InOrder(motions) ? [.. motions] : [.. motions.Distinct().Order()], by);
+    public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) =>
+        new([], InOrder(motions) ? [.. motions] : [.. motions.Distinct().Order()], by);
 
     /// <summary>A wish for end points, each by a vector of its own: a path that follows a surface.</summary>
     /// <param name="points">One wish a motion, in any order.</param>
@@ -65,7 +69,10 @@ public sealed class DisplacementWish
     }
 
     /// <summary>True if nothing is to move.</summary>
-    internal bool IsZero => By == Vector3.Zero && (_byEach is null || _byEach.AsSpan().IndexOfAnyExcept(Vector3.Zero) < 0) && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
+    internal bool IsZero =>
+        By == Vector3.Zero
+            && (_byEach is null || _byEach.AsSpan().IndexOfAnyExcept(Vector3.Zero) < 0)
+            && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
 
     /// <summary>The wish to displace all cutting motions of some blocks by one distance to the left of travel (negative: right).</summary>
     /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
@@ -82,11 +89,16 @@ public sealed class DisplacementWish
 
         var elements = first.Elements;
         elements.AddRange(second.Elements);
-        return elements.Count == 0 ? NoMotion(path, blocks) : IsAscending(elements) ? new DisplacementWish(elements, [], Vector3.Zero) : OfElements(elements);
+        return elements.Count == 0
+            ? NoMotion(path, blocks)
+            : IsAscending(elements)
+            ? new DisplacementWish(elements, [], Vector3.Zero)
+            : OfElements(elements);
     }
 
     // The wishes for some of the blocks; the list has room for those of all blocks behind them.
-    private static (List<ElementWish> Elements, NcRefusal? Refusal) WishesOf(NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
+    private static (List<ElementWish> Elements, NcRefusal? Refusal) WishesOf(
+        NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
     {
         var elements = new List<ElementWish>(blocks.Count - from);
         var recent = 0;
@@ -160,6 +172,10 @@ public sealed class DisplacementWish
     }
 
     private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0
-        ? NcRefusal.At(path.Program, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
+        ? NcRefusal.At(
+            path.Program,
+            blocks[0],
+            NcRefusalCodes.NoMotion,
+            "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
         : new(NcRefusalCodes.NoMotion, "", 0, "No blocks are named.");
 }

@@ -3,9 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// The ends of a run. The border joint is the intersection of the displaced element with its neighbor's own, undisplaced carrier: the neighbor's end slides
-/// along itself. Where the neighbor is no plain cut, or does not meet the element nearby, the joint takes the displacement, and positioning follows.
-/// A closed contour has its neighbor at its other end.
+/// The ends of a run. The border joint is the intersection of the displaced element with its neighbor's own, undisplaced carrier:
+/// the neighbor's end slides along itself. Where the neighbor is no plain cut, or does not meet the element nearby,
+/// the joint takes the displacement, and positioning follows. A closed contour has its neighbor at its other end.
 /// </content>
 internal sealed partial class ElementDisplacer
 {
@@ -31,7 +31,9 @@ internal sealed partial class ElementDisplacer
     }
 
     private NcRefusal DoesNotClose(int element, int neighbor) => At(
-        _path.Motions[element], NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {NameOf(neighbor)}.");
+        _path.Motions[element],
+        NcRefusalCodes.NoIntersection,
+        $"displaced as asked, the contour no longer closes with {NameOf(neighbor)}.");
 
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
@@ -106,11 +108,15 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null if the neighbor cannot slide.</summary>
+    /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null
+    /// if the neighbor cannot slide.</summary>
     private (Point2 Point, int Element)? Slide(int element, int neighbor, bool atStart)
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
-        if (n is not { IsCut: true, MovesInPlane: true } || n.Plane != e.Plane || n.Frame != e.Frame || n.Has(MotionFlags.CompensationSwitches)
+        if (n is not { IsCut: true, MovesInPlane: true }
+            || n.Plane != e.Plane
+            || n.Frame != e.Frame
+            || n.Has(MotionFlags.CompensationSwitches)
             || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || ChangesTool(atStart ? element : element + 1))
         {
             return null;
@@ -125,11 +131,14 @@ internal sealed partial class ElementDisplacer
 
         var wished = atStart ? WishOf(element).Start : WishOf(element).End;
         var guess = joint + CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
-        while (CarrierOf(element).Meet(Carrier.Of(n), guess) is { } point && IsNear(point, joint, wished.Length) && point.DistanceTo(joint) < n.PlaneLength)
+        while (CarrierOf(element).Meet(Carrier.Of(n), guess) is { } point
+            && IsNear(point, joint, wished.Length)
+            && point.DistanceTo(joint) < n.PlaneLength)
         {
             if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
             {
-                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overrun the other.
+                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overrun the
+                // other.
                 return null;
             }
 

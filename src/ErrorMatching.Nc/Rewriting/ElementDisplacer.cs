@@ -4,8 +4,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Displaces elements: every named line or arc becomes its displaced line or arc, and the joints become their intersections. What happens at the
-/// ends of a run of named motions is in <c>ElementDisplacer.Borders</c>.
+/// Displaces elements: every named line or arc becomes its displaced line or arc, and the joints become their intersections.
+/// What happens at the ends of a run of named motions is in <c>ElementDisplacer.Borders</c>.
 /// </summary>
 internal sealed partial class ElementDisplacer
 {
@@ -15,7 +15,8 @@ internal sealed partial class ElementDisplacer
     /// <summary>Sine of the angle below which it makes no difference to a joint that its elements are round.</summary>
     private const double RoundSine = 0.001;
 
-    /// <summary>How different the displacements of two elements may be where they meet tangentially, mm: less than half a least increment.</summary>
+    /// <summary>How different the displacements of two elements may be where they meet tangentially, mm:
+    /// less than half a least increment.</summary>
     private const double TangentStep = 0.0004;
 
     /// <summary>Sine of the smallest angle at which two elements with different displacements are taken to meet: half a degree.</summary>
@@ -122,7 +123,10 @@ internal sealed partial class ElementDisplacer
 
         if (Carrier.Displaced(motion, element) is not { } carrier)
         {
-            return At(motion, NcRefusalCodes.ElementFlips, "displaced as asked, this element would vanish or turn round. The displacement is larger than the element can take.");
+            return At(
+                motion,
+                NcRefusalCodes.ElementFlips,
+                "displaced as asked, this element would vanish or turn round. The displacement is larger than the element can take.");
         }
 
         // Both ends of a full circle are one place, to the last bit.
@@ -178,7 +182,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // The displacements of joints of the run that begins with a motion, as far as they are smooth and not yet set; looks only, so that two cores can do it.
+    // The displacements of joints of the run that begins with a motion, as far as they are smooth and not yet set;
+    // looks only, so that two cores can do it.
     private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
     {
         var begin = _path.Motions[first];
@@ -187,7 +192,10 @@ internal sealed partial class ElementDisplacer
             var motion = _path.Motions[joint];
             if (motion.Plane != begin.Plane)
             {
-                return At(motion, NcRefusalCodes.PlaneChange, "the plane changes inside the named blocks. Name the blocks of each plane as a feature of its own.");
+                return At(
+                    motion,
+                    NcRefusalCodes.PlaneChange,
+                    "the plane changes inside the named blocks. Name the blocks of each plane as a feature of its own.");
             }
 
             if (motion.Frame != begin.Frame)
@@ -201,7 +209,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition. Null at a corner.</summary>
+    /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition.
+    /// Null at a corner.</summary>
     private Vector2? Smooth(int before, int behind)
     {
         var (moveA, moveB) = (WishOf(before).End, WishOf(behind).Start);
@@ -235,8 +244,8 @@ internal sealed partial class ElementDisplacer
     }
 
     /// <summary>
-    /// A corner is where both displaced elements meet. Where one of them is a short piece of a polyline that ends before, the next piece is tried:
-    /// what lies between has been cut off by the displacement and shrinks to the corner.
+    /// A corner is where both displaced elements meet. Where one of them is a short piece of a polyline that ends before,
+    /// the next piece is tried: what lies between has been cut off by the displacement and shrinks to the corner.
     /// </summary>
     private NcRefusal? Corner(int joint, int first, int last)
     {
@@ -286,12 +295,14 @@ internal sealed partial class ElementDisplacer
 
         var place = _path.Motions[joint].PlaneStart;
         var guess = a.PlaneEnd == b.PlaneStart
-            ? place + CornerMove(tangentA.Left, WishOf(before).End.Dot(tangentA.Left), tangentB.Left, WishOf(behind).Start.Dot(tangentB.Left))
+            ? place
+                + CornerMove(tangentA.Left, WishOf(before).End.Dot(tangentA.Left), tangentB.Left, WishOf(behind).Start.Dot(tangentB.Left))
             : place;
         return CarrierOf(before).Meet(CarrierOf(behind), guess) is { } point && IsNear(point, place, amount) ? point : null;
     }
 
-    // True if a displaced line of a polyline lies wholly on the wrong side of a corner, and a neighbor in the same polyline can take its place.
+    // True if a displaced line of a polyline lies wholly on the wrong side of a corner,
+    // and a neighbor in the same polyline can take its place.
     private bool EndsBefore(int element, Point2 corner, bool atStart)
     {
         var motion = _path.Motions[element];
@@ -312,7 +323,8 @@ internal sealed partial class ElementDisplacer
         var plane = _path.Motions[Math.Min(firstJoint, _path.Motions.Length - 1)].Plane;
         for (var joint = firstJoint; joint <= lastJoint; joint++)
         {
-            _change.Move(joint, plane, point - (joint < _path.Motions.Length ? _path.Motions[joint].PlaneStart : _path.Motions[joint - 1].PlaneEnd));
+            _change.Move(
+                joint, plane, point - (joint < _path.Motions.Length ? _path.Motions[joint].PlaneStart : _path.Motions[joint - 1].PlaneEnd));
         }
 
         for (var motion = firstJoint; motion < lastJoint; motion++)
@@ -333,7 +345,12 @@ internal sealed partial class ElementDisplacer
         var motions = _path.Motions;
         foreach (var i in _change.Affected())
         {
-            if (motions.IsArc(i) && !_named.Contains(i) && !_change.HasCenter(i) && (_change.IsSet(i) || _change.IsSet(i + 1)) && !SlidesOnCircle(i) && _change.FollowWithArc(i) is { } refusal)
+            if (motions.IsArc(i)
+                && !_named.Contains(i)
+                && !_change.HasCenter(i)
+                && (_change.IsSet(i) || _change.IsSet(i + 1))
+                && !SlidesOnCircle(i)
+                && _change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;
             }
@@ -346,10 +363,12 @@ internal sealed partial class ElementDisplacer
     {
         var arc = _path.Motions[motion];
         var circle = arc.Arc.Circle;
-        return IsAlong(arc.PlaneStart, _change.PlaneMoveOf(motion, arc.Plane)) && IsAlong(arc.PlaneEnd, _change.PlaneMoveOf(motion + 1, arc.Plane));
+        return IsAlong(arc.PlaneStart, _change.PlaneMoveOf(motion, arc.Plane))
+            && IsAlong(arc.PlaneEnd, _change.PlaneMoveOf(motion + 1, arc.Plane));
 
         // An end whose radius differs from the start's, as far as a control accepts that, is on the circle all the same.
-        bool IsAlong(Point2 end, Vector2 move) => Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
+        bool IsAlong(Point2 end, Vector2 move) =>
+            Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
     }
 
     // No element may turn round: that is a loop in the path, and a mark on the piece.
@@ -365,23 +384,31 @@ internal sealed partial class ElementDisplacer
         for (var k = from; k < behind; k++)
         {
             var i = affected[k];
-            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion || !(_change.IsSet(i) || _change.IsSet(i + 1)) || _shrunk.Contains(i))
+            if (motions[i] is not { IsCut: true, MovesInPlane: true } motion
+                || !(_change.IsSet(i) || _change.IsSet(i + 1))
+                || _shrunk.Contains(i))
             {
                 continue;
             }
 
             if (!_change.KeepsSense(i))
             {
-                return At(motion, NcRefusalCodes.ElementFlips, "displaced as asked, this element would turn round: it is shorter than its neighbors' displacement needs. Leave it out of the program, or displace less.");
+                return At(
+                    motion,
+                    NcRefusalCodes.ElementFlips,
+                    "displaced as asked, this element would turn round: it is shorter than its neighbors' displacement needs. Leave it "
+                        + "out of the program, or displace less.");
             }
         }
 
         return null;
     }
 
-    private ElementWish WishOf(int motion) => _otherWishes.Count > 0 && _otherWishes.TryGetValue(motion, out var other) ? other : _wishes[_asked.IndexOf(motion)];
+    private ElementWish WishOf(int motion) =>
+        _otherWishes.Count > 0 && _otherWishes.TryGetValue(motion, out var other) ? other : _wishes[_asked.IndexOf(motion)];
 
-    private Carrier CarrierOf(int motion) => _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
+    private Carrier CarrierOf(int motion) =>
+        _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
     private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
 }

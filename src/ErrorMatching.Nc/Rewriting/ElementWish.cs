@@ -3,7 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// What is asked of one cutting motion: by how much its carrying line or circle shall be displaced, in its plane, at its start, middle and end.
+/// What is asked of one cutting motion: by how much its carrying line or circle shall be displaced, in its plane, at its start,
+/// middle and end.
 /// </summary>
 /// <param name="Motion">Position of the motion in the path.</param>
 /// <param name="Start">Displacement at its start, mm.</param>

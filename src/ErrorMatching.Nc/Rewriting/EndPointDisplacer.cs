@@ -3,8 +3,9 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Moves the end points of named motions by a vector: rapids and plunges too. The motion before stays; behind, what only moves along the tool axis keeps the
-/// moved place, and the first motion in the plane ends where it did. Where each end has a vector of its own, no other end moves.
+/// Moves the end points of named motions by a vector: rapids and plunges too. The motion before stays;
+/// behind, what only moves along the tool axis keeps the moved place, and the first motion in the plane ends where it did. Where each end
+/// has a vector of its own, no other end moves.
 /// </summary>
 internal static class EndPointDisplacer
 {
@@ -55,7 +56,11 @@ internal static class EndPointDisplacer
         {
             if (path.Motions.IsArc(i) && (change.MoveOf(i) != Vector3.Zero || change.MoveOf(i + 1) != Vector3.Zero))
             {
-                return NcRefusal.At(path.Program, path.Motions[i].Block, NcRefusalCodes.ArcForm, "an arc cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
+                return NcRefusal.At(
+                    path.Program,
+                    path.Motions[i].Block,
+                    NcRefusalCodes.ArcForm,
+                    "an arc cannot follow points that are displaced each by its own vector. Post it as short straight lines.");
             }
         }
 

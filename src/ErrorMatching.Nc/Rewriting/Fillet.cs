@@ -3,7 +3,8 @@ namespace ErrorMatching.Nc;
 /// <summary>Finds rounded corners: one or more arcs of one circle that join two straight cuts tangentially.</summary>
 internal static class Fillet
 {
-    /// <summary>Sine of the angle up to which an arc runs tangentially into a line: 2.9 degrees, far above the rounding of a program's coordinates.</summary>
+    /// <summary>Sine of the angle up to which an arc runs tangentially into a line:
+    /// 2.9 degrees, far above the rounding of a program's coordinates.</summary>
     private const double TangentSine = 0.05;
 
     /// <summary>How far the centers and radii of arcs of one fillet may differ, mm.</summary>
@@ -29,11 +30,19 @@ internal static class Fillet
             last++;
         }
 
-        return first > 0 && last + 1 < motions.Length && Joins(motions[first - 1], motions[first]) && Joins(motions[last], motions[last + 1]) ? (first, last) : null;
+        return first > 0
+            && last + 1 < motions.Length
+            && Joins(motions[first - 1], motions[first])
+            && Joins(motions[last], motions[last + 1])
+            ? (first, last)
+            : null;
     }
 
     private static bool IsSameCircle(in NcMotion other, in NcMotion arc) =>
-        other.Kind == arc.Kind && other.Plane == arc.Plane && other.Center.DistanceTo(arc.Center) < SameCircle && Math.Abs(other.Arc.Radius - arc.Arc.Radius) < SameCircle;
+        other.Kind == arc.Kind
+            && other.Plane == arc.Plane
+            && other.Center.DistanceTo(arc.Center) < SameCircle
+            && Math.Abs(other.Arc.Radius - arc.Arc.Radius) < SameCircle;
 
     private static bool Joins(in NcMotion before, in NcMotion behind)
     {

@@ -17,7 +17,10 @@ internal static class Obstacles
 
     /// <summary>The refusal of a motion whose place the program does not say.</summary>
     public static NcRefusal UnknownPlace(NcPath path, int motion) => NcRefusal.At(
-        path.Program, path.Motions[motion].Block, NcRefusalCodes.UnknownState, "the program does not say where this motion begins. State X, Y and Z before it.");
+        path.Program,
+        path.Motions[motion].Block,
+        NcRefusalCodes.UnknownState,
+        "the program does not say where this motion begins. State X, Y and Z before it.");
 
     /// <summary>
     /// The reason why the joints of a change must not move, or null: an origin that is set, or a program that is called, where the tool
@@ -30,7 +33,12 @@ internal static class Obstacles
         {
             if (change.MoveOf(joint) != default)
             {
-                return NcRefusal.At(path.Program, block, NcRefusalCodes.FrameChange, "an origin is set or a program is called here while the tool stands at a place that would move; what follows could move along. Move the tool away from the contour before it.");
+                return NcRefusal.At(
+                    path.Program,
+                    block,
+                    NcRefusalCodes.FrameChange,
+                    "an origin is set or a program is called here while the tool stands at a place that would move; what follows could "
+                        + "move along. Move the tool away from the contour before it.");
             }
         }
 
@@ -82,23 +90,47 @@ internal static class Obstacles
 
     private static (string? Code, string? Why) Reason(in NcMotion m)
     {
-        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe or MotionKind.Spline || m.Has(MotionFlags.Cycle) || m.Has(MotionFlags.MachineMove))
+        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe or MotionKind.Spline
+            || m.Has(MotionFlags.Cycle)
+            || m.Has(MotionFlags.MachineMove))
         {
-            return (NcRefusalCodes.NotASimpleMove, "a canned cycle, spline, probing, reference or machine-coordinate move cannot be displaced. Leave this block out.");
+            return (
+                NcRefusalCodes.NotASimpleMove,
+                "a canned cycle, spline, probing, reference or machine-coordinate move cannot be displaced. Leave this block out.");
         }
 
         var why = m.Flags switch
         {
-            _ when m.Has(MotionFlags.Called) => (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
-            _ when m.Has(MotionFlags.Expression) => (NcRefusalCodes.Expression, "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
-            _ when m.Has(MotionFlags.UnknownWord) => (NcRefusalCodes.UnknownWord, "it has a word that the dialect does not know and that could move an axis. Choose the control's dialect, or leave this block out."),
-            _ when m.Has(MotionFlags.Transformed) => (NcRefusalCodes.ActiveTransform, "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
-            _ when m.Has(MotionFlags.OtherAxis) => (NcRefusalCodes.OtherAxis, "a rotary or secondary axis moves along. Only X, Y and Z can be displaced."),
-            _ when m.Has(MotionFlags.UnsureMode) => (NcRefusalCodes.UnknownState, "a called program or unknown code before it could have changed the modes. State G0/G1, G90/G91, the plane and G40/G41/G42 again behind it."),
+            _ when m.Has(MotionFlags.Called) =>
+                (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
+            _ when m.Has(MotionFlags.Expression) =>
+                (
+                    NcRefusalCodes.Expression,
+                    "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
+            _ when m.Has(MotionFlags.UnknownWord) =>
+                (
+                    NcRefusalCodes.UnknownWord,
+                    "it has a word that the dialect does not know and that could move an axis. Choose the control's dialect, or leave "
+                        + "this block out."),
+            _ when m.Has(MotionFlags.Transformed) =>
+                (
+                    NcRefusalCodes.ActiveTransform,
+                    "rotation, scaling, mirroring or polar coordinates are active. Post the program without them."),
+            _ when m.Has(MotionFlags.OtherAxis) =>
+                (NcRefusalCodes.OtherAxis, "a rotary or secondary axis moves along. Only X, Y and Z can be displaced."),
+            _ when m.Has(MotionFlags.UnsureMode) =>
+                (
+                    NcRefusalCodes.UnknownState,
+                    "a called program or unknown code before it could have changed the modes. State G0/G1, G90/G91, the plane and "
+                        + "G40/G41/G42 again behind it."),
             _ when m.Has(MotionFlags.CornerWord) => (
                 NcRefusalCodes.CornerWord,
                 "a corner word (RND, CHF, ,R or ,C) rounds the vertex that must move. Post the arc or chamfer itself."),
-            _ when m.Has(MotionFlags.OtherArcForm) => (NcRefusalCodes.ArcForm, "the arc is given by an opening angle, a point on its way, or the direction before it. Post it with its center or radius."),
+            _ when m.Has(MotionFlags.OtherArcForm) =>
+                (
+                    NcRefusalCodes.ArcForm,
+                    "the arc is given by an opening angle, a point on its way, or the direction before it. Post it with its center or "
+                        + "radius."),
             _ when m.Has(MotionFlags.BadArc) => (NcRefusalCodes.BadArc, "its words describe no circle within the control's tolerance."),
             _ => default,
         };

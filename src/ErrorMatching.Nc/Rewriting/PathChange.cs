@@ -3,7 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// New places for the joints of a path: joint i is where motion i begins and motion i - 1 ends. Arcs whose circle changes have a new center.
+/// New places for the joints of a path: joint i is where motion i begins and motion i - 1 ends.
+/// Arcs whose circle changes have a new center.
 /// </summary>
 internal sealed class PathChange
 {
@@ -23,7 +24,8 @@ internal sealed class PathChange
     /// <summary>Arcs with a new exact center in their plane, in the order of the path.</summary>
     public IEnumerable<int> ArcsWithCenter() => _centers.Positions();
 
-    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change grows with them, not with the program. The list is kept; do not change it.</summary>
+    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change
+    /// grows with them, not with the program. The list is kept; do not change it.</summary>
     public List<int> Affected() => _affected ??= FindAffected();
 
     private List<int> FindAffected()
@@ -87,8 +89,8 @@ internal sealed class PathChange
     }
 
     /// <summary>
-    /// Lets an arc follow its ends: one whose ends move alike moves as a whole, another takes the circle through its new ends and its old middle moved
-    /// by half of what they move together.
+    /// Lets an arc follow its ends: one whose ends move alike moves as a whole, another takes the circle through its new ends and its old
+    /// middle moved by half of what they move together.
     /// </summary>
     /// <returns>The reason why it cannot, or null.</returns>
     public NcRefusal? FollowWithArc(int motion)
@@ -111,7 +113,8 @@ internal sealed class PathChange
             return obstacle;
         }
 
-        if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9 && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
+        if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9
+            && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
         {
             SetCenter(motion, circle.Center);
             if (KeepsSense(motion))
@@ -120,6 +123,10 @@ internal sealed class PathChange
             }
         }
 
-        return NcRefusal.At(Path.Program, arc.Block, NcRefusalCodes.ElementFlips, "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
+        return NcRefusal.At(
+            Path.Program,
+            arc.Block,
+            NcRefusalCodes.ElementFlips,
+            "this arc cannot follow its end that moves. Name it as well, or leave out the block beside it.");
     }
 }

@@ -3,8 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Boxes around motions, boxes around pairs of boxes and so on up to one, so that what lies near a place is found without looking at all. Pairs are neighbors of the path,
-/// which lie beside each other on the piece as well.
+/// Boxes around motions, boxes around pairs of boxes and so on up to one, so that what lies near a place is found without looking at all.
+/// Pairs are neighbors of the path, which lie beside each other on the piece as well.
 /// </summary>
 internal sealed class PathTree
 {
@@ -37,7 +37,9 @@ internal sealed class PathTree
         for (var node = _leaves - 1; node > 0; node--)
         {
             var (a, b) = (_boxes[2 * node], _boxes[(2 * node) + 1]);
-            _boxes[node] = (new(Math.Min(a.Low.X, b.Low.X), Math.Min(a.Low.Y, b.Low.Y)), new(Math.Max(a.High.X, b.High.X), Math.Max(a.High.Y, b.High.Y)));
+            _boxes[node] = (
+                new(Math.Min(a.Low.X, b.Low.X), Math.Min(a.Low.Y, b.Low.Y)),
+                new(Math.Max(a.High.X, b.High.X), Math.Max(a.High.Y, b.High.Y)));
         }
     }
 

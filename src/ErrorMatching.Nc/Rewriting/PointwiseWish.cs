@@ -4,10 +4,12 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A wish made of displaced points: between the feet of two points the displacement changes linearly over the length along the run, beyond the first and the last it stays.
+/// A wish made of displaced points: between the feet of two points the displacement changes linearly over the length along the run,
+/// beyond the first and the last it stays.
 /// </summary>
 /// <param name="Wish">What to displace.</param>
-/// <param name="LargestMisfitMm">By how much, at most, an element misses what was asked at a point, mm: a line cannot bend between its ends, an arc is no free curve.</param>
+/// <param name="LargestMisfitMm">By how much, at most, an element misses what was asked at a point, mm:
+/// a line cannot bend between its ends, an arc is no free curve.</param>
 /// <param name="Worst">The point where it does.</param>
 public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm, DisplacedPoint Worst)
 {
@@ -16,11 +18,14 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
 
     /// <summary>Makes the wish.</summary>
     /// <param name="path">The program, interpreted.</param>
-    /// <param name="blocks">Positions of the named blocks. Their cutting motions make runs, each of motions that follow one another without a gap.</param>
-    /// <param name="points">At least one point, in any order. Each counts for every run that passes within <see cref="FurthestMm"/>.</param>
+    /// <param name="blocks">Positions of the named blocks. Their cutting motions make runs,
+    /// each of motions that follow one another without a gap.</param>
+    /// <param name="points">At least one point, in any order. Each counts for every run that passes within
+    /// <see cref="FurthestMm"/>.</param>
     /// <returns>
-    /// The wish, or a refusal: no cutting motion, a plane other than XY, a point off every run (<see cref="NcRefusalCodes.PointOffPath"/>), a run without points
-    /// (<see cref="NcRefusalCodes.RunWithoutPoint"/>), or two wishes at one place (<see cref="NcRefusalCodes.PointsCoincide"/>).
+    /// The wish, or a refusal: no cutting motion, a plane other than XY, a point off every run (<see cref="NcRefusalCodes.PointOffPath"/>),
+    /// a run without points (<see cref="NcRefusalCodes.RunWithoutPoint"/>), or two wishes at one place
+    /// (<see cref="NcRefusalCodes.PointsCoincide"/>).
     /// </returns>
     /// <exception cref="ArgumentException">There are no points.</exception>
     public static NcOutcome<PointwiseWish> Of(NcPath path, IReadOnlyList<int> blocks, IReadOnlyList<DisplacedPoint> points)
@@ -42,7 +47,11 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
         {
             if (path.Motions[motion].Plane != CoordinatePlane.XY)
             {
-                return NcRefusal.At(path.Program, path.Motions[motion].Block, NcRefusalCodes.PlaneChange, "displaced points have X and Y, but this block is cut in another plane.");
+                return NcRefusal.At(
+                    path.Program,
+                    path.Motions[motion].Block,
+                    NcRefusalCodes.PlaneChange,
+                    "displaced points have X and Y, but this block is cut in another plane.");
             }
         }
 
@@ -56,7 +65,13 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
             {
                 var nearest = tree.NearestTo(point.Place);
                 return NcRefusal.At(
-                    path.Program, path.Motions[nearest.Motion].Block, NcRefusalCodes.PointOffPath, string.Create(CultureInfo.InvariantCulture, $"the point {point.Place} lies {nearest.DistanceMm:0.000} mm from the path of the named blocks, more than {FurthestMm} mm. Give points on the programmed path, and name all blocks that cut it."));
+                    path.Program,
+                    path.Motions[nearest.Motion].Block,
+                    NcRefusalCodes.PointOffPath,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"the point {point.Place} lies {nearest.DistanceMm:0.000} mm from the path of the named blocks, more than "
+                            + $"{FurthestMm} mm. Give points on the programmed path, and name all blocks that cut it."));
             }
 
             Share(point, feet, runs);

@@ -27,6 +27,8 @@ public static class Rewriter
             return change.Refusal;
         }
 
-        return (Obstacles.Of(change.Value) ?? CompensationEntry.Of(change.Value)) is { } obstacle ? obstacle : WordEditor.Run(change.Value, keepRadii: wish.Elements.Count == 0);
+        return (Obstacles.Of(change.Value) ?? CompensationEntry.Of(change.Value)) is { } obstacle
+            ? obstacle
+            : WordEditor.Run(change.Value, keepRadii: wish.Elements.Count == 0);
     }
 }

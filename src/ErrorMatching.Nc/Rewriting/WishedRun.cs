@@ -30,7 +30,8 @@ internal sealed class WishedRun
 
     /// <summary>Takes a point that lies on the run.</summary>
     public void Add(DisplacedPoint point, PathFoot foot) =>
-        _feet.Add((_starts[foot.Motion - _first] + (foot.Fraction * _path.Motions[foot.Motion].PlaneLength), foot.Motion, foot.Fraction, point));
+        _feet.Add(
+            (_starts[foot.Motion - _first] + (foot.Fraction * _path.Motions[foot.Motion].PlaneLength), foot.Motion, foot.Fraction, point));
 
     /// <summary>Puts the points in their order along the run.</summary>
     /// <returns>A refusal where there are none, or where two of them disagree.</returns>
@@ -41,11 +42,22 @@ internal sealed class WishedRun
         {
             if (_feet[i].Along - _feet[i - 1].Along < 1e-6 && _feet[i].Point.By != _feet[i - 1].Point.By)
             {
-                return Refuse(_feet[i].Motion, NcRefusalCodes.PointsCoincide, string.Create(CultureInfo.InvariantCulture, $"the points {_feet[i - 1].Point.Place} and {_feet[i].Point.Place} have one foot on the path and different displacements. Leave one out."));
+                return Refuse(
+                    _feet[i].Motion,
+                    NcRefusalCodes.PointsCoincide,
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"the points {_feet[i - 1].Point.Place} and {_feet[i].Point.Place} have one foot on the path and different "
+                            + $"displacements. Leave one out."));
             }
         }
 
-        return _feet.Count > 0 ? null : Refuse(_first, NcRefusalCodes.RunWithoutPoint, "the named blocks from here on, up to the next gap between them, have no point. Give one, or leave the blocks out.");
+        return _feet.Count > 0
+            ? null
+            : Refuse(
+                _first,
+                NcRefusalCodes.RunWithoutPoint,
+                "the named blocks from here on, up to the next gap between them, have no point. Give one, or leave the blocks out.");
     }
 
     /// <summary>What is asked of each motion.</summary>
@@ -57,12 +69,16 @@ internal sealed class WishedRun
         }
     }
 
-    /// <summary>By how much each point's motion, displaced as asked at its start, middle and end, misses what was asked at the point itself.</summary>
+    /// <summary>By how much each point's motion, displaced as asked at its start, middle and end,
+    /// misses what was asked at the point itself.</summary>
     public IEnumerable<(DisplacedPoint Point, double Millimeters)> Misfits()
     {
         foreach (var (_, motion, f, point) in _feet)
         {
-            var (start, middle, end) = (At(_starts[motion - _first]), At((_starts[motion - _first] + _starts[motion - _first + 1]) / 2), At(_starts[motion - _first + 1]));
+            var (start, middle, end) = (
+                At(_starts[motion - _first]),
+                At((_starts[motion - _first] + _starts[motion - _first + 1]) / 2),
+                At(_starts[motion - _first + 1]));
             var moved = _path.Motions[motion].IsArc
                 ? (start * ((1 - f) * (1 - (2 * f)))) + (middle * (4 * f * (1 - f))) + (end * (f * ((2 * f) - 1)))
                 : start + ((end - start) * f);
@@ -93,5 +109,6 @@ internal sealed class WishedRun
         return from.Point.By + ((to.Point.By - from.Point.By) * ((along - from.Along) / (to.Along - from.Along)));
     }
 
-    private NcRefusal Refuse(int motion, string code, string message) => NcRefusal.At(_path.Program, _path.Motions[motion].Block, code, message);
+    private NcRefusal Refuse(int motion, string code, string message) =>
+        NcRefusal.At(_path.Program, _path.Motions[motion].Block, code, message);
 }

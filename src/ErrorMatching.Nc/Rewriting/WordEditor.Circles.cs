@@ -16,7 +16,10 @@ internal sealed partial class WordEditor
         }
 
         var wanted = Arc2.Between(
-            motion.PlaneStart + _change.PlaneMoveOf(index, motion.Plane), motion.PlaneEnd + _change.PlaneMoveOf(index + 1, motion.Plane), exact, motion.Kind == MotionKind.ArcCounterClockwise);
+            motion.PlaneStart + _change.PlaneMoveOf(index, motion.Plane),
+            motion.PlaneEnd + _change.PlaneMoveOf(index + 1, motion.Plane),
+            exact,
+            motion.Kind == MotionKind.ArcCounterClockwise);
         if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < _increment)
         {
             // What was asked is less than the control can do.
@@ -45,11 +48,17 @@ internal sealed partial class WordEditor
     }
 
     private bool IsAbsolute(in NcMotion motion, byte letter) =>
-        _edit.Distance(letter) switch { WordDistance.Absolute => true, WordDistance.Incremental => false, _ => motion.Has(MotionFlags.AbsoluteCenter) };
+        _edit.Distance(letter) switch
+        {
+            WordDistance.Absolute => true,
+            WordDistance.Incremental => false,
+            _ => motion.Has(MotionFlags.AbsoluteCenter)
+        };
 
     // An arc that moves as a whole keeps its words, even if its radii agreed badly before; absolute center words move along.
     private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
-        (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9 && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+        (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
+            && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
 
     private void ShiftCenter(int index, in NcMotion motion)
     {
@@ -76,14 +85,17 @@ internal sealed partial class WordEditor
         }
     }
 
-    // A radius keeps its word while it can: near half a turn the arc's height hangs on the radius by a square root, and a center says it better.
+    // A radius keeps its word while it can: near half a turn the arc's height hangs on the radius by a square root,
+    // and a center says it better.
     private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
     {
         var letter = _edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
         var old = _edit.Number(letter)!.Value;
         var sign = old.Digits < 0 ? -1 : 1;
         var oldRadius = Math.Abs(old.Value) * Unit;
-        if (_keepRadii && Sweep(start, end, sign * oldRadius, motion) is { } kept && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        if (_keepRadii
+            && Sweep(start, end, sign * oldRadius, motion) is { } kept
+            && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
         {
             return;
         }
@@ -117,7 +129,9 @@ internal sealed partial class WordEditor
     private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)
     {
         var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
-        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians : null;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
+            ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians
+            : null;
     }
 
     private static double HeightError(Point2 start, Point2 end, double radius, Arc2 wanted, in NcMotion motion)

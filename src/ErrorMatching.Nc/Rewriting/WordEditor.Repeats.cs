@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Nc;
 
 /// <content>
@@ -35,7 +37,10 @@ internal sealed partial class WordEditor
                 {
                     return NcRefusal.At(
                         _path.Program, block, NcRefusalCodes.RunsDiffer,
-                        FormattableString.Invariant($"it runs {runs.Length} times, and would have to change differently at its run {run + 1} than at its first. Displace all runs alike, or post the passes one after the other."));
+                        string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"it runs {runs.Length} times, and would have to change differently at its run {run + 1} than at its first. "
+                                + $"Displace all runs alike, or post the passes one after the other."));
                 }
 
                 edits[block] = (run, patches);

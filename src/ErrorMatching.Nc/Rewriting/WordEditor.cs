@@ -3,8 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Turns new joints and centers into the fewest changed words. Displacements are rounded to the least increment once, per joint, and added to the exact decimals
-/// of the original, so increments keep their sum however long the chain is.
+/// Turns new joints and centers into the fewest changed words. Displacements are rounded to the least increment once, per joint,
+/// and added to the exact decimals of the original, so increments keep their sum however long the chain is.
 /// </summary>
 internal sealed partial class WordEditor
 {
@@ -46,7 +46,8 @@ internal sealed partial class WordEditor
     // One that edits other blocks of the same change.
     private WordEditor(WordEditor other)
     {
-        (_change, _keepRadii, _path, _inch, _decimals, _programIsFixed, _increment) = (other._change, other._keepRadii, other._path, other._inch, other._decimals, other._programIsFixed, other._increment);
+        (_change, _keepRadii, _path, _inch, _decimals, _programIsFixed, _increment) = (
+            other._change, other._keepRadii, other._path, other._inch, other._decimals, other._programIsFixed, other._increment);
         (_patches, _changedBlocks, _edit) = (new(other._patches.Capacity / 2), new(other._changedBlocks.Capacity / 2), new(other._edit));
     }
 
@@ -64,7 +65,8 @@ internal sealed partial class WordEditor
         }
 
         // Many blocks are mostly spelled like the first of them: then they need not be read once before to know that.
-        return affected.Count >= Many && new WordEditor(change, keepRadii, affected, spelledLike: First).RunIfSpelledAlike(affected) is { } rewrite
+        return affected.Count >= Many
+            && new WordEditor(change, keepRadii, affected, spelledLike: First).RunIfSpelledAlike(affected) is { } rewrite
             ? rewrite
             : new WordEditor(change, keepRadii, affected, affected.Count).Run(affected);
     }
@@ -83,7 +85,12 @@ internal sealed partial class WordEditor
 
     private NcOutcome<Rewrite> Run(List<int> affected)
     {
-        if ((!_path.Motions.FollowBlocks || RunAgain(affected) ? EditRepeated(affected) : affected.Count < Many ? EditOnce(affected) : EditMany(affected)) is { } refusal)
+        if ((
+            !_path.Motions.FollowBlocks || RunAgain(affected)
+                ? EditRepeated(affected)
+                : affected.Count < Many
+                ? EditOnce(affected)
+                : EditMany(affected)) is { } refusal)
         {
             return refusal;
         }
@@ -93,7 +100,9 @@ internal sealed partial class WordEditor
 
     private Rewrite Result()
     {
-        var program = _patches.Count == 0 ? _path.Program : NcProgram.Read(NcPatch.ApplyInHalves(_path.Program.Bytes, _patches), _path.Program.Syntax);
+        var program = _patches.Count == 0
+            ? _path.Program
+            : NcProgram.Read(NcPatch.ApplyInHalves(_path.Program.Bytes, _patches), _path.Program.Syntax);
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
     }
 
@@ -103,7 +112,8 @@ internal sealed partial class WordEditor
         foreach (var motion in affected)
         {
             var block = _path.Motions.BlockOf(motion);
-            if ((motion > 0 && _path.Motions.BlockOf(motion - 1) == block) || (motion + 1 < _path.Motions.Length && _path.Motions.BlockOf(motion + 1) == block))
+            if ((motion > 0 && _path.Motions.BlockOf(motion - 1) == block)
+                || (motion + 1 < _path.Motions.Length && _path.Motions.BlockOf(motion + 1) == block))
             {
                 return true;
             }
@@ -210,7 +220,11 @@ internal sealed partial class WordEditor
         }
 
         return motion.Has(MotionFlags.Inch) != _inch
-            ? NcRefusal.At(_path.Program, motion.Block, NcRefusalCodes.UnknownState, "the unit changes (G20/G21) between blocks that must change together.")
+            ? NcRefusal.At(
+                _path.Program,
+                motion.Block,
+                NcRefusalCodes.UnknownState,
+                "the unit changes (G20/G21) between blocks that must change together.")
             : null;
     }
 
@@ -219,7 +233,12 @@ internal sealed partial class WordEditor
         foreach (var axis in "XYZ"u8)
         {
             var (from, to) = (Steps(index, axis), Steps(index + 1, axis));
-            var incremental = _edit.Distance(axis) switch { WordDistance.Absolute => false, WordDistance.Incremental => true, _ => motion.Has(MotionFlags.Incremental) };
+            var incremental = _edit.Distance(axis) switch
+            {
+                WordDistance.Absolute => false,
+                WordDistance.Incremental => true,
+                _ => motion.Has(MotionFlags.Incremental)
+            };
             var steps = incremental ? to - from : to;
             if (steps != 0 && incremental && motion.Has(MotionFlags.StartsElsewhere) && (motion.UnknownStart & Axis(axis)) != AxisSet.None)
             {
@@ -237,7 +256,9 @@ internal sealed partial class WordEditor
             else if (from != to && _edit.Computed(axis) is { } distance)
             {
                 // A computed position stays; a computed increment, or a position that would move, cannot be written.
-                if (to != 0 || distance == WordDistance.Incremental || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
+                if (to != 0
+                    || distance == WordDistance.Incremental
+                    || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
                 {
                     return Obstacles.Of(_path, index);
                 }
@@ -249,7 +270,9 @@ internal sealed partial class WordEditor
                     return Obstacles.UnknownPlace(_path, index);
                 }
 
-                var original = incremental ? new NcNumber(0, 0) : NcNumber.Round(Coordinate(motion.End + (_path.Frames[motion.Frame].ProgramShift * -1), axis) / Unit, 6).Trim();
+                var original = incremental
+                    ? new NcNumber(0, 0)
+                    : NcNumber.Round(Coordinate(motion.End + (_path.Frames[motion.Frame].ProgramShift * -1), axis) / Unit, 6).Trim();
                 _edit.Set(axis, original + new NcNumber(steps, _decimals));
             }
         }
@@ -259,10 +282,14 @@ internal sealed partial class WordEditor
 
     private static AxisSet Axis(byte letter) => letter switch { (byte)'X' => AxisSet.X, (byte)'Y' => AxisSet.Y, _ => AxisSet.Z };
 
-    private long Steps(int joint, byte axis) => NcNumber.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, 0).Digits;
+    private long Steps(int joint, byte axis) =>
+        NcNumber.Round(Coordinate(default(Point3) + _change.MoveOf(joint), axis) / _increment, 0).Digits;
 
     private static double Coordinate(Point3 point, byte axis) => axis switch { (byte)'X' => point.X, (byte)'Y' => point.Y, _ => point.Z };
 
     private Point2 Rounded(Point3 place, int joint, CoordinatePlane plane) =>
-        plane.Project(new(place.X + (Steps(joint, (byte)'X') * _increment), place.Y + (Steps(joint, (byte)'Y') * _increment), place.Z + (Steps(joint, (byte)'Z') * _increment)));
+        plane.Project(new(
+            place.X + (Steps(joint, (byte)'X') * _increment),
+            place.Y + (Steps(joint, (byte)'Y') * _increment),
+            place.Z + (Steps(joint, (byte)'Z') * _increment)));
 }

@@ -12,7 +12,8 @@ public static class BlockNames
     public const int LongestText = 500;
 
     /// <summary>
-    /// Selectors that name the blocks from one to another, both included, and no others: <c>N130</c>, <c>N130..N160</c>; blocks at the ends without a number of their own by their whole text (<c>/^G1\ X5\.$/</c>).
+    /// Selectors that name the blocks from one to another, both included, and no others: <c>N130</c>, <c>N130..N160</c>; blocks at the ends
+    /// without a number of their own by their whole text (<c>/^G1\ X5\.$/</c>).
     /// </summary>
     /// <returns>The selectors, or a refusal where the blocks cannot be told from others.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There are no such blocks.</exception>
@@ -29,7 +30,9 @@ public static class BlockNames
             from = last + 1;
         }
 
-        var to = from > last ? last : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).FirstOrDefault(known.Contains, -1);
+        var to = from > last
+            ? last
+            : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).FirstOrDefault(known.Contains, -1);
         if (from - first > MostByText || to < 0)
         {
             return Refuse(program, from > last ? first : last);
@@ -48,7 +51,9 @@ public static class BlockNames
 
         if (from <= last)
         {
-            words.Insert(from - first, from == to ? program.NumberOf(program[from]) : $"{program.NumberOf(program[from])}..{program.NumberOf(program[to])}");
+            words.Insert(
+                from - first,
+                from == to ? program.NumberOf(program[from]) : $"{program.NumberOf(program[from])}..{program.NumberOf(program[to])}");
         }
 
         // Whether they name these and no others is for the reader to say.
@@ -59,13 +64,22 @@ public static class BlockNames
         }
 
         var other = selected.Value.FirstOrDefault(b => b < first || b > last, -1);
-        return other < 0 ? words.ToArray() : NcRefusal.At(program, other, NcRefusalCodes.BlockAmbiguous, $"it reads the same as a block without a number between lines {first + 1} and {last + 1}. Give the blocks of that range numbers.");
+        return other < 0
+            ? words.ToArray()
+            : NcRefusal.At(
+                program,
+                other,
+                NcRefusalCodes.BlockAmbiguous,
+                $"it reads the same as a block without a number between lines {first + 1} and {last + 1}. Give the blocks of that range "
+                    + $"numbers.");
     }
 
     // Blocks near both ends of a range that have a number which no other block of the program has.
     private static HashSet<int> Candidates(NcProgram program, int first, int last)
     {
-        var near = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1)).Concat(Enumerable.Range(Math.Max(first, last - MostByText), Math.Min(last - first, MostByText) + 1)).Distinct();
+        var near = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1))
+            .Concat(Enumerable.Range(Math.Max(first, last - MostByText), Math.Min(last - first, MostByText) + 1))
+            .Distinct();
         var numbered = new Dictionary<NcNumber, List<int>>();
         var named = new List<(int Block, NcNumber Number)>();
         foreach (var block in near)
@@ -82,5 +96,10 @@ public static class BlockNames
     }
 
     private static NcRefusal Refuse(NcProgram program, int block) =>
-        NcRefusal.At(program, block, NcRefusalCodes.BlockNotFound, "it has no number of its own by which the range could be named. Give the first and the last block of the range numbers that no other block has.");
+        NcRefusal.At(
+            program,
+            block,
+            NcRefusalCodes.BlockNotFound,
+            "it has no number of its own by which the range could be named. Give the first and the last block of the range numbers that "
+                + "no other block has.");
 }

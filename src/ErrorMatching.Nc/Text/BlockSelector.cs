@@ -38,7 +38,8 @@ public sealed class BlockSelector
     public string Text { get; }
 
     /// <summary>Reads a selector.</summary>
-    /// <exception cref="NcException">It is neither a number, a range nor a valid expression (<see cref="NcErrorCode.BadSelector"/>).</exception>
+    /// <exception cref="NcException">It is neither a number, a range nor a valid expression
+    /// (<see cref="NcErrorCode.BadSelector"/>).</exception>
     public static BlockSelector Parse(string text)
     {
         if (text.Length > 2 && text[0] == '/' && text[^1] == '/')
@@ -130,7 +131,10 @@ public sealed class BlockSelector
         var found = new List<int>();
         for (var i = first; i < behind; i++)
         {
-            if (program.TryNumberValue(i, out var number) && number.Trim() is var trimmed && (bits >> (int)(trimmed.Digits & 63) & 1) != 0 && wanted.ContainsKey(trimmed))
+            if (program.TryNumberValue(i, out var number)
+                && number.Trim() is var trimmed
+                && (bits >> (int)(trimmed.Digits & 63) & 1) != 0
+                && wanted.ContainsKey(trimmed))
             {
                 found.Add(i);
             }
@@ -147,7 +151,10 @@ public sealed class BlockSelector
         var valid = tokens.MoveNext() && (token = tokens.Current) is { Kind: NcTokenKind.Word, Letter: (byte)'N' } && !tokens.MoveNext();
         return valid
             ? token.Number.Trim()
-            : throw new NcException(NcErrorCode.BadSelector, $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130) or an expression between slashes (/^N8[0-9]{{3}}/).");
+            : throw new NcException(
+                NcErrorCode.BadSelector,
+                $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130) or an expression between slashes "
+                    + $"(/^N8[0-9]{{3}}/).");
     }
 
     private static Regex Compile(string expression)
@@ -192,7 +199,12 @@ public sealed class BlockSelector
 
         if (to < from)
         {
-            return NcRefusal.At(program, to, NcRefusalCodes.BlockNotFound, $"the range {Text} ends before it begins: {Show(_last!.Value)} stands in line {to + 1}, {Show(_first.Value)} in line {from + 1}. Swap the two.");
+            return NcRefusal.At(
+                program,
+                to,
+                NcRefusalCodes.BlockNotFound,
+                $"the range {Text} ends before it begins: {Show(_last!.Value)} stands in line {to + 1}, {Show(_first.Value)} in line "
+                    + $"{from + 1}. Swap the two.");
         }
 
         for (var i = from; i <= to; i++)
@@ -225,8 +237,18 @@ public sealed class BlockSelector
         return found.Count switch
         {
             1 => null,
-            0 => new(NcRefusalCodes.BlockNotFound, Show(number), 0, $"No block of the program is numbered {Show(number)}. Check the number, or name the block by an expression."),
-            _ => NcRefusal.At(program, found[1], NcRefusalCodes.BlockAmbiguous, $"{Show(number)} numbers {found.Count} blocks (lines {string.Join(", ", found.Take(5).Select(i => (i + 1).ToString(CultureInfo.InvariantCulture)))}). Renumber the program, or name the block by an expression."),
+            0 => new(
+                NcRefusalCodes.BlockNotFound,
+                Show(number),
+                0,
+                $"No block of the program is numbered {Show(number)}. Check the number, or name the block by an expression."),
+            _ => NcRefusal.At(
+                program,
+                found[1],
+                NcRefusalCodes.BlockAmbiguous,
+                $"{Show(number)} numbers {found.Count} blocks (lines "
+                    + $"{string.Join(", ", found.Take(5).Select(i => (i + 1).ToString(CultureInfo.InvariantCulture)))}). Renumber the "
+                    + $"program, or name the block by an expression."),
         };
     }
 

@@ -45,7 +45,8 @@ public static class NcAddress
         _ => 0,
     };
 
-    /// <summary>The letter of the corner word that a name stands for: R rounding, C chamfer by its legs, F chamfer by its width, M modal rounding; 0 where it is none.</summary>
+    /// <summary>The letter of the corner word that a name stands for: R rounding, C chamfer by its legs, F chamfer by its width, M modal
+    /// rounding; 0 where it is none.</summary>
     internal static byte CornerOf(ReadOnlySpan<byte> name) => name.Length switch
     {
         3 when Is(name, "RND"u8) => (byte)'R',

@@ -19,7 +19,13 @@ public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
             var block = program[i];
             foreach (var token in program.Tokens(block))
             {
-                words += token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord or NcTokenKind.CommaWord or NcTokenKind.PolarWord or NcTokenKind.Keyword ? 1 : 0;
+                words += token.Kind is NcTokenKind.Word
+                    or NcTokenKind.ExpressionWord
+                    or NcTokenKind.CommaWord
+                    or NcTokenKind.PolarWord
+                    or NcTokenKind.Keyword
+                    ? 1
+                    : 0;
                 copy.Write(bytes.Slice(token.Start, token.Length));
             }
 

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Something about a program, selector or dialect that cannot be read at all. What can be read but not used is an <see cref="NcRefusal"/>.</summary>
+/// <summary>Something about a program, selector or dialect that cannot be read at all.
+/// What can be read but not used is an <see cref="NcRefusal"/>.</summary>
 public sealed class NcException : Exception
 {
     /// <summary>An error with its reason in words.</summary>

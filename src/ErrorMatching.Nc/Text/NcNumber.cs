@@ -24,7 +24,9 @@ public readonly record struct NcNumber(long Digits, int Decimals)
         var scaled = Math.Round(value * Powers[decimals], MidpointRounding.AwayFromZero);
         return Math.Abs(scaled) < 9e17
             ? new((long)scaled, decimals)
-            : throw new NcException(NcErrorCode.NumberTooLong, $"The value {value.ToString("R", CultureInfo.InvariantCulture)} does not fit into {MaxDigits} digits.");
+            : throw new NcException(
+                NcErrorCode.NumberTooLong,
+                $"The value {value.ToString("R", CultureInfo.InvariantCulture)} does not fit into {MaxDigits} digits.");
     }
 
     /// <summary>The same value with at least a number of decimals.</summary>

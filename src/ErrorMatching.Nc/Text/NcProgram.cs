@@ -3,9 +3,11 @@ using System.Text;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A program as it is: its bytes, and where its blocks begin. Nothing is decoded, normalized or dropped, so the bytes are always the whole truth.
+/// A program as it is: its bytes, and where its blocks begin. Nothing is decoded, normalized or dropped,
+/// so the bytes are always the whole truth.
 /// </summary>
-/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized when they are looked at; memory is the file and 4 bytes a block.</remarks>
+/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized when they are looked at;
+/// memory is the file and 4 bytes a block.</remarks>
 public sealed class NcProgram
 {
     /// <summary>Largest program that is read, in bytes.</summary>
@@ -133,14 +135,16 @@ public sealed class NcProgram
     /// <summary>The block's bytes without its line end.</summary>
     public ReadOnlySpan<byte> BytesOf(NcBlock block) => Bytes.Span.Slice(block.Start, block.Length);
 
-    /// <summary>The block's text without its line end and the file's UTF-8 mark, for people and patterns: UTF-8 where it is valid, else Latin-1.</summary>
+    /// <summary>The block's text without its line end and the file's UTF-8 mark, for people and patterns:
+    /// UTF-8 where it is valid, else Latin-1.</summary>
     public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block)[(block.Start == 0 ? SyntaxBytes.MarkLength(BytesOf(block)) : 0)..]);
 
     /// <summary>The tokens of a block, in order, without gap.</summary>
     public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End, Syntax);
 
     /// <summary>The N word of a block as written (<c>N110</c>), or an empty text where it has none.</summary>
-    public string NumberOf(NcBlock block) => TryNumber(block, out var token) ? NcText.Decode(Bytes.Span.Slice(token.Start, token.Length)) : "";
+    public string NumberOf(NcBlock block) =>
+        TryNumber(block, out var token) ? NcText.Decode(Bytes.Span.Slice(token.Start, token.Length)) : "";
 
     /// <summary>How messages name a block: its N word if it has one, else its line.</summary>
     public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
@@ -148,7 +152,8 @@ public sealed class NcProgram
     /// <summary>The value of a block's N word, as <see cref="TryNumber"/> finds it.</summary>
     internal bool TryNumberValue(int block, out NcNumber number)
     {
-        // Nearly all blocks begin with N and a whole number, and then a space and another word: those take no tokenizer, nor where they end.
+        // Nearly all blocks begin with N and a whole number, and then a space and another word:
+        // those take no tokenizer, nor where they end.
         var bytes = Bytes.Span[_starts[block]..];
         if (bytes.Length > 0 && (bytes[0] | 0x20) == 'n')
         {

@@ -9,6 +9,7 @@ public enum NcSyntax : byte
     /// <summary>LinuxCNC: like ISO, with named variables <c>#&lt;depth&gt;</c>, O words, and comments behind <c>;</c>.</summary>
     LinuxCnc,
 
-    /// <summary>Siemens: <c>;</c> begins a comment, <c>( )</c> encloses expressions and arguments, <c>R1</c> and names are variables, <c>X=</c> assigns an address.</summary>
+    /// <summary>Siemens: <c>;</c> begins a comment, <c>( )</c> encloses expressions and arguments, <c>R1</c> and names are variables,
+    /// <c>X=</c> assigns an address.</summary>
     Siemens,
 }

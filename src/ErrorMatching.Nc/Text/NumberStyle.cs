@@ -23,7 +23,12 @@ public readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZer
         var whole = point < 0 ? unsigned : unsigned[..point];
         var decimals = point < 0 ? 0 : unsigned.Length - point - 1;
         var padded = decimals > 0 && (unsigned[^1] == '0' || programIsFixed);
-        return new(plus, point >= 0, whole.Length > 0, padded ? decimals : -1, whole.Length > 1 && whole[0] == '0' ? whole.Length : Math.Min(1, whole.Length));
+        return new(
+            plus,
+            point >= 0,
+            whole.Length > 0,
+            padded ? decimals : -1,
+            whole.Length > 1 && whole[0] == '0' ? whole.Length : Math.Min(1, whole.Length));
     }
 
     /// <summary>Longest text of a number, in bytes, whatever the style asks for.</summary>

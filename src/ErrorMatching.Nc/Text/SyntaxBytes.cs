@@ -19,7 +19,8 @@ internal static class SyntaxBytes
         bytes[at..end].IndexOfAnyExcept((byte)0, EndOfFile) is >= 0 and var length ? at + length : end;
 
     /// <summary>
-    /// True for what controls pass over: zero bytes at the end of a block, as paper tapes and file systems have them, and an end-of-file sign with nothing behind it.
+    /// True for what controls pass over: zero bytes at the end of a block, as paper tapes and file systems have them,
+    /// and an end-of-file sign with nothing behind it.
     /// </summary>
     public static bool IsFiller(ReadOnlySpan<byte> bytes, int start, int end, int blockEnd) => end == blockEnd
         && (bytes[start..end].IndexOf(EndOfFile) < 0 || (bytes.Length - end <= LongestTail && bytes[end..].IndexOfAnyExcept(Fill) < 0));

@@ -4,9 +4,11 @@ using ErrorMatching.Json;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// A wish as a document, schema <c>errormatch/wish/1</c>: with it and the two programs a proof can be made again, without knowing how the result came about.
+/// A wish as a document, schema <c>errormatch/wish/1</c>: with it and the two programs a proof can be made again,
+/// without knowing how the result came about.
 /// </summary>
-/// <remarks>Lengths in mm. A wish names motions by their position in the path; block and line stand beside it for people, and a wish whose positions and lines disagree is refused.</remarks>
+/// <remarks>Lengths in mm. A wish names motions by their position in the path; block and line stand beside it for people, and a wish whose
+/// positions and lines disagree is refused.</remarks>
 public sealed class WishFile
 {
     /// <summary>Name and version of the document.</summary>
@@ -17,7 +19,8 @@ public sealed class WishFile
 
     private readonly WishedMotion[] _motions;
 
-    internal WishFile(string dialect, string beforeSha256, double leastIncrementMm, string? marker, DisplacementWish wish, WishedMotion[] motions)
+    internal WishFile(
+        string dialect, string beforeSha256, double leastIncrementMm, string? marker, DisplacementWish wish, WishedMotion[] motions)
     {
         Dialect = dialect;
         BeforeSha256 = beforeSha256;
@@ -74,7 +77,8 @@ public sealed class WishFile
     /// <summary>Reads a document.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">It is no JSON, not of this schema, or names a motion twice (<c>motion-twice</c>).</exception>
+    /// <exception cref="JsonDocumentException">It is no JSON, not of this schema, or names a motion twice
+    /// (<c>motion-twice</c>).</exception>
     public static WishFile Read(ReadOnlySpan<byte> bytes, string file) => WishReader.Read(bytes, file);
 
     /// <summary>Writes the document: UTF-8 without a byte order mark, one named motion a line.</summary>
@@ -84,8 +88,8 @@ public sealed class WishFile
     /// <param name="before">The program, interpreted in the wish's dialect.</param>
     /// <param name="file">Name of the wish's file for messages.</param>
     /// <exception cref="JsonDocumentException">
-    /// A motion is none of the program's, or stands in another line or block (<c>no-such-motion</c>); it is no cut that could be displaced as an element (<c>no-element</c>); or the increment is
-    /// coarser than the dialect's (<c>increment-too-coarse</c>).
+    /// A motion is none of the program's, or stands in another line or block (<c>no-such-motion</c>); it is no cut that could be displaced
+    /// as an element (<c>no-element</c>); or the increment is coarser than the dialect's (<c>increment-too-coarse</c>).
     /// </exception>
     /// <returns>False if the program is another one, by its SHA-256.</returns>
     public bool IsAbout(NcPath before, string file)

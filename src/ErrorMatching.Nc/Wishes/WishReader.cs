@@ -20,7 +20,9 @@ internal static class WishReader
 
         var ends = root.Find("endPoints");
         var items = (ends?["motions"] ?? root["elements"]).Items;
-        var motions = items.Select(i => new WishedMotion(i["block"].Text, (int)i["line"].Number, (int)i["motion"].Number, i)).OrderBy(m => m.Motion).ToArray();
+        var motions = items.Select(i => new WishedMotion(i["block"].Text, (int)i["line"].Number, (int)i["motion"].Number, i))
+            .OrderBy(m => m.Motion)
+            .ToArray();
         RefuseTwins(motions, file);
         var marker = root["marker"] is { Kind: JsonItemKind.Text } text ? text.Text : null;
         var wish = ends is not null
@@ -40,7 +42,11 @@ internal static class WishReader
         var coarsest = Math.Max(Math.Pow(10, -before.Dialect.MetricDecimals), 25.4 * Math.Pow(10, -before.Dialect.InchDecimals));
         if (!(wish.LeastIncrementMm <= coarsest * 1.000001))
         {
-            problems.Add(Problem("increment-too-coarse", "$.leastIncrementMm", Number(wish.LeastIncrementMm), $"at most {Number(coarsest)} mm, the least increment of {before.Dialect.Name}"));
+            problems.Add(Problem(
+                "increment-too-coarse",
+                "$.leastIncrementMm",
+                Number(wish.LeastIncrementMm),
+                $"at most {Number(coarsest)} mm, the least increment of {before.Dialect.Name}"));
         }
 
         for (var i = 0; i < wish.Motions.Count; i++)
@@ -52,7 +58,8 @@ internal static class WishReader
             }
             else if (wish.Wish.Elements.Count > 0 && !CanBe(wish.Wish.Elements[i], before.Motions[named.Motion]))
             {
-                problems.Add(At(named, "no-element", $"motion {Number(named.Motion)}", "a cut in a plane that has a direction after its displacement"));
+                problems.Add(At(
+                    named, "no-element", $"motion {Number(named.Motion)}", "a cut in a plane that has a direction after its displacement"));
             }
         }
 
@@ -72,7 +79,9 @@ internal static class WishReader
 
         var block = before.Program[before.Motions[named.Motion].Block];
         var number = before.Program.NumberOf(block);
-        return block.Line == named.Line && number == named.Block ? null : $"line {Number(block.Line)}, block \"{number}\", where this motion is";
+        return block.Line == named.Line && number == named.Block
+            ? null
+            : $"line {Number(block.Line)}, block \"{number}\", where this motion is";
     }
 
     private static bool CanBe(ElementWish element, in NcMotion motion)
@@ -105,14 +114,20 @@ internal static class WishReader
 
     // One vector for all, or one of its own for each that names one.
     private static DisplacementWish EndPoints(WishedMotion[] motions, Vector3 by) => motions.Any(m => m.Source!.Find("by") is not null)
-        ? DisplacementWish.OfPoints([.. motions.Select(m => new PointWish(m.Motion, m.Source!.Find("by") is { } own ? ToVector3(own) : by))])
+        ? DisplacementWish.OfPoints(
+            [.. motions.Select(m => new PointWish(m.Motion, m.Source!.Find("by") is { } own ? ToVector3(own) : by))])
         : DisplacementWish.OfEndPoints([.. motions.Select(m => m.Motion)], by);
 
     private static ElementWish ToElement(int motion, JsonItem item)
     {
         var start = ToVector2(item["start"]);
         var (middle, end) = (item.Find("middle"), item.Find("end"));
-        return new(motion, start, middle is null ? start : ToVector2(middle), end is null ? start : ToVector2(end), item.Find("fillet") is { Flag: true });
+        return new(
+            motion,
+            start,
+            middle is null ? start : ToVector2(middle),
+            end is null ? start : ToVector2(end),
+            item.Find("fillet") is { Flag: true });
     }
 
     private static Vector2 ToVector2(JsonItem list) => new(list.Items[0].Number, list.Items[1].Number);
@@ -122,7 +137,8 @@ internal static class WishReader
     private static JsonProblem At(WishedMotion named, string code, string found, string expected) =>
         named.Source is { } source ? JsonProblem.At(source, code, found, expected) : Problem(code, "$", found, expected);
 
-    private static JsonProblem Problem(string code, string path, string found, string expected) => new(code, path, new(1, 1), found, expected, $"found {found}; expected {expected}");
+    private static JsonProblem Problem(string code, string path, string found, string expected) =>
+        new(code, path, new(1, 1), found, expected, $"found {found}; expected {expected}");
 
     private static string Number(IFormattable value) => value.ToString(null, CultureInfo.InvariantCulture);
 

@@ -6,7 +6,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>
-/// Writes a wish with one named motion a line, so that people can read it and compare two of them. Numbers have all digits that tell a double from its neighbors (17 at most).
+/// Writes a wish with one named motion a line, so that people can read it and compare two of them. Numbers have all digits that tell a
+/// double from its neighbors (17 at most).
 /// </summary>
 internal sealed class WishWriter : IDisposable
 {

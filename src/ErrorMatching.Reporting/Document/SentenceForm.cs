@@ -25,7 +25,8 @@ public sealed class SentenceForm
             var (number, kind) = template[(open + 1)..close].Split(':', 2) is [var n, var k] ? (n, k) : (template[(open + 1)..close], "");
             if (number != kinds.Count.ToString(CultureInfo.InvariantCulture) || (open == at && kinds.Count > 0))
             {
-                throw new ArgumentException($"Place {number} of \"{template}\" is out of order or follows another one at once.", nameof(template));
+                throw new ArgumentException(
+                    $"Place {number} of \"{template}\" is out of order or follows another one at once.", nameof(template));
             }
 
             words.Add(template[at..open]);
@@ -68,7 +69,11 @@ public sealed class SentenceForm
         for (var i = 1; i < _words.Length; i++)
         {
             // The last words match at the end, wherever else they occur.
-            var next = i == _words.Length - 1 ? end : at < end ? sentence.IndexOf(_words[i], at + 1, end - at - 1, StringComparison.Ordinal) : -1;
+            var next = i == _words.Length - 1
+                ? end
+                : at < end
+                ? sentence.IndexOf(_words[i], at + 1, end - at - 1, StringComparison.Ordinal)
+                : -1;
             if (next <= at)
             {
                 return null;

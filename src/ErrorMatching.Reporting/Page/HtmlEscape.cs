@@ -43,7 +43,9 @@ public static class HtmlEscape
             case '\'': target.Append("&#39;"); break;
             case '\t' or '\n' or '\r': target.Append(' '); break;
             case < 0x20 or (>= 0x7F and < 0xA0) or 0xFFFE or 0xFFFF: target.Append('\uFFFD'); break;
-            case 0x061C or 0x200E or 0x200F or (>= 0x202A and <= 0x202E) or (>= 0x2066 and <= 0x2069): target.Append(CultureInfo.InvariantCulture, $"[U+{rune.Value:X4}]"); break;
+            case 0x061C or 0x200E or 0x200F or (>= 0x202A and <= 0x202E) or (>= 0x2066 and <= 0x2069):
+                target.Append(CultureInfo.InvariantCulture, $"[U+{rune.Value:X4}]");
+                break;
             default: target.Append(rune.ToString()); break;
         }
     }

@@ -11,7 +11,14 @@ public static class HtmlTable
     /// <param name="rows">Its rows.</param>
     /// <param name="cells">Writes the cells of one row.</param>
     /// <param name="isLong">True if it may be too long for a screen; its headings then stay while the rows scroll.</param>
-    public static void Write<T>(HtmlText html, string id, string caption, IReadOnlyList<TableColumn> columns, IEnumerable<T> rows, Action<TableRow, T> cells, bool isLong = false)
+    public static void Write<T>(
+        HtmlText html,
+        string id,
+        string caption,
+        IReadOnlyList<TableColumn> columns,
+        IEnumerable<T> rows,
+        Action<TableRow, T> cells,
+        bool isLong = false)
     {
         using (html.In("div", ("class", isLong ? "scroll long" : "scroll"), ("role", "region"), ("tabindex", "0"), ("aria-labelledby", id)))
         using (html.In("table"))

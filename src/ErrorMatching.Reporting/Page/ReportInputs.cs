@@ -15,9 +15,20 @@ public static class ReportInputs
     /// <param name="inputs">Its files.</param>
     /// <param name="verb">The console's verb.</param>
     /// <param name="options">Options of the verb with the roles of their files.</param>
-    public static void Write(HtmlText html, ReportJob job, IReadOnlyList<ReportInput> inputs, string verb, params ReadOnlySpan<(string Option, string Role)> options)
+    public static void Write(
+        HtmlText html,
+        ReportJob job,
+        IReadOnlyList<ReportInput> inputs,
+        string verb,
+        params ReadOnlySpan<(string Option, string Role)> options)
     {
-        HtmlTable.Write(html, "inputs-table", "Files that this report was made from", [new("What"), new("File"), new("SHA-256")], inputs.Prepend(new("job", job.File, job.Sha256)), (row, input) =>
+        HtmlTable.Write(
+            html,
+            "inputs-table",
+            "Files that this report was made from",
+            [new("What"), new("File"), new("SHA-256")],
+            inputs.Prepend(new("job", job.File, job.Sha256)),
+            (row, input) =>
         {
             row.Header(input.Role);
             row.Code(input.File);
@@ -36,5 +47,6 @@ public static class ReportInputs
         }
     }
 
-    private static string Quoted(string file) => file.All(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '/' or '\\' or '-' or '_' or ':') ? file : $"\"{file}\"";
+    private static string Quoted(string file) =>
+        file.All(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '/' or '\\' or '-' or '_' or ':') ? file : $"\"{file}\"";
 }

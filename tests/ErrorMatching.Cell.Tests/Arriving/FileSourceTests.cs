@@ -118,7 +118,9 @@ public sealed class FileSourceTests
         incoming.Write("b.csv", "1234");
         Assert.Equal(2, incoming.Take());
         var unread = Assert.Single(incoming.Unread);
-        Assert.Equal(("cmm", "a.csv", Incoming.Sha256("12345"), 5, "file-too-large"), (unread.Gauge, unread.FileName, unread.Sha256, unread.Length, unread.Code));
+        Assert.Equal(
+            ("cmm", "a.csv", Incoming.Sha256("12345"), 5, "file-too-large"),
+            (unread.Gauge, unread.FileName, unread.Sha256, unread.Length, unread.Code));
         Assert.Equal(["b.csv:1234"], incoming.Texts);
         Assert.Equal([$".errormatch/too-large/{Incoming.Sha256("12345")}"], incoming.Files());
         incoming.Restart();

@@ -7,8 +7,10 @@ public sealed class HostileFileTests
 {
     public static TheoryData<string> Names =>
     [
-        "new\nline.csv", "tab\t.csv", "\u001b[31mred.csv", "bell\u0007.csv", "quote\".csv", "single'.csv", "$(reboot).csv", "`id`.csv", ";rm -rf .csv", "=cmd|' calc'!A0.csv", "-rf.csv", "back\\slash.csv",
-        " space .csv", "\u202Egpj.csv", "zero\u200Bwidth.csv", "Zoë.csv", "漢字.csv", "😀.csv", "%s%n.csv", "a:b.csv", "con.csv", "*.csv", "?.csv", "{0}.csv", "..csv", "...csv", "\uFFFD.csv",
+        "new\nline.csv", "tab\t.csv", "\u001b[31mred.csv", "bell\u0007.csv", "quote\".csv", "single'.csv", "$(reboot).csv", "`id`.csv",
+        ";rm -rf .csv", "=cmd|' calc'!A0.csv", "-rf.csv", "back\\slash.csv",
+        " space .csv", "\u202Egpj.csv", "zero\u200Bwidth.csv", "Zoë.csv", "漢字.csv", "😀.csv", "%s%n.csv", "a:b.csv", "con.csv", "*.csv",
+        "?.csv", "{0}.csv", "..csv", "...csv", "\uFFFD.csv",
     ];
 
     [Theory]
@@ -170,7 +172,16 @@ public sealed class HostileFileTests
     public void Content_of_any_kind_is_archived_byte_by_byte()
     {
         using var incoming = new Incoming();
-        var contents = new byte[][] { [], [0], [0xFF, 0xFE], [.. "PK\u0003\u0004"u8], Encoding.UTF8.GetBytes("point,x_mm,y_mm\n1,NaN,Infinity\n"), [.. Enumerable.Range(0, 256).Select(i => (byte)i)], new byte[1_000_000] };
+        var contents = new byte[][]
+        {
+            [],
+            [0],
+            [0xFF, 0xFE],
+            [.. "PK\u0003\u0004"u8],
+            Encoding.UTF8.GetBytes("point,x_mm,y_mm\n1,NaN,Infinity\n"),
+            [.. Enumerable.Range(0, 256).Select(i => (byte)i)],
+            new byte[1_000_000]
+        };
         for (var i = 0; i < contents.Length; i++)
         {
             File.WriteAllBytes(incoming.PathOf($"{i}.csv"), contents[i]);

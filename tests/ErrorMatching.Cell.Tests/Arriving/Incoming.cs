@@ -49,7 +49,8 @@ internal sealed class Incoming : IDisposable
         File.WriteAllText(PathOf(name), text);
         File.SetLastWriteTimeUtc(PathOf(name), new DateTime(2026, 1, 2, 3, 4, 0, DateTimeKind.Utc).AddSeconds(second));
 
-        // It is the time of the folder's last change, as with a clock that nobody moves: what changes within a step of the file system's time does not show in it, and is looked for nevertheless.
+        // It is the time of the folder's last change, as with a clock that nobody moves: what changes within a step of the file system's
+        // time does not show in it, and is looked for nevertheless.
         Clock.Set(new(Directory.GetLastWriteTimeUtc(Folder), TimeSpan.Zero));
         return PathOf(name);
     }
@@ -84,7 +85,8 @@ internal sealed class Incoming : IDisposable
     }
 
     /// <summary>Names of everything below the folder, folders without files left out.</summary>
-    public IEnumerable<string> Files() => Directory.EnumerateFiles(Folder, "*", new EnumerationOptions { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.None })
+    public IEnumerable<string> Files() => Directory.EnumerateFiles(
+        Folder, "*", new EnumerationOptions { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.None })
         .Select(f => Path.GetRelativePath(Folder, f).Replace('\\', '/')).Order(StringComparer.Ordinal);
 
     public static string Sha256(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));

@@ -41,12 +41,14 @@ public sealed class RecognizerTests : IDisposable
     [InlineData("%\r\n; SERIAL: 4711\r\n" + Plan, "blade")]
     [InlineData("ERRORMATCH PROBE PLAN X MM\n", null)]
     [InlineData("", null)]
-    public void The_plan_of_a_probing_log_says_its_job(string log, string? job) => Assert.Equal(job, Recognize("probe", "PROBE.LOG", log).Job?.Name);
+    public void The_plan_of_a_probing_log_says_its_job(string log, string? job) =>
+        Assert.Equal(job, Recognize("probe", "PROBE.LOG", log).Job?.Name);
 
     [Fact]
     public void Comments_of_a_probing_log_say_what_the_shops_template_writes()
     {
-        var settings = _cell.Read(CellFolder.With("{ \"name\": \"PLAN\", \"pattern\": \"^[0-9A-F]{16}$\" }", "{ \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" }"));
+        var settings = _cell.Read(CellFolder.With(
+            "{ \"name\": \"PLAN\", \"pattern\": \"^[0-9A-F]{16}$\" }", "{ \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" }"));
         var found = new Recognizer(settings).Recognize("probe", "PROBE.LOG", Encoding.UTF8.GetBytes("; Serial = 4711\n" + Plan));
         Assert.Equal(("blade", "surface", "4711"), (found.Job?.Name, found.Piece, found.Serial));
     }
@@ -66,12 +68,15 @@ public sealed class RecognizerTests : IDisposable
     }
 
     [Fact]
-    public void A_gauge_that_no_job_listens_to_has_no_takers() => Assert.Contains("no job listens", Recognize("else", "WO-1_A.csv", "").Reason, StringComparison.Ordinal);
+    public void A_gauge_that_no_job_listens_to_has_no_takers() =>
+        Assert.Contains("no job listens", Recognize("else", "WO-1_A.csv", "").Reason, StringComparison.Ordinal);
 
     [Fact]
     public void A_file_that_several_jobs_take_is_refused_with_their_names()
     {
-        var settings = _cell.Read(CellFolder.With("{ \"fileName\": \"^fb_\", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" } }", "{ \"fileName\": \"\" }".Replace("\"\"", "\"csv$\"", StringComparison.Ordinal)));
+        var settings = _cell.Read(CellFolder.With(
+            "{ \"fileName\": \"^fb_\", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" } }",
+            "{ \"fileName\": \"\" }".Replace("\"\"", "\"csv$\"", StringComparison.Ordinal)));
         var found = new Recognizer(settings).Recognize("cmm", "WO-12_AB7.csv", default);
         Assert.Equal("ambiguous-piece", found.Code);
         Assert.Contains("\"housing\", \"feedback\"", found.Reason, StringComparison.Ordinal);
@@ -85,13 +90,16 @@ public sealed class RecognizerTests : IDisposable
     [InlineData("", "empty-file")]
     [InlineData("PK\u0003\u0004", "binary-file")]
     [InlineData("serial,point,x_mm,y_mm\n17,1,0\n", "short-row")]
-    public void A_file_that_must_be_looked_into_is_refused_with_the_code_of_what_is_wrong_in_it(string text, string code) => Assert.Equal(code, Recognize("cmm", "fb_1.csv", text).Code);
+    public void A_file_that_must_be_looked_into_is_refused_with_the_code_of_what_is_wrong_in_it(string text, string code) =>
+        Assert.Equal(code, Recognize("cmm", "fb_1.csv", text).Code);
 
     [Fact]
-    public void A_file_whose_name_says_enough_is_not_looked_into() => Assert.Equal("housing", Recognize("cmm", "WO-1_A.csv", "\0\0\0").Job?.Name);
+    public void A_file_whose_name_says_enough_is_not_looked_into() =>
+        Assert.Equal("housing", Recognize("cmm", "WO-1_A.csv", "\0\0\0").Job?.Name);
 
     [Fact]
-    public void A_serial_number_longer_than_anybody_marks_is_refused() => Assert.Equal("contradictory-piece", Recognize("cmm", $"WO-1_{new string('A', 101)}.csv", "").Code);
+    public void A_serial_number_longer_than_anybody_marks_is_refused() =>
+        Assert.Equal("contradictory-piece", Recognize("cmm", $"WO-1_{new string('A', 101)}.csv", "").Code);
 
     [Fact]
     public void A_job_whose_file_has_gone_since_is_named()
@@ -103,5 +111,6 @@ public sealed class RecognizerTests : IDisposable
         Assert.Contains("ruled.json", found.Reason, StringComparison.Ordinal);
     }
 
-    private Recognition Recognize(string gauge, string name, string text) => new Recognizer(_cell.Read(CellFolder.Right)).Recognize(gauge, name, Encoding.UTF8.GetBytes(text));
+    private Recognition Recognize(string gauge, string name, string text) =>
+        new Recognizer(_cell.Read(CellFolder.Right)).Recognize(gauge, name, Encoding.UTF8.GetBytes(text));
 }

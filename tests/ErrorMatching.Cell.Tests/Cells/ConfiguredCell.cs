@@ -4,7 +4,8 @@ using Serilog.Core;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A cell in this process with a configuration that a test writes: a store in a file, runners that are started, stopped and killed.</summary>
+/// <summary>A cell in this process with a configuration that a test writes:
+/// a store in a file, runners that are started, stopped and killed.</summary>
 internal sealed class ConfiguredCell : IAsyncDisposable
 {
     private static readonly byte[] Key = [.. Enumerable.Range(1, 32).Select(i => (byte)i)];
@@ -33,7 +34,9 @@ internal sealed class ConfiguredCell : IAsyncDisposable
     public CellStore Store => _stores.Count > 0 ? _stores[0] : Open();
 
     public CellSettings Settings => CellSettingsReader.Parse(
-        Encoding.UTF8.GetBytes($$"""{ "kind": "cell", "name": "Test cell", "store": { "kind": "sqlite", "file": "cell.db" }, "keys": "keys", "logs": "logs", {{Configuration}} }"""), PathOf("cell.json"));
+        Encoding.UTF8.GetBytes(
+            $$"""{ "kind": "cell", "name": "Test cell", "store": { "kind": "sqlite", "file": "cell.db" }, "keys": "keys", "logs": "logs", {{Configuration}} }"""),
+        PathOf("cell.json"));
 
     /// <summary>What keeps the running cell from working, as its last sign of life says.</summary>
     public IReadOnlyList<CellTrouble> Troubles => Heartbeat.Read(PathOf("logs"))?.Troubles ?? [];
@@ -131,7 +134,9 @@ internal sealed class ConfiguredCell : IAsyncDisposable
     public async Task<Correction> Until(long id, CorrectionState state)
     {
         Correction? found = null;
-        await Until(() => (found = Store.Find(id)) is { } c && (c.State == state || CorrectionSteps.IsEnd(c.State)), () => $"Correction {id}: {Store.Find(id)}; {string.Join("; ", Troubles)}");
+        await Until(
+            () => (found = Store.Find(id)) is { } c && (c.State == state || CorrectionSteps.IsEnd(c.State)),
+            () => $"Correction {id}: {Store.Find(id)}; {string.Join("; ", Troubles)}");
         Assert.True(found!.State == state, $"{state} expected: {found}");
         return found;
     }

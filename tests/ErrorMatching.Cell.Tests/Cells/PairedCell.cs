@@ -2,7 +2,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A cell with a feedback job: counterparts are compared with the part of the same number, and the program that cut them is corrected.</summary>
+/// <summary>A cell with a feedback job: counterparts are compared with the part of the same number,
+/// and the program that cut them is corrected.</summary>
 internal static class PairedCell
 {
     public static readonly string Part = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "part.csv"));

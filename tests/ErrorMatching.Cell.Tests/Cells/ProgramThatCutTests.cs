@@ -1,7 +1,8 @@
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>Where corrections add up: which program cut the measured piece, and what becomes of corrections whose program was taken back.</summary>
+/// <summary>Where corrections add up: which program cut the measured piece, and what becomes of corrections whose program was taken
+/// back.</summary>
 public sealed class ProgramThatCutTests
 {
     private readonly MemoryMachine _machine = new("m1");
@@ -122,7 +123,11 @@ public sealed class ProgramThatCutTests
     }
 
     private async Task Revert(ConfiguredCell cell, long id) =>
-        await new SlotReversal(cell.Settings, cell.Store, _ => _machine, TimeProvider.System).RevertAsync(id, "sam", "chatter", TestContext.Current.CancellationToken);
+        await new SlotReversal(
+            cell.Settings,
+            cell.Store,
+            _ => _machine,
+            TimeProvider.System).RevertAsync(id, "sam", "chatter", TestContext.Current.CancellationToken);
 
     private static string Hash(byte[] bytes) => Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes));
 }

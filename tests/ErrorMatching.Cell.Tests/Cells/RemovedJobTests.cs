@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What waits for a gauge, a job or a slot that is not in the configuration any more is named by the running cell, and goes on when it is back.</summary>
+/// <summary>What waits for a gauge, a job or a slot that is not in the configuration any more is named by the running cell,
+/// and goes on when it is back.</summary>
 public sealed class RemovedJobTests
 {
     private const string Right = """
@@ -15,7 +16,8 @@ public sealed class RemovedJobTests
     [InlineData("\"name\": \"a\"", "\"name\": \"b\"", CorrectionState.Recognized, false, "job \"a\"")]
     [InlineData("\"name\": \"cmm\"", "\"name\": \"other\"", CorrectionState.Archived, false, "gauge \"cmm\"")]
     [InlineData("\"name\": \"A\"", "\"name\": \"B\"", CorrectionState.Proposed, true, "slot \"A\" of \"m1\"")]
-    public async Task What_waits_for_what_is_gone_is_named_until_it_is_back(string there, string instead, CorrectionState state, bool isApproved, string named)
+    public async Task What_waits_for_what_is_gone_is_named_until_it_is_back(
+        string there, string instead, CorrectionState state, bool isApproved, string named)
     {
         await using var cell = new ConfiguredCell(Right) { Opens = _ => new MemoryMachine("m1") };
         cell.Copy("complex-mating", "job");
@@ -38,8 +40,14 @@ public sealed class RemovedJobTests
             new CorrectionDecisions(cell.Store).Approve(1, "sam", null);
         }
 
-        cell.Configuration = Right.Replace(there, instead, StringComparison.Ordinal).Replace("\"gauges\": [\"cmm\"]", instead.Contains("other", StringComparison.Ordinal) ? "\"gauges\": [\"other\"]" : "\"gauges\": [\"cmm\"]", StringComparison.Ordinal)
-            .Replace("\"slot\": \"A\"", instead.Contains('B', StringComparison.Ordinal) ? "\"slot\": \"B\"" : "\"slot\": \"A\"", StringComparison.Ordinal);
+        cell.Configuration = Right.Replace(there, instead, StringComparison.Ordinal).Replace(
+            "\"gauges\": [\"cmm\"]",
+            instead.Contains("other", StringComparison.Ordinal) ? "\"gauges\": [\"other\"]" : "\"gauges\": [\"cmm\"]",
+            StringComparison.Ordinal)
+            .Replace(
+                "\"slot\": \"A\"",
+                instead.Contains('B', StringComparison.Ordinal) ? "\"slot\": \"B\"" : "\"slot\": \"A\"",
+                StringComparison.Ordinal);
         cell.Start();
         await ConfiguredCell.Until(() => cell.Troubles.Any(t => t.Code == "not-configured"));
         var trouble = cell.Troubles.Single(t => t.Code == "not-configured");

@@ -17,7 +17,9 @@ public sealed class SumBetweenPointsTests
         Assert.Equal(first.LargestMm, first.SumMm);
 
         // The piece is measured again as it was: the same correction a second time, but from the program that was corrected.
-        var second = Samples.Program(request with { Base = first.Program, Sums = first.Sums, Measurement = request.Measurement with { Bytes = Again(request) } }, Unlimited);
+        var second = Samples.Program(
+            request with { Base = first.Program, Sums = first.Sums, Measurement = request.Measurement with { Bytes = Again(request) } },
+            Unlimited);
         Assert.InRange(second.SumMm, 1.97 * first.LargestMm, 2.03 * first.LargestMm);
         Assert.True(second.SumMm >= second.Sums.Largest!.LengthMm);
     }
@@ -30,7 +32,12 @@ public sealed class SumBetweenPointsTests
 
         // Sums that say nothing of a base that was displaced: only the programs themselves tell.
         var first = Samples.Program(request);
-        var forgetful = request with { Base = first.Program, Sums = CorrectionSums.None.Plus([.. first.Corrections.Select(c => c with { X = 0, Y = 0 })]), Measurement = request.Measurement with { Bytes = Again(request) } };
+        var forgetful = request with
+        {
+            Base = first.Program,
+            Sums = CorrectionSums.None.Plus([.. first.Corrections.Select(c => c with { X = 0, Y = 0 })]),
+            Measurement = request.Measurement with { Bytes = Again(request) }
+        };
         var computed = Samples.Program(forgetful, Unlimited);
         Assert.True(computed.SumMm > 1.5 * computed.Sums.Largest!.LengthMm);
         var refused = Samples.Refusal(forgetful, Samples.NoLimits with { SumLimitMm = computed.SumMm - 0.01 });
@@ -49,7 +56,9 @@ public sealed class SumBetweenPointsTests
         var lines = File.ReadAllLines(original).ToList();
         lines.Insert(lines.FindLastIndex(l => l.Contains("M30", StringComparison.Ordinal)), "G0 Z123.");
         File.WriteAllLines(original, lines);
-        var refused = Samples.Refusal(request with { Base = first.Program, Sums = first.Sums, Measurement = request.Measurement with { Bytes = Again(request) } }, Unlimited);
+        var refused = Samples.Refusal(
+            request with { Base = first.Program, Sums = first.Sums, Measurement = request.Measurement with { Bytes = Again(request) } },
+            Unlimited);
         Assert.Equal(CorrectionCodes.JobChanged, refused.Code);
         Assert.Contains("original", refused.Reason, StringComparison.Ordinal);
     }

@@ -8,7 +8,9 @@ public sealed class CellCheckTests : IDisposable
 
     public CellCheckTests()
     {
-        foreach (var file in Directory.GetFiles(Repository.PathTo("samples", "complex-mating")).Concat(Directory.GetFiles(Repository.PathTo("samples", "surface-one"))).Where(f => !f.EndsWith("job.json", StringComparison.Ordinal)))
+        foreach (var file in Directory.GetFiles(Repository.PathTo("samples", "complex-mating"))
+            .Concat(Directory.GetFiles(Repository.PathTo("samples", "surface-one")))
+            .Where(f => !f.EndsWith("job.json", StringComparison.Ordinal)))
         {
             File.Copy(file, _cell.PathOf("jobs/" + Path.GetFileName(file)), overwrite: true);
         }
@@ -26,7 +28,9 @@ public sealed class CellCheckTests : IDisposable
         _cell.Write("incoming/notes.txt", "");
         File.CreateSymbolicLink(_cell.PathOf("incoming/link.csv"), _cell.PathOf("cell.json"));
         var gauge = (await Check(CellFolder.Right)).Gauges[0];
-        Assert.Equal([("WO-1_A7.csv", "housing", "A7", null), ("stranger.csv", null, null, "unknown-piece")], gauge.Files.Select(f => (f.Name, f.Found?.Job?.Name, f.Found?.Serial, f.Found?.Code)).Order());
+        Assert.Equal(
+            [("WO-1_A7.csv", "housing", "A7", null), ("stranger.csv", null, null, "unknown-piece")],
+            gauge.Files.Select(f => (f.Name, f.Found?.Job?.Name, f.Found?.Serial, f.Found?.Code)).Order());
         Assert.Equal("link.csv", Assert.Single(gauge.Left).Name);
         Assert.Null(gauge.Problem);
         Assert.Equal(4, Directory.GetFiles(_cell.PathOf("incoming")).Length);
@@ -77,7 +81,8 @@ public sealed class CellCheckTests : IDisposable
     [Fact]
     public async Task A_login_that_fails_is_named_by_its_transport()
     {
-        var text = CellFolder.With("\"host\": \"vmc2\"", "\"host\": \"127.0.0.1\", \"port\": 1").Replace("\"machine\": \"vmc2\", \"slot\"", "\"machine\": \"vmc2\", \"slot\"", StringComparison.Ordinal);
+        var text = CellFolder.With("\"host\": \"vmc2\"", "\"host\": \"127.0.0.1\", \"port\": 1").Replace(
+            "\"machine\": \"vmc2\", \"slot\"", "\"machine\": \"vmc2\", \"slot\"", StringComparison.Ordinal);
         Directory.CreateDirectory(_cell.PathOf("store"));
         var settings = _cell.Read(text);
         using (var store = CellStore.Open(settings.Store, TimeProvider.System))

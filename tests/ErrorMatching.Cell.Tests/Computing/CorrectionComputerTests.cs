@@ -5,7 +5,8 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class CorrectionComputerTests
 {
-    public static TheoryData<string> Requests => ["complex-mating", "curve-mating", "circle-mating", "slot-mating", "surface-one", "surface-one displaced"];
+    public static TheoryData<string> Requests =>
+        ["complex-mating", "curve-mating", "circle-mating", "slot-mating", "surface-one", "surface-one displaced"];
 
     [Theory]
     [MemberData(nameof(Requests))]
@@ -26,7 +27,9 @@ public sealed class CorrectionComputerTests
         var request = Request(name);
         var identified = Assert.IsType<Identified>(new CorrectionComputer(Samples.NoLimits).Identify(request)).Basis;
         var computed = Samples.Program(request with { Identity = identified.Identity }).Basis;
-        Assert.Equal((identified.Identity, identified.JobSha256, identified.BaseSha256), (computed.Identity, computed.JobSha256, computed.BaseSha256));
+        Assert.Equal(
+            (identified.Identity, identified.JobSha256, identified.BaseSha256),
+            (computed.Identity, computed.JobSha256, computed.BaseSha256));
         Assert.Equal(Sha256(File.ReadAllBytes(request.Job.File)), Sha256(computed.Job.Span));
         Assert.Equal(computed.JobSha256, Sha256(computed.Job.Span));
         Assert.Equal(computed.BaseSha256, computed.Base is { } bytes ? Sha256(bytes.Span) : null);
@@ -51,7 +54,8 @@ public sealed class CorrectionComputerTests
     [Fact]
     public void A_part_within_tolerance_gives_the_original_program()
     {
-        var computed = Samples.Program(Samples.Part("complex-mating") with { Measurement = Samples.File("complex-mating", "theoretical.csv") });
+        var computed = Samples.Program(
+            Samples.Part("complex-mating") with { Measurement = Samples.File("complex-mating", "theoretical.csv") });
         Assert.Equal(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")), computed.Program.ToArray());
         Assert.Equal((0, 0.0, 0.0, ""), (computed.ChangedWords!.Value, computed.LargestMm, computed.SumMm, computed.LargestAt));
         Assert.Equal(0, computed.Sums.Largest!.LengthMm);
@@ -65,7 +69,8 @@ public sealed class CorrectionComputerTests
         Assert.Equal(whole.LargestMm / 2, half.LargestMm, 12);
         Assert.All(whole.Corrections.Zip(half.Corrections), p => Assert.Equal((p.First.X / 2, p.First.Y / 2), (p.Second.X, p.Second.Y)));
         Assert.NotEqual(whole.Basis.Identity, half.Basis.Identity);
-        Assert.Contains("A gain of 0.5 took the place of the job", System.Text.Encoding.UTF8.GetString(half.Report.Span), StringComparison.Ordinal);
+        Assert.Contains(
+            "A gain of 0.5 took the place of the job", System.Text.Encoding.UTF8.GetString(half.Report.Span), StringComparison.Ordinal);
 
         var own = Samples.Part("complex-mating");
         own = own with { Job = own.Job with { Policy = Samples.NoLimits with { Gain = 0.5 } } };
@@ -100,7 +105,8 @@ public sealed class CorrectionComputerTests
         Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
     }
 
-    // What the store sent last has cut a piece without stock: nothing that follows a measurement is compensated once more. A piece that still has its stock was cut by no finishing program.
+    // What the store sent last has cut a piece without stock: nothing that follows a measurement is compensated once more. A piece that
+    // still has its stock was cut by no finishing program.
     [Fact]
     public void A_finished_surface_behind_a_compensated_program_is_refused()
     {
@@ -110,7 +116,8 @@ public sealed class CorrectionComputerTests
         Assert.NotEmpty(Samples.Program(first with { LastSent = sent }).Corrections);
 
         File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), folder["surface.igs"]);
-        var text = File.ReadAllText(first.Job.File).Replace("\"measuredAfter\": \"semi-finishing\"", "\"measuredAfter\": \"finishing\"", StringComparison.Ordinal);
+        var text = File.ReadAllText(first.Job.File).Replace(
+            "\"measuredAfter\": \"semi-finishing\"", "\"measuredAfter\": \"finishing\"", StringComparison.Ordinal);
         var finished = first with
         {
             Job = first.Job with { File = folder.File("job.json", text) },
@@ -150,7 +157,9 @@ public sealed class CorrectionComputerTests
     {
         var sample = name.Split(' ')[0];
         var request = sample.StartsWith("surface", StringComparison.Ordinal) ? Samples.Surface(sample) : Samples.Part(sample);
-        return name == sample ? request : request with { Job = request.Job with { Program = Repository.PathTo("samples", sample, "cam.nc") } };
+        return name == sample
+            ? request
+            : request with { Job = request.Job with { Program = Repository.PathTo("samples", sample, "cam.nc") } };
     }
 
     private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));

@@ -22,8 +22,10 @@ public sealed class CorrectionIdentityTests
     {
         string[] all =
         [
-            CorrectionIdentity.Of([A], B, C, null), CorrectionIdentity.Of([B], B, C, null), CorrectionIdentity.Of([A], A, C, null), CorrectionIdentity.Of([A], B, A, null),
-            CorrectionIdentity.Of([A], B, null, null), CorrectionIdentity.Of([A], B, C, 1), CorrectionIdentity.Of([A], B, C, 0.5), CorrectionIdentity.Of([A, A], B, C, null),
+            CorrectionIdentity.Of([A], B, C, null), CorrectionIdentity.Of([B], B, C, null), CorrectionIdentity.Of([A], A, C, null),
+            CorrectionIdentity.Of([A], B, A, null),
+            CorrectionIdentity.Of([A], B, null, null), CorrectionIdentity.Of([A], B, C, 1), CorrectionIdentity.Of([A], B, C, 0.5),
+            CorrectionIdentity.Of([A, A], B, C, null),
             CorrectionIdentity.Of([A, B], B, C, null), CorrectionIdentity.Of([B, A], B, C, null),
         ];
         Assert.Equal(all.Length, all.Distinct().Count());
@@ -44,7 +46,8 @@ public sealed class CorrectionIdentityTests
             return (Of(one) == Of(other)) == (one == other);
         }).QuickCheckThrowOnFailure();
 
-        static string Of((string Measurements, string Job, string? Base, double? Gain) i) => CorrectionIdentity.Of(i.Measurements.Split(' '), i.Job, i.Base, i.Gain);
+        static string Of((string Measurements, string Job, string? Base, double? Gain) i) =>
+            CorrectionIdentity.Of(i.Measurements.Split(' '), i.Job, i.Base, i.Gain);
     }
 
     [Fact]

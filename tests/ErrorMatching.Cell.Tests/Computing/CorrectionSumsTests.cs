@@ -10,7 +10,8 @@ public sealed class CorrectionSumsTests
     private static readonly Gen<double> Millimeters = Gen.Choose(-1024, 1024).Select(n => n / 1024.0);
 
     private static readonly Gen<PointCorrection[]> Corrections = Gen.SubListOf("1", "2a", "3b", "ü").SelectMany(points =>
-        Gen.CollectToArray(points, point => from x in Millimeters from y in Millimeters from z in Millimeters select new PointCorrection(point, x, y, z)));
+        Gen.CollectToArray(
+            points, point => from x in Millimeters from y in Millimeters from z in Millimeters select new PointCorrection(point, x, y, z)));
 
     [Fact]
     public void Sums_come_back_from_their_document_to_the_last_bit() => Prop.ForAll(Arb.From(Corrections), corrections =>
@@ -30,7 +31,10 @@ public sealed class CorrectionSumsTests
 
     [Fact]
     public void A_correction_taken_back_leaves_zero() => Prop.ForAll(Arb.From(Corrections), corrections =>
-        (CorrectionSums.None.Plus(corrections).Plus([.. corrections.Select(c => new PointCorrection(c.Point, -c.X, -c.Y, -c.Z))]).Largest?.LengthMm ?? 0) == 0).QuickCheckThrowOnFailure();
+        (
+            CorrectionSums.None.Plus(corrections).Plus(
+                [.. corrections.Select(c => new PointCorrection(c.Point, -c.X, -c.Y, -c.Z))]).Largest?.LengthMm
+                ?? 0) == 0).QuickCheckThrowOnFailure();
 
     [Fact]
     public void Largest_sum_is_the_longest_vector()
@@ -41,7 +45,8 @@ public sealed class CorrectionSumsTests
     }
 
     [Fact]
-    public void A_point_corrected_twice_at_once_is_a_mistake() => Assert.Throws<ArgumentException>(() => CorrectionSums.None.Plus([new("a", 1, 0, 0), new("a", 1, 0, 0)]));
+    public void A_point_corrected_twice_at_once_is_a_mistake() =>
+        Assert.Throws<ArgumentException>(() => CorrectionSums.None.Plus([new("a", 1, 0, 0), new("a", 1, 0, 0)]));
 
     [Theory]
     [InlineData("")]
@@ -54,7 +59,8 @@ public sealed class CorrectionSumsTests
     [InlineData("""{"schema":"errormatch/cell-sums/1","points":[{"point":"1","x":"1","y":1,"z":0}]}""")]
     [InlineData("""{"schema":"errormatch/cell-sums/1","points":[{"point":"1","x":1e999,"y":1,"z":0}]}""")]
     [InlineData("""{"schema":"errormatch/cell-sums/1","points":[{"point":"1","x":1,"y":1,"z":0},{"point":"1","x":1,"y":1,"z":0}]}""")]
-    public void Another_document_is_refused(string json) => Assert.Throws<InvalidDataException>(() => CorrectionSums.FromJson(Encoding.UTF8.GetBytes(json)));
+    public void Another_document_is_refused(string json) =>
+        Assert.Throws<InvalidDataException>(() => CorrectionSums.FromJson(Encoding.UTF8.GetBytes(json)));
 
     private static IEnumerable<PointCorrection> Ordered(CorrectionSums sums) => sums.Points.OrderBy(p => p.Point, StringComparer.Ordinal);
 }

@@ -3,7 +3,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What a measured counterpart of a feed-forward job says of the program that cut it. Figures are the paper's (Wang 2021, section 4.3).</summary>
+/// <summary>What a measured counterpart of a feed-forward job says of the program that cut it.
+/// Figures are the paper's (Wang 2021, section 4.3).</summary>
 public sealed class CounterpartVerificationTests
 {
     [Fact]
@@ -13,8 +14,13 @@ public sealed class CounterpartVerificationTests
         using var report = JsonDocument.Parse(recorded.Report!.Value);
         Assert.Equal("errormatch/verify/1", report.RootElement.GetProperty("schema").GetString());
         var angle = report.RootElement.GetProperty("features").EnumerateArray().Single(f => f.GetProperty("name").GetString() == "L1-L2");
-        Assert.Equal((81, true), (Math.Round(angle.GetProperty("improvementPercent").GetDouble()), report.RootElement.GetProperty("beforeMeasured").GetBoolean()));
-        Assert.Contains("counterpart against part", System.Text.Encoding.UTF8.GetString(recorded.Page!.Value.Span), StringComparison.Ordinal);
+        Assert.Equal(
+            (81, true),
+            (
+                Math.Round(angle.GetProperty("improvementPercent").GetDouble()),
+                report.RootElement.GetProperty("beforeMeasured").GetBoolean()));
+        Assert.Contains(
+            "counterpart against part", System.Text.Encoding.UTF8.GetString(recorded.Page!.Value.Span), StringComparison.Ordinal);
         Assert.Equal("A counterpart is measured: this verifies what was sent, and sends nothing.", recorded.Reason);
     }
 
@@ -41,7 +47,12 @@ public sealed class CounterpartVerificationTests
     }
 
     private static CorrectionRequest Counterpart() =>
-        Samples.Part("complex-mating") with { Piece = "counterpart", Measurement = Samples.File("complex-mating", "counterpart-after.csv"), Part = Samples.File("complex-mating", "part.csv") };
+        Samples.Part("complex-mating") with
+        {
+            Piece = "counterpart",
+            Measurement = Samples.File("complex-mating", "counterpart-after.csv"),
+            Part = Samples.File("complex-mating", "part.csv")
+        };
 
     private static NothingToSend Recorded(CorrectionRequest request)
     {

@@ -7,7 +7,12 @@ public sealed class FeedbackTests
     [Fact]
     public void A_counterpart_of_a_feed_forward_job_is_recorded_and_makes_no_program()
     {
-        var recorded = Assert.IsType<NothingToSend>(Samples.Compute(Samples.Part("complex-mating") with { Piece = "counterpart", Measurement = Samples.File("complex-mating", "counterpart.csv") }));
+        var recorded = Assert.IsType<NothingToSend>(Samples.Compute(
+            Samples.Part("complex-mating") with
+            {
+                Piece = "counterpart",
+                Measurement = Samples.File("complex-mating", "counterpart.csv")
+            }));
         Assert.Equal(CorrectionCodes.FirstArticle, recorded.Code);
         Assert.Equal(64, recorded.Basis.Identity.Length);
         Assert.Null(recorded.Report);
@@ -20,7 +25,8 @@ public sealed class FeedbackTests
         using var folder = new TemporaryFolder();
         var part = Samples.Part("complex-mating") with { Job = Samples.Feedback(folder) };
         Assert.Equal(CorrectionCodes.PartRecorded, Assert.IsType<NothingToSend>(Samples.Compute(part)).Code);
-        Assert.Equal("missing-point", Samples.Refusal(part with { Measurement = new("part.csv", "point,x_mm,y_mm\n1,2,3\n"u8.ToArray()) }).Code);
+        Assert.Equal(
+            "missing-point", Samples.Refusal(part with { Measurement = new("part.csv", "point,x_mm,y_mm\n1,2,3\n"u8.ToArray()) }).Code);
     }
 
     [Fact]
@@ -29,10 +35,14 @@ public sealed class FeedbackTests
         using var folder = new TemporaryFolder();
         var counterpart = Counterpart(Samples.Feedback(folder));
         Assert.Equal(CorrectionCodes.PartUnmeasured, Samples.Refusal(counterpart with { Part = null }).Code);
-        Assert.Equal(CorrectionCodes.PartUnmeasured, Assert.IsType<RefusedComputation>(new CorrectionComputer(Samples.NoLimits).Identify(counterpart with { Part = null })).Code);
+        Assert.Equal(
+            CorrectionCodes.PartUnmeasured,
+            Assert.IsType<RefusedComputation>(new CorrectionComputer(Samples.NoLimits).Identify(counterpart with { Part = null })).Code);
         var computed = Samples.Program(counterpart);
         Assert.True(computed.ChangedWords > 0);
-        Assert.NotEqual(computed.Basis.Identity, Samples.Program(counterpart with { Part = Samples.File("complex-mating", "counterpart-after.csv") }).Basis.Identity);
+        Assert.NotEqual(
+            computed.Basis.Identity,
+            Samples.Program(counterpart with { Part = Samples.File("complex-mating", "counterpart-after.csv") }).Basis.Identity);
     }
 
     [Fact]
@@ -44,7 +54,12 @@ public sealed class FeedbackTests
         Assert.Equal(first.Corrections, first.Sums.Points);
 
         // The second piece was cut with the first correction and measured again.
-        var next = request with { Measurement = Samples.File("complex-mating", "counterpart-after.csv"), Base = first.Program, Sums = CorrectionSums.FromJson(first.Sums.ToJson()) };
+        var next = request with
+        {
+            Measurement = Samples.File("complex-mating", "counterpart-after.csv"),
+            Base = first.Program,
+            Sums = CorrectionSums.FromJson(first.Sums.ToJson())
+        };
         var policy = Samples.NoLimits with { SumLimitMm = 5 };
         var second = Samples.Program(next, policy);
         Assert.Equal(Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(first.Program.Span)), second.Basis.BaseSha256);
@@ -71,7 +86,11 @@ public sealed class FeedbackTests
         var request = Counterpart(Samples.Feedback(folder) with { Accumulates = true });
         var policy = Samples.NoLimits with { LimitMm = 0.9 };
         Assert.IsType<Computed>(Samples.Compute(request, policy));
-        var tired = request with { Base = File.ReadAllBytes(folder["counterpart.nc"]), Sums = CorrectionSums.None.Plus([new("elsewhere", 0.91, 0, 0)]) };
+        var tired = request with
+        {
+            Base = File.ReadAllBytes(folder["counterpart.nc"]),
+            Sums = CorrectionSums.None.Plus([new("elsewhere", 0.91, 0, 0)])
+        };
         Assert.Equal(CorrectionCodes.OverSumLimit, Samples.Refusal(tired, policy).Code);
         Assert.IsType<Computed>(Samples.Compute(tired, policy with { SumLimitMm = 0.92 }));
     }
@@ -100,7 +119,8 @@ public sealed class FeedbackTests
         using var folder = new TemporaryFolder();
         var request = Counterpart(Samples.Feedback(folder));
         Assert.Throws<ArgumentException>(() => Samples.Compute(request with { Base = "M30"u8.ToArray() }));
-        Assert.Throws<ArgumentException>(() => Samples.Compute(request with { Job = request.Job with { Accumulates = true }, Sums = CorrectionSums.None.Plus([new("1", 1, 0, 0)]) }));
+        Assert.Throws<ArgumentException>(() => Samples.Compute(
+            request with { Job = request.Job with { Accumulates = true }, Sums = CorrectionSums.None.Plus([new("1", 1, 0, 0)]) }));
     }
 
     private static CorrectionRequest Counterpart(CellJobSettings job) => new()

@@ -7,13 +7,20 @@ public sealed class HostileMeasurementTests
 {
     private const int Mutations = 300;
 
-    public static TheoryData<string> Contents => ["", "\0", "\n\n\n", "point,x_mm,y_mm", "point,x_mm,y_mm\n1,NaN,2\n", "point,x_mm,y_mm\n1,1e999,2\n", "point,x_mm,y_mm\n\"", "%PDF-1.7", "{}", "<a/>", "point,x,y,z\n1,=cmd(),2,3\n"];
+    public static TheoryData<string> Contents => [
+        "", "\0", "\n\n\n", "point,x_mm,y_mm", "point,x_mm,y_mm\n1,NaN,2\n", "point,x_mm,y_mm\n1,1e999,2\n", "point,x_mm,y_mm\n\"",
+        "%PDF-1.7", "{}", "<a/>", "point,x,y,z\n1,=cmd(),2,3\n"];
 
     [Theory]
     [MemberData(nameof(Contents))]
     public void What_is_no_measurement_is_refused_with_code_and_reason(string content)
     {
-        foreach (var request in new[] { Samples.Part("complex-mating"), Samples.Part("complex-mating") with { Piece = "counterpart" }, Samples.Surface("surface-one") })
+        foreach (var request in new[]
+        {
+            Samples.Part("complex-mating"),
+            Samples.Part("complex-mating") with { Piece = "counterpart" },
+            Samples.Surface("surface-one")
+        })
         {
             var refused = Samples.Refusal(request with { Measurement = new("../../etc/x.csv", Encoding.UTF8.GetBytes(content)) });
             Assert.Matches("^[a-z]+(-[a-z]+)+$", refused.Code);
@@ -28,7 +35,9 @@ public sealed class HostileMeasurementTests
         using var folder = new TemporaryFolder();
         var file = folder.File("part.csv", "not a measurement");
         var request = Samples.Part("complex-mating");
-        Assert.Equal(Samples.Program(request).Program.ToArray(), Samples.Program(request with { Measurement = request.Measurement with { Name = file } }).Program.ToArray());
+        Assert.Equal(
+            Samples.Program(request).Program.ToArray(),
+            Samples.Program(request with { Measurement = request.Measurement with { Name = file } }).Program.ToArray());
     }
 
     [Theory]
@@ -41,7 +50,9 @@ public sealed class HostileMeasurementTests
         var refusals = 0;
         for (var i = 0; i < Mutations; i++)
         {
-            var computation = Samples.Compute(request with { Measurement = request.Measurement with { Bytes = Damaged(request.Measurement.Bytes.ToArray(), random) } }, Samples.NoLimits with { LimitMm = 0.15 });
+            var computation = Samples.Compute(
+                request with { Measurement = request.Measurement with { Bytes = Damaged(request.Measurement.Bytes.ToArray(), random) } },
+                Samples.NoLimits with { LimitMm = 0.15 });
             refusals += computation is RefusedComputation ? 1 : 0;
             Assert.True(computation is Computed or RefusedComputation { Code.Length: > 0, Reason.Length: > 0, MayPass: false });
         }

@@ -20,13 +20,17 @@ internal static class Samples
         Accumulates = false,
     };
 
-    public static KeptFile File(string sample, string name) => new(name, System.IO.File.ReadAllBytes(Repository.PathTo("samples", sample, name)));
+    public static KeptFile File(string sample, string name) =>
+        new(name, System.IO.File.ReadAllBytes(Repository.PathTo("samples", sample, name)));
 
-    public static CorrectionRequest Part(string sample) => new() { Job = Job(sample), Piece = "part", Measurement = File(sample, "part.csv") };
+    public static CorrectionRequest Part(string sample) =>
+        new() { Job = Job(sample), Piece = "part", Measurement = File(sample, "part.csv") };
 
-    public static CorrectionRequest Surface(string sample) => new() { Job = Job(sample), Piece = "surface", Measurement = File(sample, "measured.csv") };
+    public static CorrectionRequest Surface(string sample) =>
+        new() { Job = Job(sample), Piece = "surface", Measurement = File(sample, "measured.csv") };
 
-    public static Computation Compute(CorrectionRequest request, PolicySettings? policy = null) => new CorrectionComputer(policy ?? NoLimits).Compute(request, TestContext.Current.CancellationToken);
+    public static Computation Compute(CorrectionRequest request, PolicySettings? policy = null) =>
+        new CorrectionComputer(policy ?? NoLimits).Compute(request, TestContext.Current.CancellationToken);
 
     public static Computed Program(CorrectionRequest request, PolicySettings? policy = null) => Compute(request, policy) switch
     {
@@ -35,7 +39,8 @@ internal static class Samples
         var other => throw new InvalidOperationException(other.ToString()),
     };
 
-    public static RefusedComputation Refusal(CorrectionRequest request, PolicySettings? policy = null) => Assert.IsType<RefusedComputation>(Compute(request, policy));
+    public static RefusedComputation Refusal(CorrectionRequest request, PolicySettings? policy = null) =>
+        Assert.IsType<RefusedComputation>(Compute(request, policy));
 
     /// <summary>A copy of the mating sample.</summary>
     public static CellJobSettings Copied(TemporaryFolder folder)
@@ -49,13 +54,19 @@ internal static class Samples
         return Job(folder["job.json"]);
     }
 
-    /// <summary>A copy of the mating sample that is feedback. Its counterpart is half a millimeter off, so a corrected program lies that far from the key points.</summary>
+    /// <summary>A copy of the mating sample that is feedback. Its counterpart is half a millimeter off,
+    /// so a corrected program lies that far from the key points.</summary>
     public static CellJobSettings Feedback(TemporaryFolder folder)
     {
         var job = Copied(folder);
         var text = System.IO.File.ReadAllText(job.File);
         Assert.Contains("\"from\": \"part\"", text, StringComparison.Ordinal);
-        System.IO.File.WriteAllText(job.File, text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal).Replace("\"mapMm\": 0.5", "\"mapMm\": 1", StringComparison.Ordinal));
+        System.IO.File.WriteAllText(
+            job.File,
+            text.Replace(
+                "\"from\": \"part\"",
+                "\"from\": \"counterpart\"",
+                StringComparison.Ordinal).Replace("\"mapMm\": 0.5", "\"mapMm\": 1", StringComparison.Ordinal));
         return job;
     }
 }

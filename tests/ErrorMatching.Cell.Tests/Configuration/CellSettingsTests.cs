@@ -30,7 +30,13 @@ public sealed class CellSettingsTests : IDisposable
         Assert.Equal(new FtpSettings("vmc2", 21, "nc", "/nc", FtpTls.None, null), settings.Machines[1].Transport);
         Assert.Equal(new SftpSettings("vmc3", 22, "nc", ".", CellFolder.HostKey, null), settings.Machines[2].Transport);
         Assert.Equal((true, false), (settings.Jobs[0].InOrderOfSerial, settings.Jobs[0].Accumulates));
-        Assert.Equal(990, ((FtpSettings)_cell.Read(CellFolder.With("\"tls\": \"none\"", "\"tls\": \"implicit\", \"pinnedKey\": \"sha256//47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=\"")).Machines[1].Transport).Port);
+        Assert.Equal(
+            990,
+            (
+                (FtpSettings)_cell.Read(CellFolder.With(
+                    "\"tls\": \"none\"",
+                    "\"tls\": \"implicit\", \"pinnedKey\": \"sha256//47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=\""))
+                    .Machines[1].Transport).Port);
     }
 
     [Fact]
@@ -38,10 +44,16 @@ public sealed class CellSettingsTests : IDisposable
     {
         Assert.Equal(new FinishedByRename(), _cell.Read(CellFolder.Right).Gauges[0].Finished);
         Assert.Equal(new FinishedByEndMark("END"), _cell.Read(CellFolder.Right).Gauges[1].Finished);
-        Assert.Equal(new FinishedByEndMark("END"), _cell.Read(CellFolder.With(", \"finished\": { \"endMark\": \"END\" }", "")).Gauges[1].Finished);
-        Assert.Equal(new FinishedByMarker(".done"), _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"marker\": \".done\" }")).Gauges[0].Finished);
-        Assert.Equal(new FinishedAtRest(TimeSpan.FromSeconds(0.5)), _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"atRestS\": 0.5 }")).Gauges[0].Finished);
-        Assert.Equal(new FinishedAtRest(TimeSpan.FromSeconds(2)), _cell.Read(CellFolder.With(", \"finished\": \"rename\"", "")).Gauges[0].Finished);
+        Assert.Equal(
+            new FinishedByEndMark("END"), _cell.Read(CellFolder.With(", \"finished\": { \"endMark\": \"END\" }", "")).Gauges[1].Finished);
+        Assert.Equal(
+            new FinishedByMarker(".done"),
+            _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"marker\": \".done\" }")).Gauges[0].Finished);
+        Assert.Equal(
+            new FinishedAtRest(TimeSpan.FromSeconds(0.5)),
+            _cell.Read(CellFolder.With("\"finished\": \"rename\"", "\"finished\": { \"atRestS\": 0.5 }")).Gauges[0].Finished);
+        Assert.Equal(
+            new FinishedAtRest(TimeSpan.FromSeconds(2)), _cell.Read(CellFolder.With(", \"finished\": \"rename\"", "")).Gauges[0].Finished);
     }
 
     [Fact]
@@ -49,7 +61,10 @@ public sealed class CellSettingsTests : IDisposable
     {
         Assert.Same(MeasurementFormat.Points, _cell.Read(CellFolder.Right).Gauges[0].Format);
         Assert.Null(_cell.Read(CellFolder.Right).Gauges[1].Format);
-        Assert.Equal(';', _cell.Read(CellFolder.With("\"format\": \"points\"", "\"format\": { \"delimiter\": \";\", \"decimalComma\": true }")).Gauges[0].Format!.Delimiter);
+        Assert.Equal(
+            ';',
+            _cell.Read(CellFolder.With(
+                "\"format\": \"points\"", "\"format\": { \"delimiter\": \";\", \"decimalComma\": true }")).Gauges[0].Format!.Delimiter);
     }
 
     [Fact]
@@ -72,7 +87,8 @@ public sealed class CellSettingsTests : IDisposable
     [Fact]
     public void Without_a_policy_a_person_approves()
     {
-        var settings = _cell.Read(CellFolder.With(",\n  \"policy\": { \"approve\": \"automatic\", \"limitMm\": 0.2, \"sumLimitMm\": 0.5, \"gain\": 1.0 }", ""));
+        var settings = _cell.Read(CellFolder.With(
+            ",\n  \"policy\": { \"approve\": \"automatic\", \"limitMm\": 0.2, \"sumLimitMm\": 0.5, \"gain\": 1.0 }", ""));
         Assert.Equal(new(false, null, null, null), settings.Policy);
     }
 
@@ -80,10 +96,16 @@ public sealed class CellSettingsTests : IDisposable
     public void What_is_unwise_is_warned_of_at_its_place()
     {
         var text = CellFolder.With("\"gauges\": [\"probe\"]", "\"gauges\": [\"cmm\"]")
-            .Replace("{ \"headerField\": { \"name\": \"PLAN\", \"pattern\": \"^[0-9A-F]{16}$\" } }", "{ \"fileName\": \"^blade\" }", StringComparison.Ordinal)
+            .Replace(
+                "{ \"headerField\": { \"name\": \"PLAN\", \"pattern\": \"^[0-9A-F]{16}$\" } }",
+                "{ \"fileName\": \"^blade\" }",
+                StringComparison.Ordinal)
             .Replace("\"slot\": \"B\"", "\"slot\": \"A\"", StringComparison.Ordinal);
         Assert.Equal(
-            ["7:15 unused-gauge $.gauges[1].name", "11:91 unused-slot $.machines[0].slots[1].name", "12:134 plain-ftp $.machines[1].transport.tls"],
+            [
+                "7:15 unused-gauge $.gauges[1].name",
+                "11:91 unused-slot $.machines[0].slots[1].name",
+                "12:134 plain-ftp $.machines[1].transport.tls"],
             _cell.Read(text).Warnings.Select(w => $"{w.Line}:{w.Column} {w.Code} {w.Path}"));
     }
 

@@ -7,10 +7,17 @@ namespace ErrorMatching.Cell.Tests;
 public sealed class MutatedConfigurationTests
 {
     private static readonly string[] Pieces =
-        ["", "\"", "{", "}", "[", "]", ",", ":", "null", "true", "-1", "1e400", "0.5", "\"\"", "\"..\"", "\"\\u0000\"", "\"\\ud800\"", "*", "?", "/", "\\\\", "(", ")", "\"name\"", "\"rename\"", "{}", "[]", "\"cmm\"", "\n", "//", "/*", "\uFEFF", "é"];
+        [
+            "", "\"", "{", "}", "[", "]", ",", ":", "null", "true", "-1", "1e400", "0.5", "\"\"", "\"..\"", "\"\\u0000\"", "\"\\ud800\"",
+            "*", "?", "/", "\\\\", "(", ")", "\"name\"", "\"rename\"", "{}", "[]", "\"cmm\"", "\n", "//", "/*", "\uFEFF", "é"];
 
     private static readonly Gen<(double From, double Length, string Text)[]> Mutations =
-        (from at in Gen.Choose(0, 9_999) from length in Gen.Elements(0, 1, 1, 2, 5, 20) from piece in Gen.Elements(Pieces) select (at / 10_000.0, (double)length, piece)).NonEmptyListOf().Select(l => l.Take(4).ToArray());
+        (
+            from at in Gen.Choose(0, 9_999)
+            from length in Gen.Elements(0, 1, 1, 2, 5, 20)
+            from piece in Gen.Elements(Pieces)
+            select (at / 10_000.0, (double)length, piece)).NonEmptyListOf()
+                .Select(l => l.Take(4).ToArray());
 
     [Fact]
     public void A_changed_configuration_is_read_or_refused_by_path_and_never_anything_else()
@@ -41,7 +48,21 @@ public sealed class MutatedConfigurationTests
         using var cell = new CellFolder();
         foreach (var path in Values(JsonInput.Read(System.Text.Encoding.UTF8.GetBytes(CellFolder.Right), "cell.json")))
         {
-            foreach (var other in new[] { "null", "true", "-1", "0", "\"x\"", "[]", "{}", "[\"x\"]", "\"con\"", "\"incoming\"", "\"jobs/mating.json\"", "1e9" })
+            foreach (var other in new[]
+            {
+                "null",
+                "true",
+                "-1",
+                "0",
+                "\"x\"",
+                "[]",
+                "{}",
+                "[\"x\"]",
+                "\"con\"",
+                "\"incoming\"",
+                "\"jobs/mating.json\"",
+                "1e9"
+            })
             {
                 var text = Replaced(JsonInput.Read(System.Text.Encoding.UTF8.GetBytes(CellFolder.Right), "cell.json"), path, other);
                 try
@@ -62,7 +83,8 @@ public sealed class MutatedConfigurationTests
         return text[..from] + mutation.Text + text[Math.Min(text.Length, from + (int)mutation.Length)..];
     }
 
-    private static IEnumerable<string> Values(JsonItem item) => item.Items.Concat(item.Members.Select(m => m.Value)).SelectMany(Values).Prepend(item.Path);
+    private static IEnumerable<string> Values(JsonItem item) =>
+        item.Items.Concat(item.Members.Select(m => m.Value)).SelectMany(Values).Prepend(item.Path);
 
     private static string Replaced(JsonItem item, string path, string other) => item.Path == path ? other : item.Kind switch
     {

@@ -7,7 +7,8 @@ public sealed class WrongConfigurationTests : IDisposable
 {
     private readonly CellFolder _cell = new();
 
-    /// <summary>What stands in the right configuration, what takes its place, and the line, path, code and part of the sentence of the only problem.</summary>
+    /// <summary>What stands in the right configuration, what takes its place, and the line, path,
+    /// code and part of the sentence of the only problem.</summary>
     public static TheoryData<string, string, int, string, string, string> Table => new()
     {
         // As JSON and by the schema.
@@ -26,84 +27,268 @@ public sealed class WrongConfigurationTests : IDisposable
         { "\"host\": \"vmc2\"", "\"host\": \"-vmc2\"", 12, "$.machines[1].transport.host", "pattern-mismatch", "the name or address" },
         { "\"host\": \"vmc2\"", "\"host\": \"vmc2\\n\"", 12, "$.machines[1].transport.host", "control-character", "printable" },
         { "\"host\": \"vmc2\"", "\"host\": \"vmc2\", \"port\": 70000", 12, "$.machines[1].transport.port", "too-large", "65535" },
-        { "\"folder\": \"/nc\"", "\"folder\": \"/nc\\\"; rm\"", 12, "$.machines[1].transport.folder", "pattern-mismatch", "without quotes" },
+        {
+            "\"folder\": \"/nc\"",
+            "\"folder\": \"/nc\\\"; rm\"",
+            12,
+            "$.machines[1].transport.folder",
+            "pattern-mismatch",
+            "without quotes"
+        },
         { ", \"hostKey\": \"" + CellFolder.HostKey + "\"", "", 15, "$.machines[2].transport", "missing-key", "\"hostKey\"" },
         { "\"approve\": \"automatic\"", "\"approve\": \"always\"", 28, "$.policy.approve", "not-one-of", "\"person\" or \"automatic\"" },
         { "\"gain\": 1.0", "\"gain\": 3", 28, "$.policy.gain", "too-large", "at most 2" },
         { "\"gauges\": [\"probe\"]", "\"gauges\": []", 25, "$.jobs[3].gauges", "too-few-items", "at least 1" },
 
         // Names.
-        { "{ \"name\": \"probe\",", "{ \"name\": \"CMM\", \"incoming\": \"x\", \"files\": \"*\" }, { \"name\": \"probe\",", 7, "$.gauges[1].name", "duplicate-name", "the gauge \"CMM\" again" },
-        { "{ \"name\": \"vmc3\",", "{ \"name\": \"vmc1\", \"dialect\": \"fanuc\", \"transport\": { \"kind\": \"folder\", \"folder\": \"x\" }, \"slots\": [{ \"name\": \"A\", \"program\": \"X\" }] }, { \"name\": \"vmc3\",", 14, "$.machines[2].name", "duplicate-name", "the machine \"vmc1\" again" },
+        {
+            "{ \"name\": \"probe\",",
+            "{ \"name\": \"CMM\", \"incoming\": \"x\", \"files\": \"*\" }, { \"name\": \"probe\",",
+            7,
+            "$.gauges[1].name",
+            "duplicate-name",
+            "the gauge \"CMM\" again"
+        },
+        {
+            "{ \"name\": \"vmc3\",",
+            "{ \"name\": \"vmc1\", \"dialect\": \"fanuc\", \"transport\": { \"kind\": \"folder\", \"folder\": \"x\" }, \"slots\": [{ "
+                + "\"name\": \"A\", \"program\": \"X\" }] }, { \"name\": \"vmc3\",",
+            14,
+            "$.machines[2].name",
+            "duplicate-name",
+            "the machine \"vmc1\" again"
+        },
         { "\"name\": \"cover\"", "\"name\": \"housing\"", 23, "$.jobs[2].name", "duplicate-name", "the job \"housing\" again" },
-        { "{ \"name\": \"B\",", "{ \"name\": \"a\", \"program\": \"X\" }, { \"name\": \"B\",", 11, "$.machines[0].slots[1].name", "duplicate-name", "the slot \"a\" again" },
+        {
+            "{ \"name\": \"B\",",
+            "{ \"name\": \"a\", \"program\": \"X\" }, { \"name\": \"B\",",
+            11,
+            "$.machines[0].slots[1].name",
+            "duplicate-name",
+            "the slot \"a\" again"
+        },
         { "\"gauges\": [\"probe\"]", "\"gauges\": [\"prob\"]", 25, "$.jobs[3].gauges[0]", "unknown-gauge", "one of \"cmm\", \"probe\"" },
-        { "\"machine\": \"vmc2\", \"slot\": \"A\"", "\"machine\": \"vmc4\", \"slot\": \"A\"", 25, "$.jobs[3].machine", "unknown-machine", "\"vmc1\", \"vmc2\", \"vmc3\"" },
+        {
+            "\"machine\": \"vmc2\", \"slot\": \"A\"",
+            "\"machine\": \"vmc4\", \"slot\": \"A\"",
+            25,
+            "$.jobs[3].machine",
+            "unknown-machine",
+            "\"vmc1\", \"vmc2\", \"vmc3\""
+        },
         { "\"slot\": \"B\"", "\"slot\": \"C\"", 21, "$.jobs[1].slot", "unknown-slot", "a slot of vmc1: one of \"A\", \"B\"" },
         { "\"machine\": \"vmc2\", \"files\"", "\"machine\": \"vmc9\", \"files\"", 7, "$.gauges[1].machine", "unknown-machine", "\"vmc9\"" },
 
         // Programs and ready files at machines.
         { "\"program\": \"O2002.NC\"", "\"program\": \"o2001.nc\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots", "again" },
-        { "\"program\": \"O2002.NC\"", "\"program\": \"../O2002.NC\"", 11, "$.machines[0].slots[1].program", "bad-program-name", "1 to 64" },
-        { "\"program\": \"O2002.NC\"", "\"program\": \"-O2002.NC\"", 11, "$.machines[0].slots[1].program", "bad-program-name", "dash in front" },
+        {
+            "\"program\": \"O2002.NC\"",
+            "\"program\": \"../O2002.NC\"",
+            11,
+            "$.machines[0].slots[1].program",
+            "bad-program-name",
+            "1 to 64"
+        },
+        {
+            "\"program\": \"O2002.NC\"",
+            "\"program\": \"-O2002.NC\"",
+            11,
+            "$.machines[0].slots[1].program",
+            "bad-program-name",
+            "dash in front"
+        },
         { "\"program\": \"O2002.NC\"", "\"program\": \"con.nc\"", 11, "$.machines[0].slots[1].program", "bad-program-name", "Windows" },
         { "\"program\": \"O2002.NC\"", "\"program\": \"\"", 11, "$.machines[0].slots[1].program", "bad-program-name", "1 to 64" },
-        { "\"readyFile\": \"A.READY\"", "\"readyFile\": \"O2002.NC\"", 11, "$.machines[0].slots[0].readyFile", "ready-file-is-program", "deletes" },
+        {
+            "\"readyFile\": \"A.READY\"",
+            "\"readyFile\": \"O2002.NC\"",
+            11,
+            "$.machines[0].slots[0].readyFile",
+            "ready-file-is-program",
+            "deletes"
+        },
         { "\"readyFile\": \"A.READY\"", "\"readyFile\": \".ready\"", 11, "$.machines[0].slots[0].readyFile", "bad-program-name", "no dot" },
 
         // Gauges.
         { "\"incoming\": \"incoming\", ", "", 6, "$.gauges[0]", "source-missing", "neither a folder nor a machine" },
-        { "\"machine\": \"vmc2\", \"files\"", "\"incoming\": \"other\", \"machine\": \"vmc2\", \"files\"", 7, "$.gauges[1].machine", "source-twice", "not both" },
+        {
+            "\"machine\": \"vmc2\", \"files\"",
+            "\"incoming\": \"other\", \"machine\": \"vmc2\", \"files\"",
+            7,
+            "$.gauges[1].machine",
+            "source-twice",
+            "not both"
+        },
         { "\"format\": \"points\"", "\"format\": \"poinst\"", 6, "$.gauges[0].format", "bad-format", "\"probing-log\"" },
         { "\"format\": \"points\"", "\"format\": { \"delimiter\": \"x\" }", 6, "$.gauges[0].format.delimiter", "bad-format", "one of" },
         { "\"finished\": \"rename\"", "\"finished\": {}", 6, "$.gauges[0].finished", "finished-rules", "no rule" },
-        { "\"finished\": \"rename\"", "\"finished\": { \"marker\": \".d\", \"endMark\": \"E\" }", 6, "$.gauges[0].finished", "finished-rules", "2 rules" },
+        {
+            "\"finished\": \"rename\"",
+            "\"finished\": { \"marker\": \".d\", \"endMark\": \"E\" }",
+            6,
+            "$.gauges[0].finished",
+            "finished-rules",
+            "2 rules"
+        },
         { "\"finished\": \"rename\"", "\"keep\": true", 6, "$.gauges[0].keep", "keep-without-machine", "always taken" },
         { "{ \"endMark\": \"END\" }", "\"rename\"", 7, "$.gauges[1].finished", "finished-at-machine", "own name" },
         { "{ \"endMark\": \"END\" }", "{ \"marker\": \".done\" }", 7, "$.gauges[1].finished.marker", "finished-at-machine", "atRestS" },
         { "{ \"endMark\": \"END\" }", "{ \"endMark\": \" END\" }", 7, "$.gauges[1].finished.endMark", "end-mark-spaces", "spaces" },
         { "\"files\": \"PROBE.LOG\"", "\"files\": \"*.MPF\"", 7, "$.gauges[1].files", "files-of-slot", "FINISH.MPF" },
-        { "{ \"name\": \"probe\",", "{ \"name\": \"cmm2\", \"incoming\": \"./incoming/\", \"files\": \"WO*\" }, { \"name\": \"probe\",", 7, "$.gauges[1].files", "overlapping-files", "\"WO*\" beside \"*.csv\" of \"cmm\"" },
+        {
+            "{ \"name\": \"probe\",",
+            "{ \"name\": \"cmm2\", \"incoming\": \"./incoming/\", \"files\": \"WO*\" }, { \"name\": \"probe\",",
+            7,
+            "$.gauges[1].files",
+            "overlapping-files",
+            "\"WO*\" beside \"*.csv\" of \"cmm\""
+        },
 
         // Folders.
         { "\"incoming\": \"incoming\"", "\"incoming\": \"machine/in\"", 6, "$.gauges[0].incoming", "incoming-at-machine", "vmc1" },
-        { "\"folder\": \"machine\"", "\"folder\": \"incoming/../incoming\"", 6, "$.gauges[0].incoming", "incoming-at-machine", "none lies in the other" },
+        {
+            "\"folder\": \"machine\"",
+            "\"folder\": \"incoming/../incoming\"",
+            6,
+            "$.gauges[0].incoming",
+            "incoming-at-machine",
+            "none lies in the other"
+        },
         { "\"file\": \"store/cell.db\"", "\"file\": \"incoming/cell.db\"", 3, "$.store.file", "inside-incoming", "the store" },
         { "\"logs\": \"logs\"", "\"logs\": \"machine/logs\"", 4, "$.logs", "inside-machine", "vmc1" },
         { "\"keys\": \"keys\"", "\"keys\": \"incoming/keys\"", 4, "$.keys", "inside-incoming", "the folder of keys" },
-        { "{ \"name\": \"vmc3\",", "{ \"name\": \"vmc0\", \"dialect\": \"fanuc\", \"transport\": { \"kind\": \"folder\", \"folder\": \"machine/sub\" }, \"slots\": [{ \"name\": \"A\", \"program\": \"X\" }] }, { \"name\": \"vmc3\",", 14, "$.machines[2].transport", "folder-of-two-machines", "the folder of vmc1 again" },
+        {
+            "{ \"name\": \"vmc3\",",
+            "{ \"name\": \"vmc0\", \"dialect\": \"fanuc\", \"transport\": { \"kind\": \"folder\", \"folder\": \"machine/sub\" }, "
+                + "\"slots\": [{ \"name\": \"A\", \"program\": \"X\" }] }, { \"name\": \"vmc3\",",
+            14,
+            "$.machines[2].transport",
+            "folder-of-two-machines",
+            "the folder of vmc1 again"
+        },
 
         // Ways to machines.
         { "\"tls\": \"none\"", "\"tls\": \"explicit\"", 12, "$.machines[1].transport", "pin-missing", "sha256//" },
-        { "\"tls\": \"none\"", "\"tls\": \"none\", \"pinnedKey\": \"sha256//47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=\"", 12, "$.machines[1].transport.pinnedKey", "pin-without-tls", "not encrypted" },
-        { "\"tls\": \"none\"", "\"tls\": \"implicit\", \"pinnedKey\": \"sha256//short\"", 12, "$.machines[1].transport.pinnedKey", "pattern-mismatch", "base 64" },
+        {
+            "\"tls\": \"none\"",
+            "\"tls\": \"none\", \"pinnedKey\": \"sha256//47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=\"",
+            12,
+            "$.machines[1].transport.pinnedKey",
+            "pin-without-tls",
+            "not encrypted"
+        },
+        {
+            "\"tls\": \"none\"",
+            "\"tls\": \"implicit\", \"pinnedKey\": \"sha256//short\"",
+            12,
+            "$.machines[1].transport.pinnedKey",
+            "pattern-mismatch",
+            "base 64"
+        },
         { "\"folder\": \"/nc\"", "\"folder\": \"/nc/../etc\"", 12, "$.machines[1].transport.folder", "folder-leads-up", "without .." },
-        { CellFolder.HostKey, CellFolder.HostKey.Replace("ed25519", "rsa", StringComparison.Ordinal), 15, "$.machines[2].transport.hostKey", "bad-host-key", "known_hosts" },
+        {
+            CellFolder.HostKey,
+            CellFolder.HostKey.Replace("ed25519", "rsa", StringComparison.Ordinal),
+            15,
+            "$.machines[2].transport.hostKey",
+            "bad-host-key",
+            "known_hosts"
+        },
         { CellFolder.HostKey, "ssh-ed25519 AAAA", 15, "$.machines[2].transport.hostKey", "bad-host-key", "whole" },
 
         // Jobs.
         { "\"job\": \"jobs/mating.json\"", "\"job\": \"jobs/none.json\"", 19, "$.jobs[0].job", "job-missing", "none.json" },
         { "\"job\": \"jobs/mating.json\"", "\"job\": \"jobs\"", 19, "$.jobs[0].job", "job-missing", "cannot be read" },
-        { "\"dialect\": \"delta-nc300\",\n      \"transport\"", "\"dialect\": \"fanuc\",\n      \"transport\"", 23, "$.jobs[2].job", "other-dialect", "fanuc, which vmc3 has" },
+        {
+            "\"dialect\": \"delta-nc300\",\n      \"transport\"",
+            "\"dialect\": \"fanuc\",\n      \"transport\"",
+            23,
+            "$.jobs[2].job",
+            "other-dialect",
+            "fanuc, which vmc3 has"
+        },
         { "\"dialect\": \"siemens-840d\"", "\"dialect\": \"siemens\"", 12, "$.machines[1].dialect", "unknown-dialect", "\"siemens-840d\"" },
         { "\"order\": \"serial\"", "\"piece\": \"surface\"", 19, "$.jobs[0].piece", "piece-of-other-kind", "a mating job" },
         { "\"program\": \"jobs/cam.nc\"", "\"piece\": \"part\"", 25, "$.jobs[3].piece", "piece-of-other-kind", "a free-form job" },
-        { "\"machine\": \"vmc3\", \"slot\": \"A\"", "\"machine\": \"vmc3\", \"slot\": \"A\", \"piece\": \"part\"", 23, "$.jobs[2].piece", "piece-decided-twice", "recognition" },
-        { "\"order\": \"serial\"", "\"program\": \"jobs/cam.nc\"", 19, "$.jobs[0].program", "program-for-mating", "names its program itself" },
+        {
+            "\"machine\": \"vmc3\", \"slot\": \"A\"",
+            "\"machine\": \"vmc3\", \"slot\": \"A\", \"piece\": \"part\"",
+            23,
+            "$.jobs[2].piece",
+            "piece-decided-twice",
+            "recognition"
+        },
+        {
+            "\"order\": \"serial\"",
+            "\"program\": \"jobs/cam.nc\"",
+            19,
+            "$.jobs[0].program",
+            "program-for-mating",
+            "names its program itself"
+        },
         { "\"order\": \"serial\"", "\"accumulates\": true", 19, "$.jobs[0].accumulates", "accumulates-without-feedback", "feedback" },
-        { "\"slot\": \"A\", \"program\": \"jobs/cam.nc\",", "\"slot\": \"A\", \"order\": \"serial\",", 25, "$.jobs[3].order", "serial-missing", "(?<serial>...)" },
-        { "{ \"sumLimitMm\": 0.6 }", "{ \"sumLimitMm\": 0.1 }", 22, "$.jobs[1].policy.sumLimitMm", "sum-limit-too-small", "0.1 mm, less than the 0.2 mm" },
-        { "\"name\": \"PLAN\", \"pattern\"", "\"name\": \"\", \"pattern\"", 26, "$.jobs[3].recognize.headerField.name", "pattern-mismatch", "one line" },
+        {
+            "\"slot\": \"A\", \"program\": \"jobs/cam.nc\",",
+            "\"slot\": \"A\", \"order\": \"serial\",",
+            25,
+            "$.jobs[3].order",
+            "serial-missing",
+            "(?<serial>...)"
+        },
+        {
+            "{ \"sumLimitMm\": 0.6 }",
+            "{ \"sumLimitMm\": 0.1 }",
+            22,
+            "$.jobs[1].policy.sumLimitMm",
+            "sum-limit-too-small",
+            "0.1 mm, less than the 0.2 mm"
+        },
+        {
+            "\"name\": \"PLAN\", \"pattern\"",
+            "\"name\": \"\", \"pattern\"",
+            26,
+            "$.jobs[3].recognize.headerField.name",
+            "pattern-mismatch",
+            "one line"
+        },
 
         // Patterns.
-        { "{ \"fileName\": \"^fb_\", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" } }", "{}", 22, "$.jobs[1].recognize", "recognition-missing", "every file" },
+        {
+            "{ \"fileName\": \"^fb_\", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>[0-9]+)$\" } }",
+            "{}",
+            22,
+            "$.jobs[1].recognize",
+            "recognition-missing",
+            "every file"
+        },
         { "\"^cover\"", "\"^(cover\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "look-around" },
         { "\"^cover\"", "\"(?=cover)\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "look-around" },
         { "\"^cover\"", "\"(.)\\\\1\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "back references" },
         { "\"^cover\"", "\"^(?<serail>C)\"", 24, "$.jobs[2].recognize.fileName", "unknown-group", "serial or workOrder" },
-        { "{ \"name\": \"serial\", \"pattern\": \"^(?<serial>C[0-9]+)$\" }", "{ \"name\": \"serial\" }", 24, "$.jobs[2].recognize.column", "missing-key", "\"pattern\"" },
-        { "\"headerField\": { \"name\": \"PLAN\"", "\"column\": { \"name\": \"PLAN\"", 26, "$.jobs[3].recognize.column", "column-of-log", "headerField" },
-        { "\"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C", "\"headerField\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C", 24, "$.jobs[2].recognize.headerField", "no-header-fields", "skipLines" },
+        {
+            "{ \"name\": \"serial\", \"pattern\": \"^(?<serial>C[0-9]+)$\" }",
+            "{ \"name\": \"serial\" }",
+            24,
+            "$.jobs[2].recognize.column",
+            "missing-key",
+            "\"pattern\""
+        },
+        {
+            "\"headerField\": { \"name\": \"PLAN\"",
+            "\"column\": { \"name\": \"PLAN\"",
+            26,
+            "$.jobs[3].recognize.column",
+            "column-of-log",
+            "headerField"
+        },
+        {
+            "\"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C",
+            "\"headerField\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C",
+            24,
+            "$.jobs[2].recognize.headerField",
+            "no-header-fields",
+            "skipLines"
+        },
     };
 
     public void Dispose() => _cell.Dispose();
@@ -134,7 +319,8 @@ public sealed class WrongConfigurationTests : IDisposable
             .Replace("\"kind\": \"mating\"", "\"kind\": \"mating\", \"knid\": 1", StringComparison.Ordinal)
             .Replace("\"gain\": 1.0", "\"gain\": 5", StringComparison.Ordinal));
         var problems = Problems(CellFolder.Right);
-        Assert.Equal([("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)], problems.Select(p => (p.Code, p.Path, p.Line)));
+        Assert.Equal(
+            [("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)], problems.Select(p => (p.Code, p.Path, p.Line)));
         Assert.StartsWith($"in {job}, line 3, column 21, $.knid: ", problems[0].Message, StringComparison.Ordinal);
         Assert.Contains("$.compensation.gain: ", problems[1].Message, StringComparison.Ordinal);
     }
@@ -151,7 +337,10 @@ public sealed class WrongConfigurationTests : IDisposable
     [Fact]
     public void An_original_that_the_cell_would_overwrite_is_named()
     {
-        var problems = Problems(CellFolder.With("\"folder\": \"machine\"", "\"folder\": \"jobs\"").Replace("\"O3001.NC\"", "\"counterpart.nc\"", StringComparison.Ordinal).Replace("\"O2002.NC\"", "\"COUNTERPART.NC\"", StringComparison.Ordinal));
+        var problems = Problems(
+            CellFolder.With("\"folder\": \"machine\"", "\"folder\": \"jobs\"")
+                .Replace("\"O3001.NC\"", "\"counterpart.nc\"", StringComparison.Ordinal)
+                .Replace("\"O2002.NC\"", "\"COUNTERPART.NC\"", StringComparison.Ordinal));
         Assert.Equal(["$.jobs[0].job", "$.jobs[1].job", "$.jobs[2].job"], problems.Select(p => p.Path));
         Assert.All(problems, p => Assert.Equal("original-at-machine", p.Code));
     }
@@ -159,14 +348,18 @@ public sealed class WrongConfigurationTests : IDisposable
     [Fact]
     public void A_sum_without_a_limit_is_named()
     {
-        var problem = Assert.Single(Problems(CellFolder.With("\"sumLimitMm\": 0.6", "\"gain\": 0.5").Replace(", \"sumLimitMm\": 0.5", "", StringComparison.Ordinal)));
+        var problem = Assert.Single(Problems(
+            CellFolder.With("\"sumLimitMm\": 0.6", "\"gain\": 0.5").Replace(", \"sumLimitMm\": 0.5", "", StringComparison.Ordinal)));
         Assert.Equal(("sum-limit-missing", "$.jobs[1].accumulates", 21), (problem.Code, problem.Path, problem.Line));
     }
 
     [Fact]
     public void A_probing_log_for_a_mating_is_named()
     {
-        var problem = Assert.Single(Problems(CellFolder.With("\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\"]", "\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\", \"probe\"]")
+        var problem = Assert.Single(Problems(
+            CellFolder.With(
+                "\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\"]",
+                "\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\", \"probe\"]")
             .Replace(", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C[0-9]+)$\" }", "", StringComparison.Ordinal)));
         Assert.Equal(("log-for-mating", "$.jobs[2].gauges[1]", 23), (problem.Code, problem.Path, problem.Line));
     }
@@ -177,7 +370,9 @@ public sealed class WrongConfigurationTests : IDisposable
         var missing = Problems(CellFolder.With("\"dialect\": \"siemens-840d\"", "\"dialect\": \"mill.json\""));
         Assert.Contains(missing, p => (p.Code, p.Path) == ("dialect-missing", "$.machines[1].dialect"));
         _cell.Write("mill.json", "{ \"like\": \"siemens-840d\" }");
-        Assert.Contains(Problems(CellFolder.With("\"dialect\": \"siemens-840d\"", "\"dialect\": \"mill.json\"")), p => p is { Code: "missing-key", Path: "$.machines[1].dialect" });
+        Assert.Contains(
+            Problems(CellFolder.With("\"dialect\": \"siemens-840d\"", "\"dialect\": \"mill.json\"")),
+            p => p is { Code: "missing-key", Path: "$.machines[1].dialect" });
     }
 
     private IReadOnlyList<JsonProblem> Problems(string text) => Assert.Throws<JsonDocumentException>(() => _cell.Read(text)).Problems;

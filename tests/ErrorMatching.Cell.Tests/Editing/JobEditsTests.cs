@@ -12,7 +12,11 @@ public sealed class JobEditsTests : PeopleTest
     public void A_setter_s_edit_is_the_job_and_stands_in_the_trail_before_it()
     {
         var (settings, edits, by) = Begin();
-        var draft = MatingDraftFiles.Open(settings.Jobs[0].File) with { Name = "Edited", Program = DraftProgram.Of(File.ReadAllBytes(Path.Combine(Sample, "counterpart.nc")).Append((byte)'\n').ToArray()) };
+        var draft = MatingDraftFiles.Open(settings.Jobs[0].File) with
+        {
+            Name = "Edited",
+            Program = DraftProgram.Of(File.ReadAllBytes(Path.Combine(Sample, "counterpart.nc")).Append((byte)'\n').ToArray())
+        };
         var saved = edits.Save(settings.Jobs[0], draft, JobEdits.Sha256Of(settings.Jobs[0]), by);
         Assert.Equal(JobEdits.Sha256Of(settings.Jobs[0]), saved);
         Assert.Equal("Edited", InputFile.Job(settings.Jobs[0].File).Name);
@@ -27,11 +31,16 @@ public sealed class JobEditsTests : PeopleTest
     {
         var (settings, edits, by) = Begin();
         var job = settings.Jobs[0];
-        var (draft, sha256, was) = (MatingDraftFiles.Open(job.File) with { Name = "Edited" }, JobEdits.Sha256Of(job), File.ReadAllBytes(job.File));
+        var (draft, sha256, was) = (
+            MatingDraftFiles.Open(job.File) with { Name = "Edited" }, JobEdits.Sha256Of(job), File.ReadAllBytes(job.File));
         Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Name = "" }, sha256, by));
         Refused(JobEditException.ChangedMeanwhile, () => edits.Save(job, draft, new('0', 64), by));
-        Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Counterpart = draft.Counterpart with { Dialect = "fanuc" } }, sha256, by));
-        Refused(JobEditException.Wrong, () => edits.Save(job, draft with { Compensation = draft.Compensation with { From = "counterpart" } }, sha256, by));
+        Refused(
+            JobEditException.Wrong,
+            () => edits.Save(job, draft with { Counterpart = draft.Counterpart with { Dialect = "fanuc" } }, sha256, by));
+        Refused(
+            JobEditException.Wrong,
+            () => edits.Save(job, draft with { Compensation = draft.Compensation with { From = "counterpart" } }, sha256, by));
         Assert.Equal(was, File.ReadAllBytes(job.File));
         Assert.DoesNotContain(Trail, e => e.Contains("job-edited", StringComparison.Ordinal));
     }
@@ -41,7 +50,10 @@ public sealed class JobEditsTests : PeopleTest
     {
         var (settings, edits, by) = Begin();
         File.Copy(PathOf(Path.Combine("one", "job.json")), PathOf(Path.Combine("one", "second.json")));
-        settings = settings with { Jobs = [settings.Jobs[0], settings.Jobs[0] with { Name = "second", File = PathOf(Path.Combine("one", "second.json")) }] };
+        settings = settings with
+        {
+            Jobs = [settings.Jobs[0], settings.Jobs[0] with { Name = "second", File = PathOf(Path.Combine("one", "second.json")) }]
+        };
         edits = new(settings, Store, Users);
         var (draft, sha256) = (MatingDraftFiles.Open(settings.Jobs[0].File), JobEdits.Sha256Of(settings.Jobs[0]));
         Refused(JobEditException.Shared, () => edits.Save(settings.Jobs[0], draft with { OtherPoints = [new("O", "0", "0")] }, sha256, by));

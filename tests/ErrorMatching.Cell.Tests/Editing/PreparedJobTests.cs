@@ -25,7 +25,9 @@ public sealed class PreparedJobTests : PeopleTest
         Assert.Equal(("Bracket", "theoretical.csv", "counterpart.nc"), (job.Name, job.Part.Theoretical, job.Counterpart.Program));
         Assert.Equal(
             ["counterpart.nc", "job.json", "theoretical.csv"],
-            Directory.GetFileSystemEntries(Path.GetDirectoryName(prepared.File)!).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+            Directory.GetFileSystemEntries(Path.GetDirectoryName(prepared.File)!)
+                .Select(f => Path.GetFileName(f))
+                .Order(StringComparer.Ordinal));
         Assert.Equal(PathOf(Path.Combine("one", "part.csv")), Path.GetFullPath(job.PathOf(job.Part.Measured)));
         Assert.StartsWith($"{by.Name} job-prepared one/Bracket theoretical.csv ", Trail[^1], StringComparison.Ordinal);
         Assert.EndsWith($", job.json {JobEdits.Sha256Of(prepared)}", Trail[^1], StringComparison.Ordinal);

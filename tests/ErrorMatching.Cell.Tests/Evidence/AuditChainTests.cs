@@ -114,7 +114,8 @@ public sealed class AuditChainTests
         for (var at = 0; at <= 5; at++)
         {
             var chain = Chain(5);
-            chain.Insert(at, AuditEntry.After(at == 0 ? AuditEntry.NoHash : chain[at - 1].Hash, at + 1, Start, "eve", "approved", null, "forged"));
+            chain.Insert(
+                at, AuditEntry.After(at == 0 ? AuditEntry.NoHash : chain[at - 1].Hash, at + 1, Start, "eve", "approved", null, "forged"));
             Found(AuditFaultKind.Inserted, at + 1, Numbered(chain));
         }
     }
@@ -159,7 +160,8 @@ public sealed class AuditChainTests
     public void A_trail_that_was_written_anew_is_found_by_its_seal()
     {
         var chain = new List<AuditEntry>();
-        foreach (var entry in Chain(5)) chain.Add(AuditEntry.After(chain.Count == 0 ? AuditEntry.NoHash : chain[^1].Hash, entry.Seq, entry.At, "eve", entry.What, entry.Subject, entry.Basis));
+        foreach (var entry in Chain(5)) chain.Add(AuditEntry.After(
+            chain.Count == 0 ? AuditEntry.NoHash : chain[^1].Hash, entry.Seq, entry.At, "eve", entry.What, entry.Subject, entry.Basis));
         var forged = Head(chain) with { Seal = Head(Chain(5)).Seal };
         Assert.Null(AuditChain.Verify(chain, forged, null));
         Assert.Equal(AuditFaultKind.Unsealed, AuditChain.Verify(chain, forged, Key)?.Kind);
@@ -185,14 +187,22 @@ public sealed class AuditChainTests
 
     private static List<AuditEntry> Numbered(List<AuditEntry> chain) => [.. chain.Select((e, i) => e with { Seq = i + 1 })];
 
-    private static AuditHead Head(List<AuditEntry> chain) => new(chain.Count, chain[^1].At, chain[^1].Hash, AuditHead.SealOf(Key, chain.Count, chain[^1].Hash));
+    private static AuditHead Head(List<AuditEntry> chain) =>
+        new(chain.Count, chain[^1].At, chain[^1].Hash, AuditHead.SealOf(Key, chain.Count, chain[^1].Hash));
 
     private static List<AuditEntry> Chain(int count)
     {
         var chain = new List<AuditEntry>();
         for (var seq = 1; seq <= count; seq++)
         {
-            chain.Add(AuditEntry.After(chain.Count == 0 ? AuditEntry.NoHash : chain[^1].Hash, seq, Start.AddSeconds(seq), "anna", "approved", $"correction {seq}", "looks right"));
+            chain.Add(AuditEntry.After(
+                chain.Count == 0 ? AuditEntry.NoHash : chain[^1].Hash,
+                seq,
+                Start.AddSeconds(seq),
+                "anna",
+                "approved",
+                $"correction {seq}",
+                "looks right"));
         }
 
         return chain;

@@ -4,7 +4,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What somebody can do to the rows of a trail who can write the store's file, triggers or not, but does not have the keys.</summary>
+/// <summary>What somebody can do to the rows of a trail who can write the store's file, triggers or not,
+/// but does not have the keys.</summary>
 public sealed class AuditTrailTests : PeopleTest
 {
     private const int Entries = 9;
@@ -36,9 +37,12 @@ public sealed class AuditTrailTests : PeopleTest
             var data = new TheoryData<string, long>();
             foreach (var change in new[]
             {
-                "who = 'eve'", "who = 'Anna'", "who = who || ' '", "what = 'rejected'", "subject = 'correction 99'", "subject = ''", "subject = NULL", "basis = ''", "basis = basis || '.'", "at = at + 1", "at = at - 1000000", "at = 0",
-                "at = 9223372036854775807", "at = -9223372036854775808", "at = 'noon'", "who = ''", "hash = '" + AuditEntry.NoHash + "'", "hash = upper(hash)", "hash = ''", "previous = hash", "previous = ''",
-                "previous = '" + AuditEntry.NoHash + "', who = 'eve'", "who = what, what = who", "subject = basis, basis = subject || ''", "who = x'ff'",
+                "who = 'eve'", "who = 'Anna'", "who = who || ' '", "what = 'rejected'", "subject = 'correction 99'", "subject = ''",
+                "subject = NULL", "basis = ''", "basis = basis || '.'", "at = at + 1", "at = at - 1000000", "at = 0",
+                "at = 9223372036854775807", "at = -9223372036854775808", "at = 'noon'", "who = ''", "hash = '" + AuditEntry.NoHash + "'",
+                "hash = upper(hash)", "hash = ''", "previous = hash", "previous = ''",
+                "previous = '" + AuditEntry.NoHash + "', who = 'eve'", "who = what, what = who", "subject = basis, basis = subject || ''",
+                "who = x'ff'",
             })
             {
                 foreach (var seq in new long[] { 2, 5, Entries })
@@ -53,23 +57,30 @@ public sealed class AuditTrailTests : PeopleTest
 
     [Theory]
     [MemberData(nameof(Fields))]
-    public void A_changed_field_is_found_and_its_entry_named(string change, long seq) => Found(AuditFaultKind.Changed, seq, $"UPDATE audit SET {change} WHERE seq = {seq}");
+    public void A_changed_field_is_found_and_its_entry_named(string change, long seq) =>
+        Found(AuditFaultKind.Changed, seq, $"UPDATE audit SET {change} WHERE seq = {seq}");
 
     [Theory]
-    [InlineData(1, 1), InlineData(2, 1), InlineData(5, 1), InlineData(4, 3), InlineData(Entries, 1), InlineData(7, 3), InlineData(1, 3), InlineData(1, Entries)]
-    public void Removed_entries_are_found(long first, int count) => Found(AuditFaultKind.Removed, first, $"DELETE FROM audit WHERE seq BETWEEN {first} AND {first + count - 1}");
+    [InlineData(1, 1), InlineData(2, 1), InlineData(5, 1), InlineData(4, 3), InlineData(Entries, 1), InlineData(7, 3), InlineData(1, 3),
+        InlineData(1, Entries)]
+    public void Removed_entries_are_found(long first, int count) =>
+        Found(AuditFaultKind.Removed, first, $"DELETE FROM audit WHERE seq BETWEEN {first} AND {first + count - 1}");
 
     [Theory]
     [InlineData(1, 1), InlineData(5, 1), InlineData(4, 3)]
     public void Removed_entries_are_found_when_the_others_close_up(long first, int count) => Found(
-        AuditFaultKind.Removed, first, $"DELETE FROM audit WHERE seq BETWEEN {first} AND {first + count - 1}", $"UPDATE audit SET seq = seq - {count} WHERE seq > {first}");
+        AuditFaultKind.Removed,
+        first,
+        $"DELETE FROM audit WHERE seq BETWEEN {first} AND {first + count - 1}",
+        $"UPDATE audit SET seq = seq - {count} WHERE seq > {first}");
 
     [Theory]
     [InlineData(8, 1), InlineData(5, 4), InlineData(1, 8)]
     public void A_removed_end_is_found_though_the_head_says_so_too(long last, int count)
     {
         var hash = Store.AuditEntries(last - 1, 1)[0].Hash;
-        Found(AuditFaultKind.Unsealed, last, $"DELETE FROM audit WHERE seq > {last}", $"UPDATE audit_head SET seq = {last}, hash = '{hash}'");
+        Found(
+            AuditFaultKind.Unsealed, last, $"DELETE FROM audit WHERE seq > {last}", $"UPDATE audit_head SET seq = {last}, hash = '{hash}'");
         Assert.Equal(Entries, last + count);
     }
 
@@ -78,7 +89,12 @@ public sealed class AuditTrailTests : PeopleTest
     public void An_inserted_entry_is_found(long seq)
     {
         var forged = Forged(seq, "eve");
-        Found(AuditFaultKind.Inserted, seq, $"UPDATE audit SET seq = -seq WHERE seq >= {seq}", $"UPDATE audit SET seq = 1 - seq WHERE seq < 0", Insert(forged));
+        Found(
+            AuditFaultKind.Inserted,
+            seq,
+            $"UPDATE audit SET seq = -seq WHERE seq >= {seq}",
+            $"UPDATE audit SET seq = 1 - seq WHERE seq < 0",
+            Insert(forged));
     }
 
     [Fact]
@@ -102,11 +118,16 @@ public sealed class AuditTrailTests : PeopleTest
     [Theory]
     [InlineData(1, 2), InlineData(4, 5), InlineData(2, 8), InlineData(8, Entries), InlineData(1, Entries)]
     public void Reordered_entries_are_found(long one, long other) => Found(
-        AuditFaultKind.Reordered, one, $"UPDATE audit SET seq = -{one} WHERE seq = {one}", $"UPDATE audit SET seq = {one} WHERE seq = {other}", $"UPDATE audit SET seq = {other} WHERE seq = -{one}");
+        AuditFaultKind.Reordered,
+        one,
+        $"UPDATE audit SET seq = -{one} WHERE seq = {one}",
+        $"UPDATE audit SET seq = {one} WHERE seq = {other}",
+        $"UPDATE audit SET seq = {other} WHERE seq = -{one}");
 
     [Theory]
     [InlineData(1), InlineData(5), InlineData(8)]
-    public void An_entry_that_is_changed_and_hashed_again_is_found(long seq) => Found(AuditFaultKind.Changed, seq, [$"UPDATE audit SET who = 'eve' WHERE seq = {seq}", .. Rehash(seq, seq)]);
+    public void An_entry_that_is_changed_and_hashed_again_is_found(long seq) =>
+        Found(AuditFaultKind.Changed, seq, [$"UPDATE audit SET who = 'eve' WHERE seq = {seq}", .. Rehash(seq, seq)]);
 
     [Fact]
     public void The_last_entry_changed_and_hashed_again_is_found() =>
@@ -128,13 +149,18 @@ public sealed class AuditTrailTests : PeopleTest
     {
         Tamper([Rewritten(3), .. Rehash(3, Entries)]);
         var hash = Store.AuditEntries(Entries - 1, 1)[0].Hash;
-        Found(AuditFaultKind.Unsealed, Entries, $"UPDATE audit_head SET hash = '{hash}', seal = '{AuditHead.SealOf(AuditKey.Open(PathOf("others")), Entries, hash)}'");
+        Found(
+            AuditFaultKind.Unsealed,
+            Entries,
+            $"UPDATE audit_head SET hash = '{hash}', seal = '{AuditHead.SealOf(AuditKey.Open(PathOf("others")), Entries, hash)}'");
     }
 
     [Theory]
-    [InlineData("seq = seq - 1", AuditFaultKind.Inserted, Entries), InlineData("seq = seq + 1", AuditFaultKind.Removed, Entries + 1), InlineData("hash = seal", AuditFaultKind.Changed, Entries), InlineData("seal = NULL", AuditFaultKind.Unsealed, Entries)]
+    [InlineData("seq = seq - 1", AuditFaultKind.Inserted, Entries), InlineData("seq = seq + 1", AuditFaultKind.Removed, Entries + 1),
+        InlineData("hash = seal", AuditFaultKind.Changed, Entries), InlineData("seal = NULL", AuditFaultKind.Unsealed, Entries)]
     [InlineData("seal = hash", AuditFaultKind.Unsealed, Entries), InlineData("seal = upper(seal)", AuditFaultKind.Unsealed, Entries)]
-    public void A_changed_head_is_found(string change, AuditFaultKind kind, long seq) => Found(kind, seq, $"UPDATE audit_head SET {change}");
+    public void A_changed_head_is_found(string change, AuditFaultKind kind, long seq) =>
+        Found(kind, seq, $"UPDATE audit_head SET {change}");
 
     [Fact]
     public void A_lost_head_is_named()
@@ -146,7 +172,9 @@ public sealed class AuditTrailTests : PeopleTest
     [Fact]
     public void The_next_entry_does_not_heal_what_was_broken()
     {
-        Tamper($"DELETE FROM audit WHERE seq = {Entries}", $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
+        Tamper(
+            $"DELETE FROM audit WHERE seq = {Entries}",
+            $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
         Store.Audit("anna", "noted", "as if nothing were");
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
@@ -167,7 +195,11 @@ public sealed class AuditTrailTests : PeopleTest
             Evidence.Remember();
         }
 
-        Found(AuditFaultKind.Removed, Entries + 1, $"DELETE FROM audit WHERE seq > {Entries}", $"UPDATE audit_head SET seq = {old.Seq}, at = 0, hash = '{old.Hash}', seal = '{old.Seal}'");
+        Found(
+            AuditFaultKind.Removed,
+            Entries + 1,
+            $"DELETE FROM audit WHERE seq > {Entries}",
+            $"UPDATE audit_head SET seq = {old.Seq}, at = 0, hash = '{old.Hash}', seal = '{old.Seal}'");
         Assert.Contains("Entries 10 to 11 are missing", Evidence.Verify().Message, StringComparison.Ordinal);
 
         // Other entries in their place do not hide it, and looking at the end does not forget it.
@@ -187,7 +219,8 @@ public sealed class AuditTrailTests : PeopleTest
         Store.Audit("anna", "noted", "to be forgotten");
         Assert.True(Evidence.Verify().Holds);
         using var older = CellStore.Open(new SqliteSettings(PathOf("older.db")), Clock, Key);
-        Assert.Equal((AuditFaultKind.Removed, Entries + 1L), new AuditTrail(older, Keys).Verify().Fault is { } f ? (f.Kind, f.Seq) : default);
+        Assert.Equal(
+            (AuditFaultKind.Removed, Entries + 1L), new AuditTrail(older, Keys).Verify().Fault is { } f ? (f.Kind, f.Seq) : default);
     }
 
     [Fact]
@@ -200,7 +233,9 @@ public sealed class AuditTrailTests : PeopleTest
         var evidence = new AuditTrail(older, Keys);
         evidence.TakeOver("console", "A backup was brought back.");
         var entry = older.AuditEntries(Entries, 10)[^1];
-        Assert.Equal(("console", "trail-set-back", $"A backup was brought back. It had gone to entry 10 with the hash {lost.Hash}."), (entry.Who, entry.What, entry.Basis));
+        Assert.Equal(
+            ("console", "trail-set-back", $"A backup was brought back. It had gone to entry 10 with the hash {lost.Hash}."),
+            (entry.Who, entry.What, entry.Basis));
         Assert.Equal((true, Entries + 1), (evidence.Verify().Holds, evidence.Verify().Entries));
 
         // Once is enough, and what goes on is no gap.
@@ -212,7 +247,9 @@ public sealed class AuditTrailTests : PeopleTest
     public void Nobody_takes_over_what_was_not_sealed()
     {
         Evidence.Remember();
-        Tamper($"DELETE FROM audit WHERE seq = {Entries}", $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
+        Tamper(
+            $"DELETE FROM audit WHERE seq = {Entries}",
+            $"UPDATE audit_head SET seq = {Entries - 1}, hash = '{Store.AuditEntries(Entries - 2, 1)[0].Hash}'");
         Evidence.TakeOver("eve", "nothing to see");
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
         Assert.DoesNotContain(Trail, e => e.StartsWith("eve", StringComparison.Ordinal));
@@ -260,7 +297,8 @@ public sealed class AuditTrailTests : PeopleTest
         var second = Store.AuditEntries(1, 1)[0];
         Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right "
             + $"2\",\"{second.Previous}\",\"{second.Hash}\",\"", lines[2]);
-        Assert.Contains("\"'=cmd|' /C calc'!A0\",\"'@SUM(A1)\",\"'\t'=1\",\"'-1;'=1\r\n'+1 \"\"ok\"\"\"", csv.ToString(), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"'=cmd|' /C calc'!A0\",\"'@SUM(A1)\",\"'\t'=1\",\"'-1;'=1\r\n'+1 \"\"ok\"\"\"", csv.ToString(), StringComparison.Ordinal);
     }
 
     private AuditTrail OfOthers()
@@ -299,7 +337,9 @@ public sealed class AuditTrailTests : PeopleTest
     private static string Rewritten(long from) => $"UPDATE audit SET who = 'eve' WHERE seq >= {from}";
 
     private static string Insert(AuditEntry e) => string.Create(
-        CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES ({e.Seq}, {StoredTime.Of(e.At)}, '{e.Who}', '{e.What}', '{e.Subject}', '{e.Basis}', '{e.Previous}', '{e.Hash}')");
+        CultureInfo.InvariantCulture,
+        $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES ({e.Seq}, {StoredTime.Of(e.At)}, '{e.Who}', "
+            + $"'{e.What}', '{e.Subject}', '{e.Basis}', '{e.Previous}', '{e.Hash}')");
 
     // The chain from one entry to another as eve would have written it, by the published form alone.
     private IEnumerable<string> Rehash(long first, long last)

@@ -10,9 +10,12 @@ public sealed class SpreadsheetCsvTests
     private const string Executed = "=+-@\t\r\0\uff1d\uff0b\uff0d\uff20";
 
     [Theory]
-    [InlineData("=1+1", "'=1+1"), InlineData("@SUM(A1)", "'@SUM(A1)"), InlineData("+49 89", "'+49 89"), InlineData("-0.05 mm", "'-0.05 mm"), InlineData("  =1", "  '=1"), InlineData("\"=1", "\"'=1"), InlineData("\u00a0=1", "\u00a0'=1")]
-    [InlineData("\u200b=1", "\u200b'=1"), InlineData("\uff1dcmd|' /C calc'!A0", "'\uff1dcmd|' /C calc'!A0"), InlineData("a;=1", "a;'=1"), InlineData("a;\"=1", "a;\"'=1"), InlineData("a\n=1", "a\n'=1"), InlineData("a\t=1", "a\t'=1")]
-    [InlineData("\t=1", "'\t'=1"), InlineData("looks right", "looks right"), InlineData("1 - 2 = -1, as planned", "1 - 2 = -1, as planned"), InlineData("", ""), InlineData("a, -b", "a, -b")]
+    [InlineData("=1+1", "'=1+1"), InlineData("@SUM(A1)", "'@SUM(A1)"), InlineData("+49 89", "'+49 89"), InlineData("-0.05 mm", "'-0.05 mm"),
+        InlineData("  =1", "  '=1"), InlineData("\"=1", "\"'=1"), InlineData("\u00a0=1", "\u00a0'=1")]
+    [InlineData("\u200b=1", "\u200b'=1"), InlineData("\uff1dcmd|' /C calc'!A0", "'\uff1dcmd|' /C calc'!A0"), InlineData("a;=1", "a;'=1"),
+        InlineData("a;\"=1", "a;\"'=1"), InlineData("a\n=1", "a\n'=1"), InlineData("a\t=1", "a\t'=1")]
+    [InlineData("\t=1", "'\t'=1"), InlineData("looks right", "looks right"), InlineData("1 - 2 = -1, as planned", "1 - 2 = -1, as planned"),
+        InlineData("", ""), InlineData("a, -b", "a, -b")]
     public void What_begins_like_a_formula_is_text(string text, string safe) => Assert.Equal(safe, SpreadsheetCsv.Defused(text));
 
     [Fact]
@@ -85,5 +88,6 @@ public sealed class SpreadsheetCsvTests
         return cells;
     }
 
-    private static string Escaped(string text) => string.Concat(text.Select(c => c is > ' ' and < '\x7f' ? c.ToString() : $"\\u{(int)c:x4}"));
+    private static string Escaped(string text) =>
+        string.Concat(text.Select(c => c is > ' ' and < '\x7f' ? c.ToString() : $"\\u{(int)c:x4}"));
 }

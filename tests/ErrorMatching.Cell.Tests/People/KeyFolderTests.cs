@@ -16,7 +16,8 @@ public sealed class KeyFolderTests : PeopleTest
     }
 
     [Theory]
-    [InlineData(UnixFileMode.GroupRead), InlineData(UnixFileMode.GroupWrite), InlineData(UnixFileMode.OtherRead), InlineData(UnixFileMode.OtherExecute)]
+    [InlineData(UnixFileMode.GroupRead), InlineData(UnixFileMode.GroupWrite), InlineData(UnixFileMode.OtherRead),
+        InlineData(UnixFileMode.OtherExecute)]
     public void What_others_reach_is_refused_by_name(UnixFileMode more)
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows has lists of rights instead.");
@@ -35,7 +36,8 @@ public sealed class KeyFolderTests : PeopleTest
     public void A_file_in_the_folders_place_is_named()
     {
         File.WriteAllText(PathOf("file"), "");
-        Assert.Contains(PathOf("file"), Refused(PeopleError.KeysUnusable, () => AuditKey.Open(PathOf("file"))).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            PathOf("file"), Refused(PeopleError.KeysUnusable, () => AuditKey.Open(PathOf("file"))).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -118,11 +118,14 @@ public sealed class MachineSecretsTests : PeopleTest
     }
 
     [Theory]
-    [InlineData("<key/>"), InlineData("<revocation version=\"1\"><key id=\"*\"/></revocation>"), InlineData("<key id=\"x\" version=\"1\"/>"), InlineData("<a/>")]
+    [InlineData("<key/>"), InlineData("<revocation version=\"1\"><key id=\"*\"/></revocation>"),
+        InlineData("<key id=\"x\" version=\"1\"/>"), InlineData("<a/>")]
     public void Keys_that_are_something_else_do_not_read_it(string text)
     {
         Secrets.Set("vmc1", Secret, "Anna");
         File.WriteAllText(Directory.EnumerateFiles(Keys, "*.xml").First(), text);
-        Assert.Contains(Assert.Throws<PeopleException>(() => Secrets.Get("vmc1")).Error, new[] { PeopleError.SecretUnreadable, PeopleError.KeysUnusable });
+        Assert.Contains(
+            Assert.Throws<PeopleException>(() => Secrets.Get("vmc1")).Error,
+            new[] { PeopleError.SecretUnreadable, PeopleError.KeysUnusable });
     }
 }

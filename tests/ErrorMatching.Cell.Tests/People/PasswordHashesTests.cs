@@ -15,7 +15,8 @@ public sealed class PasswordHashesTests
         var hash = Convert.FromBase64String(new PasswordHashes().Of("correct horse battery"));
         Assert.Equal((1, 2, Owasp, 16, 61), (hash[0], Number(hash, 1), Number(hash, 5), Number(hash, 9), hash.Length));
         Assert.Equal(
-            Rfc2898DeriveBytes.Pbkdf2(Encoding.UTF8.GetBytes("correct horse battery"), hash.AsSpan(13, 16), Owasp, HashAlgorithmName.SHA512, 32),
+            Rfc2898DeriveBytes.Pbkdf2(
+                Encoding.UTF8.GetBytes("correct horse battery"), hash.AsSpan(13, 16), Owasp, HashAlgorithmName.SHA512, 32),
             hash[29..]);
     }
 
@@ -52,10 +53,12 @@ public sealed class PasswordHashesTests
 
     [Theory]
     [InlineData(""), InlineData("AQ=="), InlineData("not base 64"), InlineData("AQAAAAIAA1tgAAAAEA==")]
-    public void What_is_no_hash_is_nobodys_password(string hash) => Assert.False(new PasswordHashes(10).Compare(hash, "correct horse battery").IsRight);
+    public void What_is_no_hash_is_nobodys_password(string hash) =>
+        Assert.False(new PasswordHashes(10).Compare(hash, "correct horse battery").IsRight);
 
     [Fact]
-    public void A_megabyte_is_no_password() => Assert.False(new PasswordHashes(10).Compare(new PasswordHashes(10).Of(new string('a', 1 << 20)), new string('a', 1 << 20)).IsRight);
+    public void A_megabyte_is_no_password() =>
+        Assert.False(new PasswordHashes(10).Compare(new PasswordHashes(10).Of(new string('a', 1 << 20)), new string('a', 1 << 20)).IsRight);
 
     private static int Number(byte[] hash, int at) => BinaryPrimitives.ReadInt32BigEndian(hash.AsSpan(at));
 }

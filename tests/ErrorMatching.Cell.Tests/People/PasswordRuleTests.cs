@@ -3,7 +3,8 @@ namespace ErrorMatching.Cell.Tests;
 public sealed class PasswordRuleTests
 {
     [Theory]
-    [InlineData("correct horse battery"), InlineData("staple of the ox"), InlineData("kX9#vPq2!mZr"), InlineData("annas garten im mai"), InlineData("пароль не угадать"), InlineData("zwölf Zeichen"), InlineData("999 Luftballons!")]
+    [InlineData("correct horse battery"), InlineData("staple of the ox"), InlineData("kX9#vPq2!mZr"), InlineData("annas garten im mai"),
+        InlineData("пароль не угадать"), InlineData("zwölf Zeichen"), InlineData("999 Luftballons!")]
     public void Long_ones_that_nobody_guesses_are_taken(string password) => PasswordRule.Demand("anna", password);
 
     [Fact]
@@ -26,8 +27,11 @@ public sealed class PasswordRuleTests
     public void Nor_is_it_with_digits_and_signs(string password) => Weak("anna", password);
 
     [Theory]
-    [InlineData("password1234"), InlineData("Password123!"), InlineData("p4ssw0rd2026"), InlineData("P@$$w0rd1234"), InlineData("passwordpassword"), InlineData("Passwort2026!"), InlineData("qwertyuiop12"), InlineData("qwertz123456")]
-    [InlineData("123456789012"), InlineData("111111111111"), InlineData("abcabcabcabc"), InlineData("abcdefghijkl"), InlineData("987654321098"), InlineData("administrator"), InlineData("Administrator1"), InlineData("letmein12345"), InlineData("errormatching")]
+    [InlineData("password1234"), InlineData("Password123!"), InlineData("p4ssw0rd2026"), InlineData("P@$$w0rd1234"),
+        InlineData("passwordpassword"), InlineData("Passwort2026!"), InlineData("qwertyuiop12"), InlineData("qwertz123456")]
+    [InlineData("123456789012"), InlineData("111111111111"), InlineData("abcabcabcabc"), InlineData("abcdefghijkl"),
+        InlineData("987654321098"), InlineData("administrator"), InlineData("Administrator1"), InlineData("letmein12345"),
+        InlineData("errormatching")]
     [InlineData("fanuc1234567"), InlineData("welcome2026!"), InlineData("............"), InlineData("iloveyou2026")]
     public void What_is_tried_first_is_none(string password) => Weak("ben", password);
 
@@ -37,7 +41,8 @@ public sealed class PasswordRuleTests
     public void Nor_is_what_the_calendar_says(string password)
     {
         Weak("ben", password);
-        Assert.Contains("season", Assert.Throws<PeopleException>(() => PasswordRule.Demand("ben", password)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "season", Assert.Throws<PeopleException>(() => PasswordRule.Demand("ben", password)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -49,7 +54,11 @@ public sealed class PasswordRuleTests
 
     [Fact]
     public void The_refusal_does_not_show_it() =>
-        Assert.DoesNotContain("P@$$w0rd1234", Assert.Throws<PeopleException>(() => PasswordRule.Demand("anna", "P@$$w0rd1234")).Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(
+            "P@$$w0rd1234",
+            Assert.Throws<PeopleException>(() => PasswordRule.Demand("anna", "P@$$w0rd1234")).Message,
+            StringComparison.Ordinal);
 
-    private static void Weak(string name, string password) => Assert.Equal(PeopleError.WeakPassword, Assert.Throws<PeopleException>(() => PasswordRule.Demand(name, password)).Error);
+    private static void Weak(string name, string password) =>
+        Assert.Equal(PeopleError.WeakPassword, Assert.Throws<PeopleException>(() => PasswordRule.Demand(name, password)).Error);
 }

@@ -24,7 +24,9 @@ public abstract class PeopleTest : IDisposable
 
     private protected UserBook Users { get; }
 
-    private protected IReadOnlyList<string> Trail => [.. Store.AuditEntries(0, 10_000).Select(e => $"{e.Who} {e.What} {e.Subject} {e.Basis}".Replace("  ", " ", StringComparison.Ordinal).Trim())];
+    private protected IReadOnlyList<string> Trail => [
+        .. Store.AuditEntries(0, 10_000).Select(
+            e => $"{e.Who} {e.What} {e.Subject} {e.Basis}".Replace("  ", " ", StringComparison.Ordinal).Trim())];
 
     public void Dispose()
     {

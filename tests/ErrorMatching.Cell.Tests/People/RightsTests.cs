@@ -2,7 +2,8 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class RightsTests
 {
-    // Issue and manual: operator (see, release, reject), setter (approve, revert, edit and prepare jobs), administrator (users, machines, policy).
+    // Issue and manual: operator (see, release, reject), setter (approve, revert, edit and prepare jobs), administrator (users, machines,
+    // policy).
     private const string Table = """
                        operator setter administrator signed
         See            yes      yes    yes           no

@@ -29,10 +29,12 @@ public sealed class SignInTests : PeopleTest
 
     [Theory]
     [InlineData(""), InlineData("\0"), InlineData("a\nb"), InlineData("\ud800")]
-    public void A_name_that_cannot_be_one_answers_so_as_well(string name) => Refused(PeopleError.SignInRefused, () => Users.SignIn(name, Right));
+    public void A_name_that_cannot_be_one_answers_so_as_well(string name) =>
+        Refused(PeopleError.SignInRefused, () => Users.SignIn(name, Right));
 
     [Fact]
-    public void A_name_of_a_megabyte_answers_so_as_well() => Refused(PeopleError.SignInRefused, () => Users.SignIn(new string('a', 1 << 20), new string('b', 1 << 20)));
+    public void A_name_of_a_megabyte_answers_so_as_well() =>
+        Refused(PeopleError.SignInRefused, () => Users.SignIn(new string('a', 1 << 20), new string('b', 1 << 20)));
 
     [Fact]
     public void Failures_lock_for_30_s_then_twice_as_long_each()
@@ -100,7 +102,8 @@ public sealed class SignInTests : PeopleTest
     [Fact]
     public async Task Many_tries_at_once_are_not_more_than_one_after_another()
     {
-        var tries = await Task.WhenAll(Enumerable.Range(0, 16).Select(_ => Task.Run(() => Assert.Throws<PeopleException>(() => Users.SignIn("Anna", "wrong")).Error)));
+        var tries = await Task.WhenAll(
+            Enumerable.Range(0, 16).Select(_ => Task.Run(() => Assert.Throws<PeopleException>(() => Users.SignIn("Anna", "wrong")).Error)));
         Assert.Equal((5, 11), (tries.Count(e => e == PeopleError.SignInRefused), tries.Count(e => e == PeopleError.LockedOut)));
     }
 
@@ -109,7 +112,9 @@ public sealed class SignInTests : PeopleTest
     {
         Fail("Anna", 5);
         Assert.Equal(
-            [.. Enumerable.Range(1, 4).Select(i => $"Anna sign-in-failed wrong password, {i} in a row"), "Anna locked wrong password, 5 in a row; until 2026-03-01 06:00:30 UTC"],
+            [
+                .. Enumerable.Range(1, 4).Select(i => $"Anna sign-in-failed wrong password, {i} in a row"),
+                "Anna locked wrong password, 5 in a row; until 2026-03-01 06:00:30 UTC"],
             Trail.TakeLast(5));
     }
 

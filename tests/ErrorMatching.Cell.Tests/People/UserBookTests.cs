@@ -117,7 +117,8 @@ public sealed class UserBookTests : PeopleTest
         Refused(PeopleError.SignInRefused, () => Users.SignIn("Ben", Right));
         Assert.False(Users.Enable(Anna(), "Ben").IsDisabled);
         Assert.NotNull(Users.SignIn("Ben", Other));
-        Assert.Equal(["Anna user-disabled Ben", "Anna user-enabled Ben"], Trail.Where(e => e.Contains("abled Ben", StringComparison.Ordinal)));
+        Assert.Equal(
+            ["Anna user-disabled Ben", "Anna user-enabled Ben"], Trail.Where(e => e.Contains("abled Ben", StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -188,7 +189,10 @@ public sealed class UserBookTests : PeopleTest
         }
         else
         {
-            Assert.Contains(Rights.LeastFor(act).ToString().ToLowerInvariant(), Refused(PeopleError.NotAllowed, () => Users.Demand(ben, act)).Message, StringComparison.Ordinal);
+            Assert.Contains(
+                Rights.LeastFor(act).ToString().ToLowerInvariant(),
+                Refused(PeopleError.NotAllowed, () => Users.Demand(ben, act)).Message,
+                StringComparison.Ordinal);
         }
     }
 
@@ -200,7 +204,8 @@ public sealed class UserBookTests : PeopleTest
         Store.Backup(PathOf("copy.db"));
         foreach (var file in new[] { "cell.db", "cell.db-wal", "copy.db" })
         {
-            Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, OperatingSystem.IsWindows() ? default : File.GetUnixFileMode(PathOf(file)));
+            Assert.Equal(
+                UnixFileMode.UserRead | UnixFileMode.UserWrite, OperatingSystem.IsWindows() ? default : File.GetUnixFileMode(PathOf(file)));
         }
     }
 

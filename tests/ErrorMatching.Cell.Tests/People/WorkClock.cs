@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A clock whose two hands move when the test says so: time of day, which may be set back, and elapsed time, which may stand still.</summary>
+/// <summary>A clock whose two hands move when the test says so: time of day, which may be set back, and elapsed time,
+/// which may stand still.</summary>
 internal sealed class WorkClock : TimeProvider
 {
     private long _elapsed;

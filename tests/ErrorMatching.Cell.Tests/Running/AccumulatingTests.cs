@@ -101,7 +101,11 @@ public sealed class AccumulatingTests
         public CellStore Store { get; }
 
         public void Start() =>
-            _run = Task.Run(() => new CellRunner(_settings, Store, m => _cell.Machine[m.Name], TimeProvider.System, Serilog.Core.Logger.None) { Pace = _cell.Pace }.RunAsync(_stop.Token));
+            _run = Task.Run(
+                () => new CellRunner(_settings, Store, m => _cell.Machine[m.Name], TimeProvider.System, Serilog.Core.Logger.None)
+                {
+                    Pace = _cell.Pace
+                }.RunAsync(_stop.Token));
 
         public async Task<Correction> Until(long id, CorrectionState state)
         {

@@ -15,7 +15,15 @@ public sealed partial class CellLogTests : IDisposable
     public void Each_line_is_a_document_with_time_level_template_and_properties()
     {
         var before = TimeProvider.System.GetUtcNow();
-        var correction = new Correction(7, CorrectionState.Failed, 3, "cmm", "S1 \"\n\u202E.csv", before, new string('a', 64), 5) { Job = "housing", Serial = "S1", Machine = "vmc", Slot = "A", Code = "machine-away", Trace = "00-1-2-01" };
+        var correction = new Correction(7, CorrectionState.Failed, 3, "cmm", "S1 \"\n\u202E.csv", before, new string('a', 64), 5)
+        {
+            Job = "housing",
+            Serial = "S1",
+            Machine = "vmc",
+            Slot = "A",
+            Code = "machine-away",
+            Trace = "00-1-2-01"
+        };
         using (var log = CellLog.Open(_folder.Path))
         {
             StepLog.Write(log, CorrectionState.Uploading, correction, "no answer");
@@ -31,7 +39,9 @@ public sealed partial class CellLogTests : IDisposable
         Assert.Equal("{Correction} {FileName}: {State:l}: {Basis:l}", root.GetProperty("MessageTemplate").GetString());
         Assert.Contains("failed: machine-away: no answer", root.GetProperty("RenderedMessage").GetString(), StringComparison.Ordinal);
         var properties = root.GetProperty("Properties");
-        Assert.Equal((7, correction.FileName, "uploading", "vmc", "00-1-2-01"), (properties.GetProperty("Correction").GetInt32(), Text("FileName"), Text("From"), Text("Machine"), Text("Trace")));
+        Assert.Equal(
+            (7, correction.FileName, "uploading", "vmc", "00-1-2-01"),
+            (properties.GetProperty("Correction").GetInt32(), Text("FileName"), Text("From"), Text("Machine"), Text("Trace")));
         using var failure = JsonDocument.Parse(lines[1]);
         Assert.Contains("outer\nline", failure.RootElement.GetProperty("Exception").GetString(), StringComparison.Ordinal);
 
@@ -43,8 +53,14 @@ public sealed partial class CellLogTests : IDisposable
     {
         using var text = new StringWriter();
         var message = new Serilog.Parsing.MessageTemplateParser().Parse("{FileName}: {Basis:l}");
-        var properties = new[] { ("FileName", "a\n23:00:00 inf well\u001b[2J\u202E.csv"), ("Basis", "so \"it\" is") }.Select(p => new Serilog.Events.LogEventProperty(p.Item1, new Serilog.Events.ScalarValue(p.Item2)));
-        new CellLogLines().Format(new(new DateTimeOffset(2026, 11, 21, 22, 5, 6, TimeSpan.Zero), Serilog.Events.LogEventLevel.Warning, null, message, properties), text);
+        var properties = new[]
+        {
+            ("FileName", "a\n23:00:00 inf well\u001b[2J\u202E.csv"),
+            ("Basis", "so \"it\" is")
+        }.Select(p => new Serilog.Events.LogEventProperty(p.Item1, new Serilog.Events.ScalarValue(p.Item2)));
+        new CellLogLines().Format(
+            new(new DateTimeOffset(2026, 11, 21, 22, 5, 6, TimeSpan.Zero), Serilog.Events.LogEventLevel.Warning, null, message, properties),
+            text);
         Assert.Equal("22:05:06 wrn a 23:00:00 inf well\uFFFD[2J\uFFFD.csv: so \"it\" is\n", text.ToString());
     }
 
@@ -88,14 +104,23 @@ public sealed partial class CellLogTests : IDisposable
         }
 
         var name = Path.GetFileName(Assert.Single(Files));
-        Assert.Contains(name, new[] { before, TimeProvider.System.GetLocalNow() }.Select(t => t.ToString("'cell-'yyyyMMdd'.jsonl'", CultureInfo.InvariantCulture)));
+        Assert.Contains(
+            name,
+            new[]
+            {
+                before,
+                TimeProvider.System.GetLocalNow()
+            }.Select(t => t.ToString("'cell-'yyyyMMdd'.jsonl'", CultureInfo.InvariantCulture)));
     }
 
     [Fact]
     public void The_page_for_who_installs_it_says_how_much_is_kept()
     {
         var page = File.ReadAllText(Repository.PathTo("docs", "install-a-cell.md"));
-        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"at most {CellLog.MostFiles} files of {CellLog.MostBytesOfFile >> 20} MB"), page, StringComparison.Ordinal);
+        Assert.Contains(
+            string.Create(CultureInfo.InvariantCulture, $"at most {CellLog.MostFiles} files of {CellLog.MostBytesOfFile >> 20} MB"),
+            page,
+            StringComparison.Ordinal);
     }
 
     public void Dispose() => _folder.Dispose();

@@ -6,7 +6,8 @@ public sealed class CellRunnerTests
 {
     private static readonly CorrectionState[] WholeWay =
     [
-        CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Uploading, CorrectionState.Verified,
+        CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved,
+        CorrectionState.Uploading, CorrectionState.Verified,
     ];
 
     [Fact]
@@ -19,8 +20,13 @@ public sealed class CellRunnerTests
         Assert.Equal(WholeWay, cell.Way(1));
         var program = cell.Machine["m1"].Files[RunningCell.Program];
         Assert.Equal(verified.ProgramSha256, RunningCell.Hash(program));
-        Assert.Contains($"ERRORMATCH MEASUREMENT={verified.MeasurementSha256[..16].ToUpperInvariant()}", Encoding.ASCII.GetString(program), StringComparison.Ordinal);
-        Assert.Equal(("a", "part", "S1", "m1", "A", cell.OriginalHash), (verified.Job, verified.Piece, verified.Serial, verified.Machine, verified.Slot, verified.BaseSha256));
+        Assert.Contains(
+            $"ERRORMATCH MEASUREMENT={verified.MeasurementSha256[..16].ToUpperInvariant()}",
+            Encoding.ASCII.GetString(program),
+            StringComparison.Ordinal);
+        Assert.Equal(
+            ("a", "part", "S1", "m1", "A", cell.OriginalHash),
+            (verified.Job, verified.Piece, verified.Serial, verified.Machine, verified.Slot, verified.BaseSha256));
         Assert.Null(verified.SumsSha256);
         Assert.Equal(1, cell.Store.Slot("m1", "A").Correction);
         Assert.Empty(Directory.EnumerateFiles(cell.PathOf("incoming")));
@@ -34,7 +40,9 @@ public sealed class CellRunnerTests
         var original = File.ReadAllBytes(cell.PathOf("job/counterpart.nc"));
         cell.Machine["m1"].Files[RunningCell.Program] = original;
         cell.Machine["m1"].Around = (what, isDone) => Assert.True(
-            isDone || what != "rename " + RunningCell.Program || cell.Store.Content(cell.Store.Find(1)!.PreviousSha256!).AsSpan().SequenceEqual(original));
+            isDone
+                || what != "rename " + RunningCell.Program
+                || cell.Store.Content(cell.Store.Find(1)!.PreviousSha256!).AsSpan().SequenceEqual(original));
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         Assert.Equal(cell.OriginalHash, (await cell.Until(1, CorrectionState.Verified)).PreviousSha256);
@@ -115,7 +123,8 @@ public sealed class CellRunnerTests
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(2)!.State);
         decisions.Reject(1, "sam", "measured dirty");
         await cell.Until(2, CorrectionState.Verified);
-        Assert.Equal((CorrectionState.Rejected, "rejected", "measured dirty"), cell.Store.Find(1) is { } r ? (r.State, r.Code, r.Reason) : default);
+        Assert.Equal(
+            (CorrectionState.Rejected, "rejected", "measured dirty"), cell.Store.Find(1) is { } r ? (r.State, r.Code, r.Reason) : default);
         Assert.DoesNotContain(CorrectionState.Uploading, cell.Way(1));
     }
 
@@ -240,7 +249,9 @@ public sealed class CellRunnerTests
             cell.Drop($"{"abc"[number % 3]}_S{number}.csv", number);
         }
 
-        await RunningCell.Until(() => cell.Store.InState(CorrectionState.Verified).Count == 3, () => string.Join("\n", Enumerable.Range(1, 6).Select(i => cell.Store.Find(i))));
+        await RunningCell.Until(
+            () => cell.Store.InState(CorrectionState.Verified).Count == 3,
+            () => string.Join("\n", Enumerable.Range(1, 6).Select(i => cell.Store.Find(i))));
         await RunningCell.Until(() => cell.Store.InState(CorrectionState.Approved).Count == 3);
         Assert.All(Enumerable.Range(1, 6), id => Assert.Equal(cell.Way(id).Distinct(), cell.Way(id)));
         Assert.Equal(2, cell.Machine["m1"].Done.Count(d => d.StartsWith("rename P", StringComparison.Ordinal)));
@@ -252,13 +263,21 @@ public sealed class CellRunnerTests
     public async Task A_cell_leaves_files_and_jobs_of_another_cell_on_the_same_store_alone()
     {
         await using var cell = new RunningCell();
-        var other = cell.Store.Archive(new("another gauge", "a_S9.csv", "key", Encoding.UTF8.GetBytes(RunningCell.Measurement(9)))).Correction;
-        var job = cell.Store.Archive(new("another gauge", "x_S8.csv", "key 2", Encoding.UTF8.GetBytes(RunningCell.Measurement(8)))).Correction;
-        cell.Store.Step(job, CorrectionState.Recognized, "cell", "by another cell", c => c with { Job = "another job", Piece = "part", Machine = "m9", Slot = "A" });
+        var other = cell.Store.Archive(new(
+            "another gauge", "a_S9.csv", "key", Encoding.UTF8.GetBytes(RunningCell.Measurement(9)))).Correction;
+        var job = cell.Store.Archive(new(
+            "another gauge", "x_S8.csv", "key 2", Encoding.UTF8.GetBytes(RunningCell.Measurement(8)))).Correction;
+        cell.Store.Step(
+            job,
+            CorrectionState.Recognized,
+            "cell",
+            "by another cell",
+            c => c with { Job = "another job", Piece = "part", Machine = "m9", Slot = "A" });
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         await cell.Until(3, CorrectionState.Verified);
         await cell.UntilLookedAgain("recognition", "computing 1", "computing 2", "approval");
-        Assert.Equal((CorrectionState.Archived, CorrectionState.Recognized), (cell.Store.Find(other.Id)!.State, cell.Store.Find(job.Id)!.State));
+        Assert.Equal(
+            (CorrectionState.Archived, CorrectionState.Recognized), (cell.Store.Find(other.Id)!.State, cell.Store.Find(job.Id)!.State));
     }
 }

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A job is changed while corrections wait that were made with it as it was: they are computed anew from the measurements that are kept.</summary>
+/// <summary>A job is changed while corrections wait that were made with it as it was:
+/// they are computed anew from the measurements that are kept.</summary>
 public sealed class ComputingAnewTests
 {
     private const string ByPerson = """{ "approve": "person" }""";
@@ -15,14 +16,21 @@ public sealed class ComputingAnewTests
         Change(cell.PathOf("job/theoretical.csv"));
         var before = cell.Store.ChangeCount();
         var given = Anew(cell).GiveAgain(1, "olga", "nose was wrong");
-        Assert.Equal((2L, CorrectionState.Archived, 1L, "cmm", "a_S1.csv", old.MeasurementSha256), (given.Id, given.State, given.MeasuredAs, given.Gauge, given.FileName, given.MeasurementSha256));
+        Assert.Equal(
+            (2L, CorrectionState.Archived, 1L, "cmm", "a_S1.csv", old.MeasurementSha256),
+            (given.Id, given.State, given.MeasuredAs, given.Gauge, given.FileName, given.MeasurementSha256));
 
         var ended = cell.Store.Find(1)!;
         Assert.Equal((CorrectionState.Superseded, "computed-anew", null), (ended.State, ended.Code, ended.Identity));
-        Assert.Equal("Its job was changed after it was made: correction 2 computes the measurement anew, with the job as it is now.", ended.Reason);
+        Assert.Equal(
+            "Its job was changed after it was made: correction 2 computes the measurement anew, with the job as it is now.", ended.Reason);
         Assert.Equal(
             [
-                ("olga", "archived", $"correction 2 file {old.MeasurementSha256}", "given again in the place of correction 1, to be computed with the job as it is now"),
+                (
+                    "olga",
+                    "archived",
+                    $"correction 2 file {old.MeasurementSha256}",
+                    "given again in the place of correction 1, to be computed with the job as it is now"),
                 ("olga", "superseded", $"correction 1 program {old.ProgramSha256}", ended.Reason + " nose was wrong"),
             ],
             cell.Store.AuditEntries(before, 2).Select(e => (e.Who, e.What, e.Subject!, e.Basis)));
@@ -122,7 +130,12 @@ public sealed class ComputingAnewTests
 
         // Once more: the second change is another job again.
         Change(cell.PathOf("job/theoretical.csv"), "-31.951", "-31.952");
-        Assert.Equal((5L, 2L), (new ComputingAnew(cell.Settings, cell.Store).GiveAgain(4, "olga", null) is var twice ? (twice.Id, twice.MeasuredAs!.Value) : default));
+        Assert.Equal(
+            (5L, 2L),
+            (
+                new ComputingAnew(cell.Settings, cell.Store).GiveAgain(4, "olga", null) is var twice
+                    ? (twice.Id, twice.MeasuredAs!.Value)
+                    : default));
         Assert.Equal(part.MeasurementSha256, (await cell.Until(5, CorrectionState.Proposed)).PartSha256);
 
         // And back to what it was in the beginning.
@@ -177,7 +190,8 @@ public sealed class ComputingAnewTests
         cell.Drop("cp.csv", PairedCell.Counterpart);
         await cell.Until(2, CorrectionState.Proposed);
         await File.AppendAllTextAsync(cell.PathOf("job/counterpart.nc"), "\n", TestContext.Current.CancellationToken);
-        var original = RunningCell.Hash(await File.ReadAllBytesAsync(cell.PathOf("job/counterpart.nc"), TestContext.Current.CancellationToken));
+        var original = RunningCell.Hash(
+            await File.ReadAllBytesAsync(cell.PathOf("job/counterpart.nc"), TestContext.Current.CancellationToken));
         Assert.Equal([2L], new ChangedJobs(cell.Settings).Among(cell.Store, [cell.Store.Find(2)!]));
         new ComputingAnew(cell.Settings, cell.Store).GiveAgain(2, "olga", null);
         Assert.Equal(original, (await cell.Until(3, CorrectionState.Proposed)).BaseSha256);
@@ -202,7 +216,9 @@ public sealed class ComputingAnewTests
 
         var theoretical = await File.ReadAllTextAsync(cell.PathOf("job/theoretical.csv"), TestContext.Current.CancellationToken);
         Change(cell.PathOf("job/theoretical.csv"));
-        Assert.Equal("Correction 1 is verified, and only one that is proposed or approved or failed can be computed anew.", Refusal(cell, 1).Message);
+        Assert.Equal(
+            "Correction 1 is verified, and only one that is proposed or approved or failed can be computed anew.",
+            Refusal(cell, 1).Message);
         Assert.Equal(DecisionException.WrongState, Refusal(cell, 3).Code);
 
         await File.WriteAllTextAsync(cell.PathOf("job/theoretical.csv"), "nothing", TestContext.Current.CancellationToken);
@@ -216,7 +232,8 @@ public sealed class ComputingAnewTests
         {
             var refusal = Assert.Throws<DecisionException>(() => new ComputingAnew(other, cell.Store).GiveAgain(2, "olga", null));
             Assert.Equal(DecisionException.JobUnusable, refusal.Code);
-            Assert.Contains("does not have the " + (other.Jobs.Count == 0 ? "job \"a\"" : "gauge \"cmm\""), refusal.Message, StringComparison.Ordinal);
+            Assert.Contains(
+                "does not have the " + (other.Jobs.Count == 0 ? "job \"a\"" : "gauge \"cmm\""), refusal.Message, StringComparison.Ordinal);
         }
 
         Assert.Equal(before, cell.Store.ChangeCount());
@@ -256,7 +273,8 @@ public sealed class ComputingAnewTests
                 start.SignalAndWait();
                 try
                 {
-                    return new ComputingAnew(settings, store).GiveAgain(1, $"olga {i}", null).Id.ToString(System.Globalization.CultureInfo.InvariantCulture);
+                    return new ComputingAnew(settings, store).GiveAgain(1, $"olga {i}", null).Id.ToString(
+                        System.Globalization.CultureInfo.InvariantCulture);
                 }
                 catch (DecisionException e)
                 {
@@ -267,7 +285,8 @@ public sealed class ComputingAnewTests
             TaskCreationOptions.LongRunning,
             TaskScheduler.Default)));
         Assert.Single(codes, "2");
-        Assert.All(codes.Where(c => c != "2"), c => Assert.True(c is DecisionException.ChangedMeanwhile or DecisionException.WrongState, c));
+        Assert.All(
+            codes.Where(c => c != "2"), c => Assert.True(c is DecisionException.ChangedMeanwhile or DecisionException.WrongState, c));
         Assert.Null(cell.Store.Find(3));
 
         // Whoever looked before and comes afterwards.
@@ -277,7 +296,8 @@ public sealed class ComputingAnewTests
 
     private static ComputingAnew Anew(RunningCell cell) => new(cell.Settings, cell.Store);
 
-    private static DecisionException Refusal(RunningCell cell, long id) => Assert.Throws<DecisionException>(() => Anew(cell).GiveAgain(id, "olga", null));
+    private static DecisionException Refusal(RunningCell cell, long id) =>
+        Assert.Throws<DecisionException>(() => Anew(cell).GiveAgain(id, "olga", null));
 
     // What a cell computes that never knew the job as it was.
     private static async Task<string> ProgramOfChangedJob(int measurement)

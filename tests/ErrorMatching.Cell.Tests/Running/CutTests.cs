@@ -24,7 +24,8 @@ public sealed class CutTests
         await cell.Until(1, CorrectionState.Failed);
         await cell.UntilLookedAgain("slot m1/A");
         var failed = cell.Store.Find(1)!;
-        Assert.Equal((CorrectionState.Failed, "changed-at-machine", RunningCell.Hash(edited)), (failed.State, failed.Code, failed.PreviousSha256));
+        Assert.Equal(
+            (CorrectionState.Failed, "changed-at-machine", RunningCell.Hash(edited)), (failed.State, failed.Code, failed.PreviousSha256));
         Assert.Equal(edited, cell.Store.Content(failed.PreviousSha256!));
         Assert.Equal(edited, machine.Files[RunningCell.Program]);
         Assert.DoesNotContain("write", machine.Done);

@@ -54,7 +54,8 @@ public sealed class HeartbeatTests : IDisposable
         var worker = new HeartbeatWorker(flow, () => beats++);
         clock.Advance(TimeSpan.FromSeconds(31));
         Assert.Equal(flow.Pace.Heartbeat, await worker.WorkAsync(TestContext.Current.CancellationToken));
-        Assert.Equal([("end of the audit trail", "not-kept"), ("signs of life", "not-kept")], flow.Troubles.Open.Select(t => (t.Where, t.Code)));
+        Assert.Equal(
+            [("end of the audit trail", "not-kept"), ("signs of life", "not-kept")], flow.Troubles.Open.Select(t => (t.Where, t.Code)));
 
         File.Delete(cell.PathOf("logs"));
         File.Delete(cell.PathOf("keys/audit.seen"));

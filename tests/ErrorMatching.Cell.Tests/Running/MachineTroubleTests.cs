@@ -70,7 +70,8 @@ public sealed class MachineTroubleTests
         new CorrectionDecisions(cell.Store).Approve(1, "sam", null);
         cell.Machine["m1"].Files[RunningCell.Program] = "second"u8.ToArray();
         cell.Start();
-        await RunningCell.Until(() => cell.Store.Find(1) is { State: CorrectionState.Failed } c && c.PreviousSha256 == RunningCell.Hash("second"u8.ToArray()));
+        await RunningCell.Until(
+            () => cell.Store.Find(1) is { State: CorrectionState.Failed } c && c.PreviousSha256 == RunningCell.Hash("second"u8.ToArray()));
         Assert.Equal("second"u8.ToArray(), cell.Machine["m1"].Files[RunningCell.Program]);
     }
 
@@ -92,7 +93,8 @@ public sealed class MachineTroubleTests
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(1)!.State);
         cell.Machine["m2"].Fails = null;
         await cell.Until(1, CorrectionState.Verified);
-        await RunningCell.Until(() => CellStatus.Of(cell.Settings, cell.Store, TimeProvider.System) is { IsHealthy: true, Heartbeat.Troubles.Count: 0 });
+        await RunningCell.Until(
+            () => CellStatus.Of(cell.Settings, cell.Store, TimeProvider.System) is { IsHealthy: true, Heartbeat.Troubles.Count: 0 });
     }
 
     [Theory]
@@ -169,7 +171,8 @@ public sealed class MachineTroubleTests
         await cell.StopAsync();
         var sent = cell.Machine["m1"].Files[RunningCell.Program];
         cell.Machine["m1"].Files[RunningCell.Program] = "other"u8.ToArray();
-        var changed = await Assert.ThrowsAsync<DecisionException>(() => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken));
+        var changed = await Assert.ThrowsAsync<DecisionException>(
+            () => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken));
         Assert.Equal("changed-at-machine", changed.Code);
         Assert.Equal("other"u8.ToArray(), cell.Machine["m1"].Files[RunningCell.Program]);
 
@@ -179,9 +182,17 @@ public sealed class MachineTroubleTests
         cell.Drop("a_S2.csv", 2);
         await cell.Until(2, CorrectionState.Verified);
         await cell.StopAsync();
-        Assert.Equal("slot-taken", (await Assert.ThrowsAsync<DecisionException>(() => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
+        Assert.Equal(
+            "slot-taken",
+            (
+                await Assert.ThrowsAsync<DecisionException>(
+                    () => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
         new CorrectionDecisions(cell.Store).Release(2, "olga", null);
-        Assert.Equal("wrong-state", (await Assert.ThrowsAsync<DecisionException>(() => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
+        Assert.Equal(
+            "wrong-state",
+            (
+                await Assert.ThrowsAsync<DecisionException>(
+                    () => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
     }
 
     [Fact]
@@ -191,7 +202,11 @@ public sealed class MachineTroubleTests
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Verified);
-        Assert.Equal("nothing-before", (await Assert.ThrowsAsync<DecisionException>(() => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
+        Assert.Equal(
+            "nothing-before",
+            (
+                await Assert.ThrowsAsync<DecisionException>(
+                    () => Reversal(cell, cell.Store).RevertAsync(1, "sam", "x", TestContext.Current.CancellationToken))).Code);
     }
 
     [Fact]
@@ -214,5 +229,6 @@ public sealed class MachineTroubleTests
         await cell.Until(1, CorrectionState.Verified);
     }
 
-    private static SlotReversal Reversal(RunningCell cell, CellStore store) => new(cell.Settings, store, m => cell.Machine[m.Name], TimeProvider.System);
+    private static SlotReversal Reversal(RunningCell cell, CellStore store) =>
+        new(cell.Settings, store, m => cell.Machine[m.Name], TimeProvider.System);
 }

@@ -12,7 +12,8 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
     /// <summary>Fails everything with this, if set.</summary>
     public TransportError? Fails { get; set; }
 
-    /// <summary>Called before and after each operation that changes or reads something, with its name; what it throws is what the operation throws.</summary>
+    /// <summary>Called before and after each operation that changes or reads something, with its name;
+    /// what it throws is what the operation throws.</summary>
     public Action<string, bool>? Around { get; set; }
 
     /// <summary>What of that failed as an assertion; a runner takes it for a defect, and goes on.</summary>
@@ -24,11 +25,14 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
     /// <summary>Names of all operations, in order.</summary>
     public ConcurrentQueue<string> Done { get; } = new();
 
-    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => Do<IReadOnlyList<string>>("list", () => [.. Files.Keys.Order(StringComparer.Ordinal)], cancellation);
+    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) =>
+        Do<IReadOnlyList<string>>("list", () => [.. Files.Keys.Order(StringComparer.Ordinal)], cancellation);
 
-    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) => Do("read " + name, () => Files.GetValueOrDefault(name), cancellation);
+    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) =>
+        Do("read " + name, () => Files.GetValueOrDefault(name), cancellation);
 
-    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => Do("write", () => Files[name] = bytes.ToArray(), cancellation);
+    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) =>
+        Do("write", () => Files[name] = bytes.ToArray(), cancellation);
 
     public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) => Do(
         "rename " + to,
@@ -54,7 +58,8 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
         },
         cancellation);
 
-    public Task DeleteAsync(string name, CancellationToken cancellation) => Do("delete " + name, () => Files.TryRemove(name, out _), cancellation);
+    public Task DeleteAsync(string name, CancellationToken cancellation) =>
+        Do("delete " + name, () => Files.TryRemove(name, out _), cancellation);
 
     private async Task<T> Do<T>(string what, Func<T> work, CancellationToken cancellation)
     {

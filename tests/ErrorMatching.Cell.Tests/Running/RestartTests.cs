@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>The process ends at every instant: before and behind each step of the store, before and behind each operation at the machine. The next one goes on, and the end is the same.</summary>
+/// <summary>The process ends at every instant: before and behind each step of the store, before and behind each operation at the machine.
+/// The next one goes on, and the end is the same.</summary>
 public sealed class RestartTests
 {
     // More instants than one way has; those beyond the last one end nothing and hold as well.
@@ -21,7 +22,9 @@ public sealed class RestartTests
         machine.Around = (_, _) =>
         {
             killer.Tick();
-            Assert.True(machine.Files["P2.NC"] is var there && (there.AsSpan().SequenceEqual(original) || RunningCell.Hash(there) == cell.Store.Find(1)?.ProgramSha256));
+            Assert.True(
+                machine.Files["P2.NC"] is var there
+                    && (there.AsSpan().SequenceEqual(original) || RunningCell.Hash(there) == cell.Store.Find(1)?.ProgramSha256));
         };
         cell.Start();
         cell.Drop("b_S1.csv", 1);

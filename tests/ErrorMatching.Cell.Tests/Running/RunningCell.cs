@@ -8,7 +8,8 @@ using Serilog.Core;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A cell in this process: the paper's mating job, machines in memory, a store in a file, runners that are started, stopped and killed.</summary>
+/// <summary>A cell in this process: the paper's mating job, machines in memory, a store in a file, runners that are started,
+/// stopped and killed.</summary>
 internal sealed class RunningCell : IAsyncDisposable
 {
     public const string Program = "P1.NC";
@@ -31,7 +32,8 @@ internal sealed class RunningCell : IAsyncDisposable
     public RunningCell(string policy = """{ "approve": "automatic" }""", string order = "arrival")
     {
         Copy(Repository.PathTo("samples", "complex-mating"), PathOf("job"));
-        var feedback = File.ReadAllText(PathOf("job/job.json")).Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal);
+        var feedback = File.ReadAllText(PathOf("job/job.json")).Replace(
+            "\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal);
         File.WriteAllText(PathOf("job/feedback.json"), feedback);
         foreach (var folder in new[] { "incoming", "m1", "m2" })
         {
@@ -143,7 +145,8 @@ internal sealed class RunningCell : IAsyncDisposable
         _runs.Clear();
     }
 
-    /// <summary>Puts a measurement of the part into the incoming folder. Each number gives another one, by some tenths of a micrometer.</summary>
+    /// <summary>Puts a measurement of the part into the incoming folder.
+    /// Each number gives another one, by some tenths of a micrometer.</summary>
     public void Drop(string name, int number) => DropText(name, Measurement(number));
 
     public void DropText(string name, string text)
@@ -179,7 +182,8 @@ internal sealed class RunningCell : IAsyncDisposable
         return Store.Find(id)!;
     }
 
-    /// <summary>Waits until some workers have looked once more for work, and ended that look: what they have not done by then, they do not do.</summary>
+    /// <summary>Waits until some workers have looked once more for work, and ended that look:
+    /// what they have not done by then, they do not do.</summary>
     /// <param name="workers">Their names, such as <c>slot m1/A</c>.</param>
     public async Task UntilLookedAgain(params string[] workers)
     {

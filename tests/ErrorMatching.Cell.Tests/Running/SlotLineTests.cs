@@ -27,7 +27,8 @@ public sealed class SlotLineTests
             var order = SerialOrder.Instance;
             Assert.Equal(Math.Sign(order.Compare(t.Item1, t.Item2)), -Math.Sign(order.Compare(t.Item2, t.Item1)));
             Assert.Equal(t.Item1 == t.Item2, order.Compare(t.Item1, t.Item2) == 0);
-            Assert.False(order.Compare(t.Item1, t.Item2) < 0 && order.Compare(t.Item2, t.Item3) < 0 && order.Compare(t.Item1, t.Item3) >= 0);
+            Assert.False(
+                order.Compare(t.Item1, t.Item2) < 0 && order.Compare(t.Item2, t.Item3) < 0 && order.Compare(t.Item1, t.Item3) >= 0);
         }).QuickCheckThrowOnFailure();
 
     [Fact]
@@ -36,7 +37,9 @@ public sealed class SlotLineTests
 
     [Fact]
     public void A_job_by_serial_number_sorts_its_own_pieces_only() =>
-        Assert.Equal([2L, 1, 3, 4], SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S9", "other"), Of(4, "S4")], j => j == "job").Select(c => c.Id));
+        Assert.Equal(
+            [2L, 1, 3, 4],
+            SlotLine.Order([Of(1, "S3"), Of(2, "S1"), Of(3, "S9", "other"), Of(4, "S4")], j => j == "job").Select(c => c.Id));
 
     [Fact]
     public void The_order_is_who_is_first_again_and_again() => Prop.ForAll(

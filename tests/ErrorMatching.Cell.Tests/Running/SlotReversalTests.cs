@@ -82,5 +82,9 @@ public sealed class SlotReversalTests
     }
 
     private static Task<Correction> Revert(RunningCell cell) =>
-        new SlotReversal(cell.Settings, cell.Store, m => cell.Machine[m.Name], TimeProvider.System).RevertAsync(1, "sam", "chatter", TestContext.Current.CancellationToken);
+        new SlotReversal(
+            cell.Settings,
+            cell.Store,
+            m => cell.Machine[m.Name],
+            TimeProvider.System).RevertAsync(1, "sam", "chatter", TestContext.Current.CancellationToken);
 }

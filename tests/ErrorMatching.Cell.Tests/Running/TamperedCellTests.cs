@@ -24,7 +24,8 @@ public sealed class TamperedCellTests
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Proposed);
         Tamper(cell, sql);
-        await RunningCell.Until(() => TroublesOf(cell).Select(t => t.Where).Intersect(["record", CellTrouble.OfSlot("m1", "A")]).Count() == 2);
+        await RunningCell.Until(
+            () => TroublesOf(cell).Select(t => t.Where).Intersect(["record", CellTrouble.OfSlot("m1", "A")]).Count() == 2);
         Assert.All(TroublesOf(cell), t => Assert.Equal("store-tampered", t.Code));
         Assert.False(cell.Machine["m1"].Files.ContainsKey(RunningCell.Program));
         Assert.DoesNotContain("write", cell.Machine["m1"].Done);

@@ -30,7 +30,8 @@ public sealed class TelemetryTests
         // Other tests run beside this one: only this cell's trace counts.
         var trace = ActivityContext.Parse(verified.Trace!, null).TraceId;
         var ours = done.Where(a => a.TraceId == trace).ToArray();
-        Assert.Equal(["archive", "compute", "file to verified", "propose", "recognize", "upload"], ours.Select(a => a.OperationName).Order());
+        Assert.Equal(
+            ["archive", "compute", "file to verified", "propose", "recognize", "upload"], ours.Select(a => a.OperationName).Order());
         var whole = ours.Single(a => a.OperationName == "file to verified");
         Assert.Equal(verified.ArrivedAt.UtcDateTime, whole.StartTimeUtc);
         Assert.True(whole.StartTimeUtc + whole.Duration >= verified.ChangedAt.UtcDateTime);
@@ -41,7 +42,10 @@ public sealed class TelemetryTests
     {
         var states = new ConcurrentBag<string>();
         var latencies = new ConcurrentBag<double>();
-        using var listener = new MeterListener { InstrumentPublished = (i, l) => _ = i.Meter.Name == "ErrorMatching.Cell" ? Enable(i, l) : 0 };
+        using var listener = new MeterListener
+        {
+            InstrumentPublished = (i, l) => _ = i.Meter.Name == "ErrorMatching.Cell" ? Enable(i, l) : 0
+        };
         listener.SetMeasurementEventCallback<long>((i, value, tags, _) =>
         {
             if (i.Name == "errormatch.cell.steps")
@@ -56,7 +60,9 @@ public sealed class TelemetryTests
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Verified);
         await cell.StopAsync();
-        Assert.Superset(new HashSet<string>(["archived", "recognized", "computed", "proposed", "approved", "uploading", "verified"]), states.ToHashSet());
+        Assert.Superset(
+            new HashSet<string>(["archived", "recognized", "computed", "proposed", "approved", "uploading", "verified"]),
+            states.ToHashSet());
         var verified = cell.Store.Find(1)!;
         Assert.Contains(latencies, l => l >= (verified.ChangedAt - verified.ArrivedAt).TotalSeconds);
     }

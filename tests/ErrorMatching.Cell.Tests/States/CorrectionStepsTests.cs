@@ -22,13 +22,16 @@ public sealed class CorrectionStepsTests
     }
 
     [Theory]
-    [InlineData(CorrectionState.Superseded), InlineData(CorrectionState.Recorded), InlineData(CorrectionState.Refused), InlineData(CorrectionState.Rejected), InlineData(CorrectionState.Reverted)]
+    [InlineData(CorrectionState.Superseded), InlineData(CorrectionState.Recorded), InlineData(CorrectionState.Refused),
+        InlineData(CorrectionState.Rejected), InlineData(CorrectionState.Reverted)]
     public void Nothing_follows_an_end(CorrectionState end) => Assert.True(CorrectionSteps.IsEnd(end));
 
     [Fact]
     public void Nothing_reaches_the_machine_without_an_approval()
     {
-        Assert.Equal([CorrectionState.Approved], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Uploading)));
-        Assert.Equal([CorrectionState.Uploading], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Verified)));
+        Assert.Equal(
+            [CorrectionState.Approved], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Uploading)));
+        Assert.Equal(
+            [CorrectionState.Uploading], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Verified)));
     }
 }

@@ -46,7 +46,8 @@ public sealed class SqliteDamageTests : IDisposable
         Fill();
         var whole = System.IO.File.ReadAllBytes(File);
         long[] roots;
-        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False")) roots = [.. connection.Query<long>("SELECT rootpage FROM sqlite_master WHERE rootpage > 0")];
+        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False")) roots = [
+            .. connection.Query<long>("SELECT rootpage FROM sqlite_master WHERE rootpage > 0")];
         Assert.True(roots.Length > 10);
         foreach (var root in roots.Append(1))
         {
@@ -69,7 +70,8 @@ public sealed class SqliteDamageTests : IDisposable
         System.IO.File.WriteAllText(File, string.Concat(Enumerable.Repeat("not a database ", 1000)));
         IsDamaged();
         System.IO.File.Delete(File);
-        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False")) connection.Execute("CREATE TABLE music (title TEXT)");
+        using (var connection = new SqliteConnection(
+            $"Data Source={File};Pooling=False")) connection.Execute("CREATE TABLE music (title TEXT)");
         Assert.Equal(StoreError.Foreign, Assert.Throws<StoreException>(() => CellStore.Open(Settings, TimeProvider.System)).Error);
     }
 
@@ -174,7 +176,10 @@ public sealed class SqliteDamageTests : IDisposable
 
     [Fact]
     public void A_folder_that_is_not_there_is_named() =>
-        Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Open(new SqliteSettings(Path.Combine(_folder, "none", "cell.db")), TimeProvider.System)).Error);
+        Assert.Equal(
+            StoreError.Missing,
+            Assert.Throws<StoreException>(() => CellStore.Open(
+                new SqliteSettings(Path.Combine(_folder, "none", "cell.db")), TimeProvider.System)).Error);
 
     [Fact]
     public void A_byte_that_flipped_in_a_content_is_named_with_its_hash()
@@ -283,7 +288,9 @@ public sealed class SqliteDamageTests : IDisposable
         Assert.Equal(before, found.Take(before.Count));
         Assert.All(found, c => restored.Content(c.MeasurementSha256));
         Assert.Null(restored.VerifyAudit());
-        Assert.Equal(("anna", "restored"), (restored.AuditEntries(restored.ChangeCount() - 1, 1)[0].Who, restored.AuditEntries(restored.ChangeCount() - 1, 1)[0].What));
+        Assert.Equal(
+            ("anna", "restored"),
+            (restored.AuditEntries(restored.ChangeCount() - 1, 1)[0].Who, restored.AuditEntries(restored.ChangeCount() - 1, 1)[0].What));
     }
 
     [Fact]
@@ -326,10 +333,15 @@ public sealed class SqliteDamageTests : IDisposable
         var backup = Path.Combine(_folder, "backup.db");
         using var store = CellStore.Open(Settings, TimeProvider.System);
         store.Backup(backup);
-        using (store.TryLockCell("line 1")) Assert.Equal(StoreError.Locked, Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup, TimeProvider.System, "anna")).Error);
+        using (store.TryLockCell("line 1")) Assert.Equal(
+            StoreError.Locked, Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup, TimeProvider.System, "anna")).Error);
         using (var file = new FileStream(backup, FileMode.Open)) file.SetLength(20_000);
-        Assert.Equal(StoreError.Damaged, Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup, TimeProvider.System, "anna")).Error);
-        Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup + ".none", TimeProvider.System, "anna")).Error);
+        Assert.Equal(
+            StoreError.Damaged,
+            Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup, TimeProvider.System, "anna")).Error);
+        Assert.Equal(
+            StoreError.Missing,
+            Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup + ".none", TimeProvider.System, "anna")).Error);
         Assert.Equal(StoreError.Denied, Assert.Throws<StoreException>(() => store.Backup(File)).Error);
         Assert.Equal(Corrections, store.InState(CorrectionState.Archived).Count);
         Assert.DoesNotContain(Directory.EnumerateFiles(_folder), f => f.Contains("restore", StringComparison.Ordinal));
@@ -341,7 +353,10 @@ public sealed class SqliteDamageTests : IDisposable
         Fill();
         using var store = CellStore.Open(Settings, TimeProvider.System);
         var nowhere = Path.Combine(_folder, "none", "backup.db");
-        Assert.Contains($"The backup {nowhere} was not written", Assert.Throws<StoreException>(() => store.Backup(nowhere)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            $"The backup {nowhere} was not written",
+            Assert.Throws<StoreException>(() => store.Backup(nowhere)).Message,
+            StringComparison.Ordinal);
         Directory.CreateDirectory(Path.Combine(_folder, "folder"));
         Assert.Equal(StoreError.Disk, Assert.Throws<StoreException>(() => store.Backup(Path.Combine(_folder, "folder"))).Error);
         Assert.DoesNotContain(Directory.EnumerateFiles(_folder), f => f.Contains(".tmp", StringComparison.Ordinal));

@@ -41,7 +41,8 @@ public sealed class SqliteProcessTests : IDisposable
         void Note(string? line)
         {
             // A line that the end of the process cut is no acknowledgment.
-            if (line?.Split(' ') is [var id, { Length: 1 } version]) acknowledged[long.Parse(id, CultureInfo.InvariantCulture)] = int.Parse(version, CultureInfo.InvariantCulture);
+            if (line?.Split(' ') is [var id, { Length: 1 } version])
+                acknowledged[long.Parse(id, CultureInfo.InvariantCulture)] = int.Parse(version, CultureInfo.InvariantCulture);
         }
     }
 
@@ -74,9 +75,12 @@ public sealed class SqliteProcessTests : IDisposable
         var correction = store.Archive(new Arrival("gauge", "one.csv", "one", "1"u8.ToArray())).Correction;
         using var holder = StoreWriter.Start("hold", File);
         Assert.Equal("held", holder.Output.ReadLine());
-        Assert.Equal(StoreError.Locked, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+        Assert.Equal(
+            StoreError.Locked,
+            Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
         Assert.Equal(correction, store.Find(correction.Id));
-        using (var beside = CellStore.Open(new SqliteSettings(File), TimeProvider.System, inspect: false)) Assert.Equal(correction, beside.Find(correction.Id));
+        using (var beside = CellStore.Open(
+            new SqliteSettings(File), TimeProvider.System, inspect: false)) Assert.Equal(correction, beside.Find(correction.Id));
         holder.Input.Close();
         holder.WaitForExit();
         store.Step(correction, CorrectionState.Recognized, "cell", "by name");
@@ -102,7 +106,8 @@ public sealed class SqliteProcessTests : IDisposable
         // Of 1000 KB, 200 are taken by a file that makes room later.
         string[] said =
         [
-            "Full after some: True", "Make room, then repeat what failed; a running cell repeats it by itself.", "Make room on its disk, then repeat what failed.",
+            "Full after some: True", "Make room, then repeat what failed; a running cell repeats it by itself.",
+            "Make room on its disk, then repeat what failed.",
             "all there: True, chain: True", "all there: True, chain: True", "opened again, chain: True",
         ];
         Assert.Equal(said, OnDiskOfItsOwn("fill", "size=1000k"));
@@ -123,7 +128,15 @@ public sealed class SqliteProcessTests : IDisposable
         may.WaitForExit();
         Assert.SkipUnless(may.ExitCode == 0, "This system lets nobody mount a disk of their own (unshare --mount --map-root-user).");
 
-        using var other = StoreWriter.Start(task, File, "unshare", "--mount", "--map-root-user", "sh", "-c", $"mount -t tmpfs -o {options} tmpfs '{_folder}' && exec \"$0\"");
+        using var other = StoreWriter.Start(
+            task,
+            File,
+            "unshare",
+            "--mount",
+            "--map-root-user",
+            "sh",
+            "-c",
+            $"mount -t tmpfs -o {options} tmpfs '{_folder}' && exec \"$0\"");
         var said = other.Output.ReadToEnd();
         other.WaitForExit();
         return said.Split('\n', StringSplitOptions.RemoveEmptyEntries);

@@ -14,7 +14,12 @@ public abstract partial class StoreTests
         var second = Approve(store, "two", "G2");
         Clock.Now = start.AddHours(2);
         var third = store.Archive(Arrival("three", "3")).Correction;
-        third = store.Step(third, CorrectionState.Recognized, "bert", "by hand", c => c with { Serial = "A-9", WorkOrder = "WO-9", Machine = "lathe", Program = "O9.nc" });
+        third = store.Step(
+            third,
+            CorrectionState.Recognized,
+            "bert",
+            "by hand",
+            c => c with { Serial = "A-9", WorkOrder = "WO-9", Machine = "lathe", Program = "O9.nc" });
 
         Is([first], new HistoryQuery { Serial = "one" });
         Is([third], new HistoryQuery { WorkOrder = "WO-9" });
@@ -56,7 +61,8 @@ public abstract partial class StoreTests
     public void Corrections_in_a_state_come_in_order_of_arrival()
     {
         var store = Open();
-        var (first, second, third) = (Approve(store, "one", "1"), store.Archive(Arrival("two", "2")).Correction, Approve(store, "three", "3"));
+        var (first, second, third) = (
+            Approve(store, "one", "1"), store.Archive(Arrival("two", "2")).Correction, Approve(store, "three", "3"));
         Assert.Equal([first, third], store.InState(CorrectionState.Approved));
         Assert.Equal([first, second, third], store.InState(CorrectionState.Archived, CorrectionState.Approved));
         Assert.Empty(store.InState());
@@ -69,7 +75,9 @@ public abstract partial class StoreTests
         var arrival = new UnreadArrival("gauge", "huge.csv", "huge", Hash("huge"), 1L << 40, "too-large", "The file has 1 TB.");
         var (correction, isNew) = store.ArchiveUnread(arrival);
         Assert.True(isNew);
-        Assert.Equal((CorrectionState.Refused, "too-large", "The file has 1 TB.", 1L << 40), (correction.State, correction.Code, correction.Reason, correction.MeasurementBytes));
+        Assert.Equal(
+            (CorrectionState.Refused, "too-large", "The file has 1 TB.", 1L << 40),
+            (correction.State, correction.Code, correction.Reason, correction.MeasurementBytes));
         Assert.Equal(correction, store.Find(correction.Id));
         Assert.Equal((correction, false), store.ArchiveUnread(arrival));
         Assert.Equal([(null, CorrectionState.Refused)], store.StepsOf(correction.Id).Select(s => (s.From, s.To)));
@@ -109,7 +117,8 @@ public abstract partial class StoreTests
         var store = Open();
         var correction = store.Archive(Arrival("one", "1")).Correction;
         var before = store.AuditHead();
-        Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { BaseSha256 = Hash("not kept") }));
+        Assert.Throws<StoreException>(() => store.Step(
+            correction, CorrectionState.Recognized, "cell", "by name", c => c with { BaseSha256 = Hash("not kept") }));
         Assert.Throws<DivideByZeroException>(() => store.Write<int>(t =>
         {
             t.Audit("anna", "tried", null, "and failed");
@@ -125,7 +134,10 @@ public abstract partial class StoreTests
     {
         var store = Open();
         var correction = store.Archive(Arrival("one", "1")).Correction;
-        Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { BaseSha256 = Hash("O1") })).Error);
+        Assert.Equal(
+            StoreError.Missing,
+            Assert.Throws<StoreException>(() => store.Step(
+                correction, CorrectionState.Recognized, "cell", "by name", c => c with { BaseSha256 = Hash("O1") })).Error);
         store.Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { BaseSha256 = Hash("O1") }, [Bytes("O1")]);
     }
 
@@ -187,7 +199,8 @@ public abstract partial class StoreTests
         Assert.Equal([second, first], store.Search(new HistoryQuery()));
         Assert.Equal(["created", "archived", "clock", "archived", "recognized"], store.AuditEntries(0, 10).Select(e => e.What));
         Assert.Equal(
-            "The clock says 2026-03-01 05:00:00.000000 UTC and said 2026-03-01 06:00:00.000000 before; entries are in order of their numbers.",
+            "The clock says 2026-03-01 05:00:00.000000 UTC and said 2026-03-01 06:00:00.000000 before; entries are in order of their "
+                + "numbers.",
             store.AuditEntries(2, 1).Single().Basis);
         Assert.Null(store.VerifyAudit());
     }
@@ -208,7 +221,12 @@ public abstract partial class StoreTests
         var store = Open();
         var correction = store.Archive(new Arrival("gauge", "a\0b.csv", "key", Bytes("1"), new string('t', 5000))).Correction;
         Assert.Equal("a\uFFFDb.csv", correction.FileName);
-        var after = store.Step(correction, CorrectionState.Recognized, "an\0na", "half a \uD83D character", c => c with { Serial = new string('\u20AC', 5000), Reason = "\uDE00" });
+        var after = store.Step(
+            correction,
+            CorrectionState.Recognized,
+            "an\0na",
+            "half a \uD83D character",
+            c => c with { Serial = new string('\u20AC', 5000), Reason = "\uDE00" });
         Assert.Equal(after, store.Find(correction.Id));
         Assert.Equal((800, "\uFFFD"), (after.Serial!.Length, after.Reason));
         Assert.Equal("half a \uFFFD character", store.StepsOf(correction.Id)[1].Basis);
@@ -231,7 +249,8 @@ public abstract partial class StoreTests
     [Fact]
     public void A_store_of_a_newer_program_is_left_alone()
     {
-        using (var store = CellStore.Open(Settings, Clock)) store.Write(t => t.Execute("INSERT INTO migration (number, name, at) VALUES (9999, 'tomorrow', 0)"));
+        using (var store = CellStore.Open(Settings, Clock)) store.Write(t => t.Execute(
+            "INSERT INTO migration (number, name, at) VALUES (9999, 'tomorrow', 0)"));
         Assert.Equal(StoreError.TooNew, Assert.Throws<StoreException>(() => Open()).Error);
     }
 

@@ -46,7 +46,14 @@ public abstract partial class StoreTests
         foreach (var name in new[] { "one", "two", "three" })
         {
             var known = Recognize(store, store.Archive(Arrival(name, name)).Correction, name);
-            ids.Add(store.Step(known, CorrectionState.Computed, "cell", "computed", c => c with { ReportSha256 = Hash("report " + name) }, [Bytes("report " + name)]).Id);
+            ids.Add(
+                store.Step(
+                    known,
+                    CorrectionState.Computed,
+                    "cell",
+                    "computed",
+                    c => c with { ReportSha256 = Hash("report " + name) },
+                    [Bytes("report " + name)]).Id);
         }
 
         Recognize(store, store.Archive(Arrival("four", "4")).Correction, "A-4");

@@ -16,7 +16,8 @@ public abstract partial class StoreTests
             INSERT INTO slot (machine, slot, correction, program_sha256) VALUES ('mill', '1', 2, 'bb');
             """,
 
-        // Anna's hash is of "correct horse battery", by hashlib.pbkdf2_hmac of Python with SHA-512, 1000 iterations and the bytes 0 to 15 as salt. Failures are by the SHA-256 of ANNA and EVE.
+        // Anna's hash is of "correct horse battery", by hashlib.pbkdf2_hmac of Python with SHA-512, 1000 iterations and the bytes 0 to 15
+        // as salt. Failures are by the SHA-256 of ANNA and EVE.
         [2] = """
             INSERT INTO person (name_key, name, role, password, is_disabled, added_at, password_at)
             VALUES ('ANNA', 'Anna', 'Administrator', 'AQAAAAIAAAPoAAAAEAABAgMEBQYHCAkKCwwNDg9OjEVSLnLd+mtlFb9XoK6lHa4gNh+7LmuWwX1ngTrjyQ==', 0, 1000000, 2000000),
@@ -47,10 +48,13 @@ public abstract partial class StoreTests
                 foreach (var (table, rows) in before.Where(t => t.Key != "migration"))
                 {
                     Assert.Equal(rows.Count, after[table].Count);
-                    for (var i = 0; i < rows.Count; i++) Assert.All(rows[i], column => Assert.Equal(column.Value, after[table][i][column.Key]));
+                    for (var i = 0; i < rows.Count; i++) Assert.All(
+                        rows[i], column => Assert.Equal(column.Value, after[table][i][column.Key]));
                 }
 
-                Assert.Equal([(1L, CorrectionState.Archived), (2L, CorrectionState.Verified)], store.InState(Enum.GetValues<CorrectionState>()).Select(c => (c.Id, c.State)));
+                Assert.Equal(
+                    [(1L, CorrectionState.Archived), (2L, CorrectionState.Verified)],
+                    store.InState(Enum.GetValues<CorrectionState>()).Select(c => (c.Id, c.State)));
                 Assert.Equal(new SlotHolding("mill", "1", 2, "bb", null), store.Slot("mill", "1"));
                 store.Step(store.Find(2)!, CorrectionState.Released, "anna", "cut");
                 Assert.Null(store.VerifyAudit());
@@ -68,7 +72,9 @@ public abstract partial class StoreTests
         Filled(settings, 2);
         using var store = CellStore.Open(settings, Clock);
         var users = new UserBook(store, Clock, new PasswordHashes(1000));
-        Assert.Equal([("Anna", Role.Administrator, false, 2), ("Ben", Role.Operator, true, 0)], users.List().Select(u => (u.Name, u.Role, u.IsDisabled, u.Failures)));
+        Assert.Equal(
+            [("Anna", Role.Administrator, false, 2), ("Ben", Role.Operator, true, 0)],
+            users.List().Select(u => (u.Name, u.Role, u.IsDisabled, u.Failures)));
         Assert.Equal("Anna", users.SignIn("anna", "correct horse battery").Name);
         Assert.Equal(PeopleError.SignInRefused, Assert.Throws<PeopleException>(() => users.SignIn("anna", "correct horse")).Error);
         Assert.Null(store.VerifyAudit());
@@ -80,7 +86,8 @@ public abstract partial class StoreTests
         for (var number = 1; number <= form; number++)
         {
             using var database = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, number));
-            if (RowsOf.TryGetValue(number, out var rows)) database.Change((connection, transaction) => connection.Execute(rows, transaction: transaction));
+            if (RowsOf.TryGetValue(number, out var rows))
+                database.Change((connection, transaction) => connection.Execute(rows, transaction: transaction));
         }
 
         using var filled = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, form));

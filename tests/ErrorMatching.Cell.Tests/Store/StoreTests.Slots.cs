@@ -59,7 +59,13 @@ public abstract partial class StoreTests
     public void A_revert_knows_what_the_machine_held_before_the_first_program_of_the_cell()
     {
         var store = Open();
-        var first = store.Step(Approve(store, "one", "G1"), CorrectionState.Uploading, "cell", "in line", c => c with { PreviousSha256 = Hash("G0") }, [Bytes("G0")]);
+        var first = store.Step(
+            Approve(store, "one", "G1"),
+            CorrectionState.Uploading,
+            "cell",
+            "in line",
+            c => c with { PreviousSha256 = Hash("G0") },
+            [Bytes("G0")]);
         first = store.Step(first, CorrectionState.Verified, "cell", "read back");
         Assert.Equal(Hash("G0"), store.Slot("mill", "1").PreviousSha256);
         store.Step(first, CorrectionState.Reverted, "anna", "wrong tool");
@@ -72,7 +78,9 @@ public abstract partial class StoreTests
         var store = Open();
         var first = Release(store, "one", "G1");
         Release(store, "two", "G2");
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(first, CorrectionState.Reverted, "anna", "wrong tool")).Error);
+        Assert.Equal(
+            StoreError.Conflict,
+            Assert.Throws<StoreException>(() => store.Step(first, CorrectionState.Reverted, "anna", "wrong tool")).Error);
         Assert.Equal(first, store.Find(first.Id));
         Assert.Equal(Hash("G2"), store.Slot("mill", "1").ProgramSha256);
     }
@@ -83,7 +91,8 @@ public abstract partial class StoreTests
         var store = Open();
         var first = Release(store, "one", "G1");
         var second = Up(store, Approve(store, "two", "G2"));
-        Assert.Equal(second.Id, Assert.Throws<SlotTakenException>(() => store.Step(first, CorrectionState.Reverted, "anna", "wrong tool")).Holder);
+        Assert.Equal(
+            second.Id, Assert.Throws<SlotTakenException>(() => store.Step(first, CorrectionState.Reverted, "anna", "wrong tool")).Holder);
     }
 
     [Fact]
@@ -120,7 +129,9 @@ public abstract partial class StoreTests
         Assert.Equal((second.Id, entries), (store.Slot("mill", "1").Correction, store.ChangeCount()));
         store.FreeSlot("mill", "1", second.Id, "anna", "cut");
         Assert.Null(store.Slot("mill", "1").Correction);
-        Assert.Equal(("anna", "freed", "slot 1 of mill", "cut"), store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject, e.Basis) : default);
+        Assert.Equal(
+            ("anna", "freed", "slot 1 of mill", "cut"),
+            store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject, e.Basis) : default);
     }
 
     [Fact]
@@ -152,13 +163,19 @@ public abstract partial class StoreTests
     private protected static Correction Approve(CellStore store, string key, string program)
     {
         var correction = Recognize(store, store.Archive(Arrival(key, key)).Correction, key);
-        correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash(program) }, [Bytes(program)]);
+        correction = store.Step(
+            correction, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash(program) }, [Bytes(program)]);
         correction = store.Step(correction, CorrectionState.Proposed, "cell", "within limits");
         return store.Step(correction, CorrectionState.Approved, "anna", "looks right");
     }
 
-    private protected static Correction Up(CellStore store, Correction correction) => store.Step(correction, CorrectionState.Uploading, "cell", "in line");
+    private protected static Correction Up(CellStore store, Correction correction) =>
+        store.Step(correction, CorrectionState.Uploading, "cell", "in line");
 
     private protected static Correction Release(CellStore store, string key, string program) =>
-        store.Step(store.Step(Up(store, Approve(store, key, program)), CorrectionState.Verified, "cell", "read back"), CorrectionState.Released, "anna", "cut");
+        store.Step(
+            store.Step(Up(store, Approve(store, key, program)), CorrectionState.Verified, "cell", "read back"),
+            CorrectionState.Released,
+            "anna",
+            "cut");
 }

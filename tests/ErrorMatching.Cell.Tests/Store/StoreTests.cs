@@ -24,10 +24,18 @@ public abstract partial class StoreTests : IDisposable
         var store = Open();
         var (correction, isNew) = store.Archive(Arrival("one", "1;2;3"));
         Assert.True(isNew);
-        Assert.Equal(new Correction(correction.Id, CorrectionState.Archived, 1, "gauge", "one.csv", Clock.Now, Hash("1;2;3"), 5) { ChangedAt = Clock.Now, Trace = "trace" }, correction);
+        Assert.Equal(
+            new Correction(correction.Id, CorrectionState.Archived, 1, "gauge", "one.csv", Clock.Now, Hash("1;2;3"), 5)
+            {
+                ChangedAt = Clock.Now,
+                Trace = "trace"
+            },
+            correction);
         Assert.Equal(correction, store.Find(correction.Id));
         Assert.Equal("1;2;3"u8.ToArray(), store.Content(correction.MeasurementSha256));
-        Assert.Equal([new CorrectionStep(correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", "arrived from gauge as one.csv")], store.StepsOf(correction.Id));
+        Assert.Equal(
+            [new CorrectionStep(correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", "arrived from gauge as one.csv")],
+            store.StepsOf(correction.Id));
     }
 
     [Fact]
@@ -50,7 +58,13 @@ public abstract partial class StoreTests : IDisposable
         {
             var correction = Recognize(store, store.Archive(Arrival("one", "1")).Correction, "A-1");
             Clock.Now = Clock.Now.AddSeconds(1);
-            correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash("G1"), LargestMm = 0.1, SumMm = double.BitIncrement(0.2) }, [Bytes("G1")]);
+            correction = store.Step(
+                correction,
+                CorrectionState.Computed,
+                "cell",
+                "computed",
+                c => c with { ProgramSha256 = Hash("G1"), LargestMm = 0.1, SumMm = double.BitIncrement(0.2) },
+                [Bytes("G1")]);
             Assert.Equal(correction, store.Find(correction.Id));
             Assert.Equal((CorrectionState.Computed, 3, Clock.Now), (correction.State, correction.Version, correction.ChangedAt));
             id = correction.Id;
@@ -69,7 +83,9 @@ public abstract partial class StoreTests : IDisposable
     {
         var store = Open();
         var correction = store.Archive(Arrival("one", "1")).Correction;
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Approved, "eve", "wish")).Error);
+        Assert.Equal(
+            StoreError.Conflict,
+            Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Approved, "eve", "wish")).Error);
         Assert.Equal(correction, store.Find(correction.Id));
     }
 
@@ -79,7 +95,9 @@ public abstract partial class StoreTests : IDisposable
         var store = Open();
         var correction = store.Archive(Arrival("one", "1")).Correction;
         Recognize(store, correction, "A-1");
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Refused, "cell", "late")).Error);
+        Assert.Equal(
+            StoreError.Conflict,
+            Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Refused, "cell", "late")).Error);
         Assert.Equal(2, store.StepsOf(correction.Id).Count);
     }
 
@@ -93,8 +111,21 @@ public abstract partial class StoreTests : IDisposable
             CorrectionState.Refused,
             "cell",
             "nobody's",
-            c => new Correction(c.Id + 1, CorrectionState.Verified, 9, "other", "other", c.ArrivedAt.AddDays(1), Hash("2"), 2) { Code = "unknown", Reason = "No job has such files." });
-        Assert.Equal(correction with { State = CorrectionState.Refused, Version = 2, Code = "unknown", Reason = "No job has such files.", Trace = null }, after);
+            c => new Correction(c.Id + 1, CorrectionState.Verified, 9, "other", "other", c.ArrivedAt.AddDays(1), Hash("2"), 2)
+            {
+                Code = "unknown",
+                Reason = "No job has such files."
+            });
+        Assert.Equal(
+            correction with
+            {
+                State = CorrectionState.Refused,
+                Version = 2,
+                Code = "unknown",
+                Reason = "No job has such files.",
+                Trace = null
+            },
+            after);
         Assert.Equal(after, store.Find(correction.Id));
         Assert.Null(store.Find(correction.Id + 1));
     }
@@ -125,7 +156,8 @@ public abstract partial class StoreTests : IDisposable
                 {
                     var name = string.Create(CultureInfo.InvariantCulture, $"{t}-{i}");
                     var correction = stores[t % 2].Archive(new Arrival("gauge", name, name, Encoding.UTF8.GetBytes(name))).Correction;
-                    correction = stores[t % 2].Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = name });
+                    correction = stores[t % 2].Step(
+                        correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = name });
                     correction = stores[t % 2].Step(correction, CorrectionState.Computed, "cell", "computed");
                     stores[t % 2].Step(correction, CorrectionState.Proposed, "cell", "within limits");
                 }
@@ -155,7 +187,17 @@ public abstract partial class StoreTests : IDisposable
         CorrectionState.Recognized,
         "cell",
         "by name",
-        c => c with { Job = "job", Piece = "part", Serial = serial, WorkOrder = "WO-1", Identity = identity ?? $"identity {c.Id}", Machine = "mill", Slot = "1", Program = "O1.nc" });
+        c => c with
+        {
+            Job = "job",
+            Piece = "part",
+            Serial = serial,
+            WorkOrder = "WO-1",
+            Identity = identity ?? $"identity {c.Id}",
+            Machine = "mill",
+            Slot = "1",
+            Program = "O1.nc"
+        });
 
     protected CellStore Open(byte[]? auditKey = null)
     {

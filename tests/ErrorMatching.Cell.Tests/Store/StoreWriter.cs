@@ -5,7 +5,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>This program a second time, as another process that works with a store: it says on its output what was acknowledged, and may be killed at any instant. It does not outlive its test.</summary>
+/// <summary>This program a second time, as another process that works with a store: it says on its output what was acknowledged, and may be
+/// killed at any instant. It does not outlive its test.</summary>
 internal sealed class StoreWriter : IDisposable
 {
     private const string Task = "ERRORMATCH_TEST_STORE_TASK";
@@ -26,9 +27,15 @@ internal sealed class StoreWriter : IDisposable
     /// <param name="before">A program and arguments that start it; nothing for none.</param>
     public static StoreWriter Start(string task, string file, params string[] before)
     {
-        var program = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "ErrorMatching.Cell.Tests.exe" : "ErrorMatching.Cell.Tests");
+        var program = Path.Combine(
+            AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "ErrorMatching.Cell.Tests.exe" : "ErrorMatching.Cell.Tests");
         string[] all = [.. before, program];
-        var start = new ProcessStartInfo(all[0], all[1..]) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardInput = true };
+        var start = new ProcessStartInfo(all[0], all[1..])
+        {
+            UseShellExecute = false,
+            RedirectStandardOutput = true,
+            RedirectStandardInput = true
+        };
         start.Environment[Task] = task;
         start.Environment[File] = file;
         return new(Process.Start(start)!);
@@ -148,10 +155,12 @@ internal sealed class StoreWriter : IDisposable
 
             Console.Out.WriteLine(KeysOn(settings.File + ".rest"));
 
-            Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+            Console.Out.WriteLine(
+                $"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
             System.IO.File.Delete(ballast);
             written.Add(store.Archive(new Arrival("gauge", "file", "after", "after"u8.ToArray())).Correction);
-            Console.Out.WriteLine($"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+            Console.Out.WriteLine(
+                $"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
         }
 
         using var again = CellStore.Open(settings, TimeProvider.System);

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What curl is told and what it says. That curl reads it so is tested against a real server, in ErrorMatching.Peers.Tests.</summary>
+/// <summary>What curl is told and what it says. That curl reads it so is tested against a real server,
+/// in ErrorMatching.Peers.Tests.</summary>
 public sealed class CurlTests
 {
     [Theory]
@@ -12,7 +13,8 @@ public sealed class CurlTests
     [InlineData("a\nurl = x", "user = \"a\\nurl = x\"\n")]
     [InlineData("a\r\t\v", "user = \"a\\r\\t\\v\"\n")]
     [InlineData("# - = ' $(id) %41", "user = \"# - = ' $(id) %41\"\n")]
-    public void Any_value_stays_one_value(string value, string line) => Assert.Equal(line, Encoding.UTF8.GetString(new CurlConfig().Set("user", value).ToBytes()));
+    public void Any_value_stays_one_value(string value, string line) =>
+        Assert.Equal(line, Encoding.UTF8.GetString(new CurlConfig().Set("user", value).ToBytes()));
 
     [Theory]
     [InlineData(6, 0, TransportError.Away)]
@@ -44,12 +46,15 @@ public sealed class CurlTests
     [InlineData(1, 0, TransportError.ToolMissing)]
     [InlineData(27, 0, TransportError.Unknown)]
     public void An_exit_code_and_the_servers_answer_name_the_error(int exit, int response, TransportError error) =>
-        Assert.Equal(error, new CurlAnswer(new ToolResult(ToolEnd.Exited, exit, [], $"curl: ({exit}) words\nerrormatch-answer {response:000}\n")).Error);
+        Assert.Equal(
+            error,
+            new CurlAnswer(new ToolResult(ToolEnd.Exited, exit, [], $"curl: ({exit}) words\nerrormatch-answer {response:000}\n")).Error);
 
     [Fact]
     public void The_last_answer_counts_and_words_and_codes_are_said()
     {
-        var answer = new CurlAnswer(new ToolResult(ToolEnd.Exited, 25, [], "errormatch-answer 226\ncurl: (25) Failed FTP upload: 552\nerrormatch-answer 552\n"));
+        var answer = new CurlAnswer(new ToolResult(
+            ToolEnd.Exited, 25, [], "errormatch-answer 226\ncurl: (25) Failed FTP upload: 552\nerrormatch-answer 552\n"));
         Assert.Equal("the server answered 552, no room (curl 25: Failed FTP upload: 552)", answer.Text);
         Assert.Null(new CurlAnswer(new ToolResult(ToolEnd.Exited, 0, [], "errormatch-answer 226\n")).Error);
     }

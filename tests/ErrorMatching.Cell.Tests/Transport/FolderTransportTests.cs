@@ -77,8 +77,12 @@ public sealed class FolderTransportTests : IDisposable
     {
         var folder = Open();
         Assert.Equal(TransportError.Denied, (await Assert.ThrowsAsync<TransportException>(() => folder.ReadAsync(name, 10, Token))).Error);
-        Assert.Equal(TransportError.Denied, (await Assert.ThrowsAsync<TransportException>(() => folder.WriteAsync(name, new byte[] { 1 }, Token))).Error);
-        Assert.Equal(TransportError.Denied, (await Assert.ThrowsAsync<TransportException>(() => folder.RenameAsync("P1.MPF", name, 10, Token))).Error);
+        Assert.Equal(
+            TransportError.Denied,
+            (await Assert.ThrowsAsync<TransportException>(() => folder.WriteAsync(name, new byte[] { 1 }, Token))).Error);
+        Assert.Equal(
+            TransportError.Denied,
+            (await Assert.ThrowsAsync<TransportException>(() => folder.RenameAsync("P1.MPF", name, 10, Token))).Error);
         Assert.Equal(TransportError.Denied, (await Assert.ThrowsAsync<TransportException>(() => folder.DeleteAsync(name, Token))).Error);
     }
 
@@ -86,7 +90,8 @@ public sealed class FolderTransportTests : IDisposable
     public async Task A_file_larger_than_what_is_read_is_refused_by_its_length()
     {
         File.WriteAllBytes(Path.Combine(_folder, "log.txt"), new byte[11]);
-        Assert.Equal(TransportError.TooLarge, (await Assert.ThrowsAsync<TransportException>(() => Open().ReadAsync("log.txt", 10, Token))).Error);
+        Assert.Equal(
+            TransportError.TooLarge, (await Assert.ThrowsAsync<TransportException>(() => Open().ReadAsync("log.txt", 10, Token))).Error);
         Assert.Equal(11, (await Open().ReadAsync("log.txt", 11, Token))!.Length);
     }
 
@@ -105,7 +110,9 @@ public sealed class FolderTransportTests : IDisposable
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "/dev/full is Linux's.");
         File.CreateSymbolicLink(Path.Combine(_folder, "full"), "/dev/full");
-        Assert.Equal(TransportError.Full, (await Assert.ThrowsAsync<TransportException>(() => Open().WriteAsync("full", new byte[] { 1 }, Token))).Error);
+        Assert.Equal(
+            TransportError.Full,
+            (await Assert.ThrowsAsync<TransportException>(() => Open().WriteAsync("full", new byte[] { 1 }, Token))).Error);
     }
 
     [Fact]

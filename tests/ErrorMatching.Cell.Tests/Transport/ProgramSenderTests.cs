@@ -5,7 +5,8 @@ using Polly.Retry;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>The machine has the old program or the new one, whole, wherever a transfer fails: in all places and all pairs of places, with servers that rename over a file and those that do not.</summary>
+/// <summary>The machine has the old program or the new one, whole, wherever a transfer fails: in all places and all pairs of places, with
+/// servers that rename over a file and those that do not.</summary>
 public sealed class ProgramSenderTests
 {
     private const string Program = "P100.MPF";
@@ -134,7 +135,9 @@ public sealed class ProgramSenderTests
     public async Task Recovery_leaves_files_of_other_programs_and_people_alone()
     {
         var folder = Folder(ServerKind.Replaces, true, []);
-        string[] others = ["P100.MPF.old", "P100.MPF.emnew", "P100.MPF.A.emnew", "P1000.MPF.17-0123abcd.emnew", "P100.MP.17-0123abcd.emnew", "P100.MPF.X.17-0123abcd.emnew", "P100.emold"];
+        string[] others = [
+            "P100.MPF.old", "P100.MPF.emnew", "P100.MPF.A.emnew", "P1000.MPF.17-0123abcd.emnew", "P100.MP.17-0123abcd.emnew",
+            "P100.MPF.X.17-0123abcd.emnew", "P100.emold"];
         foreach (var other in others)
             folder.Files[other] = [1];
         await Sender(folder).RecoverAsync(Program, Token);
@@ -267,7 +270,8 @@ public sealed class ProgramSenderTests
         return bytes is null ? there is null : there?.SequenceEqual(bytes) == true;
     }
 
-    private static string Describe(FaultyFolder folder) => string.Join(", ", folder.Files.Select(f => $"{f.Key}={Encoding.ASCII.GetString(f.Value)}"));
+    private static string Describe(FaultyFolder folder) =>
+        string.Join(", ", folder.Files.Select(f => $"{f.Key}={Encoding.ASCII.GetString(f.Value)}"));
 
     private static FaultyFolder Folder(ServerKind server, bool hasOne, Dictionary<int, Fault> faults)
     {

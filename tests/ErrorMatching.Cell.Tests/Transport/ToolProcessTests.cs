@@ -30,7 +30,8 @@ public sealed class ToolProcessTests
     {
         NeedsShell();
         string[] given = ["a b", "$HOME", "`id`", "\"", "'", "*", ""];
-        var result = await ToolProcess.RunAsync(new ToolRun("sh", ["-c", "for a; do printf '%s\\n' \"$a\"; done", "sh", .. given], default, Long), Token);
+        var result = await ToolProcess.RunAsync(
+            new ToolRun("sh", ["-c", "for a; do printf '%s\\n' \"$a\"; done", "sh", .. given], default, Long), Token);
         Assert.Equal(string.Join('\n', given) + "\n", Encoding.UTF8.GetString(result.Output));
     }
 
@@ -80,14 +81,16 @@ public sealed class ToolProcessTests
         var running = ToolProcess.RunAsync(new ToolRun("sh", ["-c", "sleep 1000"], default, Long), cancel.Token);
         await cancel.CancelAsync();
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running.WaitAsync(Long, Token));
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => ToolProcess.RunAsync(new ToolRun("sh", ["-c", "exit 0"], default, Long), cancel.Token));
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => ToolProcess.RunAsync(
+            new ToolRun("sh", ["-c", "exit 0"], default, Long), cancel.Token));
     }
 
     [Fact]
     public async Task A_program_that_says_too_much_is_killed_and_what_is_kept_is_limited()
     {
         NeedsShell();
-        var endless = await ToolProcess.RunAsync(new ToolRun("sh", ["-c", "while :; do echo 0123456789; done"], default, Long) { MostOutput = 100 }, Token);
+        var endless = await ToolProcess.RunAsync(
+            new ToolRun("sh", ["-c", "while :; do echo 0123456789; done"], default, Long) { MostOutput = 100 }, Token);
         Assert.Equal((ToolEnd.TooMuch, 100), (endless.End, endless.Output.Length));
         var exact = await ToolProcess.RunAsync(new ToolRun("sh", ["-c", "printf 0123456789"], default, Long) { MostOutput = 10 }, Token);
         Assert.Equal((ToolEnd.Exited, 10), (exact.End, exact.Output.Length));
@@ -100,7 +103,8 @@ public sealed class ToolProcessTests
     {
         NeedsShell();
         var looks = 0;
-        var result = await ToolProcess.RunAsync(new ToolRun("sh", ["-c", "sleep 1000"], default, Long) { IsTooMuch = () => ++looks == 3 }, Token);
+        var result = await ToolProcess.RunAsync(
+            new ToolRun("sh", ["-c", "sleep 1000"], default, Long) { IsTooMuch = () => ++looks == 3 }, Token);
         Assert.Equal(ToolEnd.TooMuch, result.End);
     }
 

@@ -10,7 +10,8 @@ public sealed class TransferTriesTests
         var clock = new InstantClock();
         var told = new List<TransferTry>();
         var tries = 0;
-        var failure = await Assert.ThrowsAsync<TransportException>(async () => await TransferTries.For(Machine(8), clock, told.Add).ExecuteAsync(
+        var failure = await Assert.ThrowsAsync<TransportException>(
+            async () => await TransferTries.For(Machine(8), clock, told.Add).ExecuteAsync(
             _ => throw new TransportException(TransportError.Away, $"try {++tries}"), Token));
         Assert.Equal("try 8", failure.Message);
         double[] waits = [0.25, 0.5, 1, 2, 4, 8, 10];
@@ -49,7 +50,9 @@ public sealed class TransferTriesTests
     public async Task One_attempt_is_one_try()
     {
         var clock = new InstantClock();
-        await Assert.ThrowsAsync<TransportException>(async () => await TransferTries.For(Machine(1), clock).ExecuteAsync(_ => throw new TransportException(TransportError.Away, "no"), Token));
+        await Assert.ThrowsAsync<TransportException>(
+            async () => await TransferTries.For(Machine(1), clock).ExecuteAsync(
+                _ => throw new TransportException(TransportError.Away, "no"), Token));
         Assert.Empty(clock.Waits);
     }
 

@@ -19,7 +19,10 @@ public sealed class TransportKindTests
     [Fact]
     public void Only_a_kind_s_own_folder_and_the_registration_name_it()
     {
-        var kinds = typeof(TransportSettings).Assembly.GetTypes().Where(t => t.BaseType == typeof(TransportSettings)).Select(t => t.Name).ToArray();
+        var kinds = typeof(TransportSettings).Assembly.GetTypes()
+            .Where(t => t.BaseType == typeof(TransportSettings))
+            .Select(t => t.Name)
+            .ToArray();
         Assert.Equal(TransportKinds.Names.Count(), kinds.Length);
         var others = new[] { "ErrorMatching.Cell", "ErrorMatching.Console", "ErrorMatching.Hmi" }
             .SelectMany(p => Directory.EnumerateFiles(Repository.PathTo("src", p), "*.cs", SearchOption.AllDirectories))

@@ -55,7 +55,8 @@ public sealed class BadInputTests
     public async Task A_measurement_in_another_encoding_is_named()
     {
         using var shop = new Workshop();
-        File.WriteAllBytes(shop[Part], Encoding.Unicode.GetPreamble().Concat(Encoding.Unicode.GetBytes(File.ReadAllText(shop[Part]))).ToArray());
+        File.WriteAllBytes(
+            shop[Part], Encoding.Unicode.GetPreamble().Concat(Encoding.Unicode.GetBytes(File.ReadAllText(shop[Part]))).ToArray());
         await Refused(shop, 1, "invalid-encoding", "match", Job, "--out", "out");
     }
 
@@ -95,7 +96,11 @@ public sealed class BadInputTests
     [InlineData("\"5..14\"", "\"14..5\"", "bad-range", "$.features[2].points[0]")]
     [InlineData("\"L2L3\", \"kind\"", "\"L1\", \"kind\"", "duplicate-name", "$.features[1].name")]
     [InlineData("\"N120\"", "\"/(/\"", "bad-pattern", "$.features[0].blocks[0]")]
-    [InlineData("[\"N120\"], \"toleranceMm\": [-0.05, 0.05]", "[\"N120\"], \"toleranceMm\": [-30, 30]", "limit-implausible", "$.features[0].toleranceMm[0]")]
+    [InlineData(
+        "[\"N120\"], \"toleranceMm\": [-0.05, 0.05]",
+        "[\"N120\"], \"toleranceMm\": [-30, 30]",
+        "limit-implausible",
+        "$.features[0].toleranceMm[0]")]
     [InlineData("\"uncertaintyMm\": 0.0054", "\"uncertaintyMm\": 5.4", "uncertainty-implausible", "$.gauge.uncertaintyMm")]
     [InlineData("\"kind\": \"mating\",", "\"kind\": ,", "not-json", null)]
     public async Task A_damaged_job_is_named_by_its_path(string old, string replacement, string codes, string? path)
@@ -105,12 +110,19 @@ public sealed class BadInputTests
 
         // The document itself begins behind its comment; all else stands where it was damaged.
         var text = File.ReadAllText(shop[Job]);
-        var line = 1 + text[..(path == "$" ? text.IndexOf("\n{", StringComparison.Ordinal) + 1 : text.LastIndexOf(replacement, StringComparison.Ordinal))].Count(c => c == '\n');
+        var line = 1
+            + text[
+                ..(
+                    path == "$"
+                        ? text.IndexOf("\n{", StringComparison.Ordinal) + 1
+                        : text.LastIndexOf(replacement, StringComparison.Ordinal))].Count(c => c == '\n');
         foreach (var verb in new[] { "job check", "match" })
         {
             var run = await shop.Run($"{verb} {Job} --json");
             Assert.Equal(1, run.Exit);
-            var error = run.Json.GetProperty("errors").EnumerateArray().First(e => codes.Split('|').Contains(e.GetProperty("code").GetString()));
+            var error = run.Json.GetProperty("errors")
+                .EnumerateArray()
+                .First(e => codes.Split('|').Contains(e.GetProperty("code").GetString()));
             Assert.Equal((Job, line), (error.GetProperty("file").GetString(), error.GetProperty("line").GetInt32()));
             Assert.True(path is null || path == error.GetProperty("path").GetString(), error.ToString());
         }
@@ -124,7 +136,8 @@ public sealed class BadInputTests
         shop.Edit(Job, "\"mapMm\": 0.5", "\"mapMm\": -1");
         var run = await shop.Run(["job", "check", Job]);
         Assert.Equal((1, "", 2), (run.Exit, run.Output, run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Length));
-        Assert.All(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), l => Assert.StartsWith(Job + ":", l, StringComparison.Ordinal));
+        Assert.All(
+            run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), l => Assert.StartsWith(Job + ":", l, StringComparison.Ordinal));
     }
 
     [Theory]
@@ -145,7 +158,10 @@ public sealed class BadInputTests
     [InlineData("N130 X-45.275", "N130 X#100", "expression|point-off-path")]
     [InlineData("N130 X-45.275", "N130 W5. X-45.275", "other-axis")]
     [InlineData("N120 X-34.995", "N115 G68 X0. Y0. R10.\nN120 X-34.995", "active-transform|unknown-state|point-off-path")]
-    [InlineData("N120 X-34.995", "N115 IF [#500 EQ 1] GOTO 120\nN120 X-34.995", "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
+    [InlineData(
+        "N120 X-34.995",
+        "N115 IF [#500 EQ 1] GOTO 120\nN120 X-34.995",
+        "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
     [InlineData("N140 G3", "N130 G3", "block-ambiguous")]
     [InlineData("I6. J0.", "I5. J0.", "bad-arc|point-off-path")]
     public async Task A_program_that_cannot_be_trusted_is_refused_with_its_block(string old, string replacement, string codes)

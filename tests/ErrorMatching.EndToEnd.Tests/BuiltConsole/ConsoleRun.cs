@@ -26,16 +26,19 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
     public JsonElement SingleError => Assert.Single(Json.GetProperty("errors").EnumerateArray());
 
     /// <summary>Runs a command line in a folder.</summary>
-    public static Task<ConsoleRun> Of(string folder, params IReadOnlyList<string> arguments) => Of(folder, new Dictionary<string, string?>(), arguments);
+    public static Task<ConsoleRun> Of(string folder, params IReadOnlyList<string> arguments) =>
+        Of(folder, new Dictionary<string, string?>(), arguments);
 
     /// <summary>Runs a command line in a folder with other variables in its environment.</summary>
-    public static Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments) => Of(folder, environment, arguments, "");
+    public static Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments) =>
+        Of(folder, environment, arguments, "");
 
     /// <summary>Runs a command line in a folder with lines on its standard input.</summary>
     public static Task<ConsoleRun> Typed(string folder, IReadOnlyList<string> arguments, params IReadOnlyList<string> lines) =>
         Of(folder, new Dictionary<string, string?>(), arguments, string.Concat(lines.Select(l => l + "\n")));
 
-    private static async Task<ConsoleRun> Of(string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments, string input)
+    private static async Task<ConsoleRun> Of(
+        string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments, string input)
     {
         var start = new ProcessStartInfo(Executable, arguments)
         {
@@ -66,6 +69,10 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
     private static string Find()
     {
         var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
-        return Path.Combine(configuration.Parent!.Parent!.FullName, "ErrorMatching.Console", configuration.Name, OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        return Path.Combine(
+            configuration.Parent!.Parent!.FullName,
+            "ErrorMatching.Console",
+            configuration.Name,
+            OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
     }
 }

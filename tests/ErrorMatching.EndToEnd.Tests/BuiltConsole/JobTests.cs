@@ -35,7 +35,11 @@ public sealed class JobTests
         var dry = await shop.Run($"job blocks {job} --json");
         Assert.Equal(before, shop.State());
         Assert.Equal((0, ""), (dry.Exit, dry.Error));
-        Assert.Equal(blocks, dry.Json.GetProperty("features").EnumerateArray().Select(f => Assert.Single(f.GetProperty("blocks").EnumerateArray()).GetString()));
+        Assert.Equal(
+            blocks,
+            dry.Json.GetProperty("features")
+                .EnumerateArray()
+                .Select(f => Assert.Single(f.GetProperty("blocks").EnumerateArray()).GetString()));
 
         // Written elsewhere, the job still finds its files; the sample itself, with the blocks that it came with, makes the same program.
         var written = await shop.Run($"job blocks {job} --out out/found/job.json");
@@ -43,7 +47,9 @@ public sealed class JobTests
         Assert.Equal(before, shop.State().Where(f => !f.StartsWith("out", StringComparison.Ordinal)));
         Assert.Equal(["job.json"], Directory.EnumerateFileSystemEntries(shop["out", "found"]).Select(Path.GetFileName));
         Assert.Equal(0, (await shop.Run("match out/found/job.json --out out/one")).Exit);
-        Assert.Equal(0, (await shop.Run(["match", ErrorMatching.Testing.Repository.PathTo("samples", sample, "job.json"), "--out", "out/two"])).Exit);
+        Assert.Equal(
+            0,
+            (await shop.Run(["match", ErrorMatching.Testing.Repository.PathTo("samples", sample, "job.json"), "--out", "out/two"])).Exit);
         Assert.Equal(File.ReadAllBytes(shop["out", "two", "counterpart.nc"]), File.ReadAllBytes(shop["out", "one", "counterpart.nc"]));
     }
 
@@ -55,7 +61,12 @@ public sealed class JobTests
         var before = shop.State();
         var run = await shop.Run("job blocks samples/curve-mating/job.json --out out/job.json --json");
         Assert.Equal((2, ""), (run.Exit, run.Error));
-        Assert.Equal(("errormatch/job-blocks/1", 2, "boundary-not-found"), (run.Json.GetProperty("schema").GetString(), run.Json.GetProperty("exit").GetInt32(), run.SingleError.GetProperty("code").GetString()));
+        Assert.Equal(
+            ("errormatch/job-blocks/1", 2, "boundary-not-found"),
+            (
+                run.Json.GetProperty("schema").GetString(),
+                run.Json.GetProperty("exit").GetInt32(),
+                run.SingleError.GetProperty("code").GetString()));
         Assert.Equal(before, shop.State());
     }
 
@@ -93,6 +104,8 @@ public sealed class JobTests
         using var shop = new Workshop();
         var schema = (await shop.Run("job schema mating --json")).Json;
         Assert.Equal("errormatch/job-schema/1", schema.GetProperty("schema").GetString());
-        Assert.All(new[] { "kind", "name", "part", "gauge", "features", "counterpart", "compensation", "toleranceChain", "verify" }, k => Assert.True(schema.GetProperty("properties").TryGetProperty(k, out _), k));
+        Assert.All(
+            new[] { "kind", "name", "part", "gauge", "features", "counterpart", "compensation", "toleranceChain", "verify" },
+            k => Assert.True(schema.GetProperty("properties").TryGetProperty(k, out _), k));
     }
 }

@@ -24,18 +24,23 @@ public sealed class MatchTests
         Assert.Equal("errormatch/match/1", report.GetProperty("schema").GetString());
         Assert.Equal(points, report.GetProperty("keyPoints").GetArrayLength());
         Assert.Equal(Workshop.Sha256(program), report.GetProperty("program").GetProperty("sha256").GetString());
-        Assert.All(report.GetProperty("features").EnumerateArray(), f => Assert.Equal("compensated", f.GetProperty("decision").GetString()));
+        Assert.All(
+            report.GetProperty("features").EnumerateArray(), f => Assert.Equal("compensated", f.GetProperty("decision").GetString()));
         var proof = report.GetProperty("proof");
         Assert.True(proof.GetProperty("holds").GetBoolean());
         Assert.True(proof.GetProperty("untouchedBytesIdentical").GetBoolean());
         Assert.True(proof.GetProperty("maxDeviationFromWantedMm").GetDouble() <= 0.0015);
 
-        Assert.Equal(["counterpart.nc", "report.html", "report.json"], Directory.EnumerateFiles(shop["out", "new"]).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["counterpart.nc", "report.html", "report.json"],
+            Directory.EnumerateFiles(shop["out", "new"]).Select(Path.GetFileName).Order(StringComparer.Ordinal));
         Assert.StartsWith("<!DOCTYPE html>", File.ReadAllText(shop["out", "new", "report.html"]), StringComparison.OrdinalIgnoreCase);
 
         // Every input is as it was, and is named by the hash of what stands there.
         Assert.Equal(before, shop.State().Where(f => !f.StartsWith("out", StringComparison.Ordinal)));
-        Assert.All(report.GetProperty("inputs").EnumerateArray(), i => Assert.Equal(Workshop.Sha256(shop[i.GetProperty("file").GetString()!]), i.GetProperty("sha256").GetString()));
+        Assert.All(
+            report.GetProperty("inputs").EnumerateArray(),
+            i => Assert.Equal(Workshop.Sha256(shop[i.GetProperty("file").GetString()!]), i.GetProperty("sha256").GetString()));
 
         // But for the marker's line and the changed blocks, the lines are the original's.
         var (was, now) = (File.ReadAllLines(shop["samples", sample, "counterpart.nc"]), File.ReadAllLines(program));
@@ -68,8 +73,12 @@ public sealed class MatchTests
         // The part's deviations are the paper's: 0.024 mm at point 2, 0.007 mm at point 4, with limits of 0.05 mm.
         using var shop = new Workshop();
         var run = await shop.Run($"match {Job} --out out");
-        Assert.Contains("\nThe compensation drives points 2 and 4 out of their limits; uncompensated they are within them.\n", run.Output, StringComparison.Ordinal);
-        Assert.Contains("\nPoints 2 and 4 will be out of tolerance. Is that acceptable? If not, do not cut. ", run.Output, StringComparison.Ordinal);
+        Assert.Contains(
+            "\nThe compensation drives points 2 and 4 out of their limits; uncompensated they are within them.\n",
+            run.Output,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "\nPoints 2 and 4 will be out of tolerance. Is that acceptable? If not, do not cut. ", run.Output, StringComparison.Ordinal);
         Assert.DoesNotContain("still outside", run.Output + File.ReadAllText(shop["out", "report.html"]), StringComparison.Ordinal);
         Assert.DoesNotContain("Probe it further", run.Output, StringComparison.Ordinal);
 
@@ -98,7 +107,9 @@ public sealed class MatchTests
         Assert.Equal(File.ReadAllBytes(shop[Original]), File.ReadAllBytes(shop["out", "counterpart.nc"]));
         Assert.Equal(JsonValueKind.Null, run.Json.GetProperty("proof").GetProperty("marker").ValueKind);
         Assert.Equal(0, run.Json.GetProperty("program").GetProperty("changedWords").GetInt32());
-        Assert.All(run.Json.GetProperty("features").EnumerateArray(), f => Assert.Equal("within-tolerance", f.GetProperty("decision").GetString()));
+        Assert.All(
+            run.Json.GetProperty("features").EnumerateArray(),
+            f => Assert.Equal("within-tolerance", f.GetProperty("decision").GetString()));
     }
 
     [Fact]
@@ -110,7 +121,12 @@ public sealed class MatchTests
         var run = await shop.Run($"match {Job} --program other.nc --part other.csv --out out --json");
         Assert.Equal(0, run.Exit);
         Assert.True(File.Exists(shop["out", "other.nc"]));
-        Assert.Equal(["other.csv", "other.nc"], run.Json.GetProperty("inputs").EnumerateArray().Select(i => i.GetProperty("file").GetString()).Where(f => f!.StartsWith("other", StringComparison.Ordinal)));
+        Assert.Equal(
+            ["other.csv", "other.nc"],
+            run.Json.GetProperty("inputs")
+                .EnumerateArray()
+                .Select(i => i.GetProperty("file").GetString())
+                .Where(f => f!.StartsWith("other", StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -137,7 +153,8 @@ public sealed class MatchTests
         Assert.Equal((2, "same-measurement"), (again.Exit, again.SingleError.GetProperty("code").GetString()));
 
         // Another measurement, of the piece which that program has cut, is welcome.
-        var next = await shop.Run($"match {Curve} --program first/counterpart.nc --counterpart samples/curve-mating/counterpart-after.csv --out next --json");
+        var next = await shop.Run(
+            $"match {Curve} --program first/counterpart.nc --counterpart samples/curve-mating/counterpart-after.csv --out next --json");
         Assert.Equal(0, next.Exit);
     }
 

@@ -11,7 +11,8 @@ public sealed class NcTests
     public async Task Motions_have_the_columns_that_scripts_read()
     {
         using var shop = new Workshop();
-        var lines = (await shop.Run($"nc motion {Program} --dialect delta-nc300")).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        var lines = (
+            await shop.Run($"nc motion {Program} --dialect delta-nc300")).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.Equal("index,line,block,kind,x,y,z,cx,cy,cz,plane,turns,feed", lines[0]);
 
         // N140 G3 Y48.745 I2.941 J-5.23 from Y53.975, at Z-13.5.
@@ -38,14 +39,16 @@ public sealed class NcTests
         Assert.Empty(Unknown(motions[3]));
         Assert.Equal(["z"], Unknown(motions[motions.GetArrayLength() - 1]));
 
-        static IEnumerable<string?> Unknown(JsonElement motion) => motion.GetProperty("unknown").EnumerateArray().Select(a => a.GetString());
+        static IEnumerable<string?> Unknown(JsonElement motion) =>
+            motion.GetProperty("unknown").EnumerateArray().Select(a => a.GetString());
     }
 
     [Fact]
     public async Task A_displacement_warns_that_the_control_smooths_the_path()
     {
         using var shop = new Workshop();
-        await File.WriteAllTextAsync(shop["smooth.mpf"], "N10 G17 G90 G71 G641 ADIS=0.1\nN20 G0 X0 Y0 Z5\nN30 G1 X10 F100\n", TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(
+            shop["smooth.mpf"], "N10 G17 G90 G71 G641 ADIS=0.1\nN20 G0 X0 Y0 Z5\nN30 G1 X10 F100\n", TestContext.Current.CancellationToken);
         var run = await shop.Run("nc displace smooth.mpf --dialect siemens-840d --blocks N30 --by 1,0 --out out.mpf --json");
         Assert.Equal(0, run.Exit);
         Assert.Equal("smoothing", Assert.Single(run.Json.GetProperty("notes").EnumerateArray()).GetProperty("code").GetString());
@@ -59,16 +62,24 @@ public sealed class NcTests
         var check = (await shop.Run("nc check p.nc --json")).Json;
         Assert.True(check.GetProperty("roundTrip").GetBoolean());
         Assert.Equal((5, 1), (check.GetProperty("blocks").GetInt32(), check.GetProperty("unknownWords").GetArrayLength()));
-        Assert.Equal((3, "N20"), (check.GetProperty("unknownWords")[0].GetProperty("line").GetInt32(), check.GetProperty("unknownWords")[0].GetProperty("block").GetString()));
+        Assert.Equal(
+            (3, "N20"),
+            (
+                check.GetProperty("unknownWords")[0].GetProperty("line").GetInt32(),
+                check.GetProperty("unknownWords")[0].GetProperty("block").GetString()));
     }
 
     [Fact]
     public async Task Located_blocks_have_their_text_and_motion()
     {
         using var shop = new Workshop();
-        var blocks = (await shop.Run(["nc", "locate", Program, "--blocks", "N120..N130", "/^N10\\b/", "--json"])).Json.GetProperty("blocks").EnumerateArray().ToArray();
+        var blocks = (await shop.Run(["nc", "locate", Program, "--blocks", "N120..N130", "/^N10\\b/", "--json"])).Json.GetProperty("blocks")
+            .EnumerateArray()
+            .ToArray();
         Assert.Equal(["N10", "N120", "", "N130"], blocks.Select(b => b.GetProperty("block").GetString()));
-        Assert.Equal(["N10 G21", "N120 X-34.995 Y59.757", "(TOOTH L2 - TIP - L3)", "N130 X-45.275 Y53.975"], blocks.Select(b => b.GetProperty("text").GetString()));
+        Assert.Equal(
+            ["N10 G21", "N120 X-34.995 Y59.757", "(TOOTH L2 - TIP - L3)", "N130 X-45.275 Y53.975"],
+            blocks.Select(b => b.GetProperty("text").GetString()));
         Assert.Equal(System.Text.Json.JsonValueKind.Null, blocks[0].GetProperty("motion").ValueKind);
         Assert.Equal(-45.275, blocks[3].GetProperty("motion").GetProperty("x").GetDouble());
     }
@@ -83,7 +94,8 @@ public sealed class NcTests
         var moved = (await shop.Run($"nc diff {Program} out/d.nc --json")).Json.GetProperty("motions").EnumerateArray().ToArray();
         Assert.Equal(["N170", "N180", "N190"], moved.Select(m => m.GetProperty("block").GetString()));
         Assert.All(moved, m => Assert.Equal((-0.1, 0.05, 0.0), (
-            m.GetProperty("displacement").GetProperty("x").GetDouble(), m.GetProperty("displacement").GetProperty("y").GetDouble(), m.GetProperty("displacement").GetProperty("z").GetDouble())));
+            m.GetProperty("displacement").GetProperty("x").GetDouble(), m.GetProperty("displacement").GetProperty("y").GetDouble(),
+            m.GetProperty("displacement").GetProperty("z").GetDouble())));
     }
 
     [Fact]
@@ -93,7 +105,10 @@ public sealed class NcTests
         using var shop = new Workshop();
         var run = await shop.Run($"nc displace {Program} --blocks N130..N160 --normal 0.02 --out d.nc --json");
         Assert.Equal(0, run.Exit);
-        var arcs = (await shop.Run("nc motion d.nc")).Output.Split('\n').Where(l => l.Contains("arc-", StringComparison.Ordinal)).Select(l => l.Split(',')).ToArray();
+        var arcs = (await shop.Run("nc motion d.nc")).Output.Split('\n')
+            .Where(l => l.Contains("arc-", StringComparison.Ordinal))
+            .Select(l => l.Split(','))
+            .ToArray();
         Assert.Equal(2, arcs.Length);
         foreach (var arc in arcs)
         {
@@ -112,7 +127,9 @@ public sealed class NcTests
         Assert.Contains(",N120,line,-34.945,", (await shop.Run("nc motion d.nc")).Output, StringComparison.Ordinal);
         File.WriteAllText(shop["far.csv"], "x,y,dx,dy\n-34.4,70,0.05,0\n");
         var run = await shop.Run($"nc displace {Program} --blocks N120 --along far.csv --out e.nc --json");
-        Assert.Equal((2, "point-off-path", "N120"), (run.Exit, run.SingleError.GetProperty("code").GetString(), run.SingleError.GetProperty("block").GetString()));
+        Assert.Equal(
+            (2, "point-off-path", "N120"),
+            (run.Exit, run.SingleError.GetProperty("code").GetString(), run.SingleError.GetProperty("block").GetString()));
         Assert.False(File.Exists(shop["e.nc"]));
     }
 
@@ -153,7 +170,12 @@ public sealed class NcTests
         using var shop = new Workshop();
         var run = await shop.Run("nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --json");
         Assert.Equal(0, run.Exit);
-        Assert.Equal(["N8970"], run.Json.GetProperty("motions").EnumerateArray().Where(m => m.GetProperty("change").GetString() == "removed").Select(m => m.GetProperty("block").GetString()));
+        Assert.Equal(
+            ["N8970"],
+            run.Json.GetProperty("motions")
+                .EnumerateArray()
+                .Where(m => m.GetProperty("change").GetString() == "removed")
+                .Select(m => m.GetProperty("block").GetString()));
     }
 
     [Fact]
@@ -170,15 +192,29 @@ public sealed class NcTests
         Assert.StartsWith("3 motions differ", lines[0], StringComparison.Ordinal);
         Assert.Contains("identical  114", lines);
         Assert.Contains("largest    0.0100 mm, N130", lines);
-        Assert.Contains(lines, l => l.StartsWith("~  21  N130 {X-45.275} Y53.975", StringComparison.Ordinal) && l.EndsWith(" 21  N135 {X-45.265} Y53.975", StringComparison.Ordinal));
+        Assert.Contains(
+            lines,
+            l => l.StartsWith("~  21  N130 {X-45.275} Y53.975", StringComparison.Ordinal)
+                && l.EndsWith(" 21  N135 {X-45.265} Y53.975", StringComparison.Ordinal));
         Assert.Contains(lines, l => l.StartsWith("+ ", StringComparison.Ordinal) && l.EndsWith(" 24  M8", StringComparison.Ordinal));
         Assert.Contains(lines, l => l.StartsWith("   22  N140", StringComparison.Ordinal));
 
         var json = (await shop.Run($"nc diff {Program} d.nc --json")).Json;
         var summary = json.GetProperty("summary");
-        Assert.Equal((114, 2, 1, 0.01), (Count("identical"), Count("moved"), Count("words"), summary.GetProperty("largestDisplacementMm").GetDouble()));
+        Assert.Equal(
+            (114, 2, 1, 0.01),
+            (Count("identical"), Count("moved"), Count("words"), summary.GetProperty("largestDisplacementMm").GetDouble()));
         var words = json.GetProperty("motions").EnumerateArray().Single(m => m.GetProperty("change").GetString() == "words");
-        Assert.Equal(("N160", "[\"M8\"]"), (words.GetProperty("block").GetString(), System.Text.RegularExpressions.Regex.Replace(words.GetProperty("functions").GetProperty("after").ToString(), "\\s", "", System.Text.RegularExpressions.RegexOptions.None, TimeSpan.FromSeconds(1))));
+        Assert.Equal(
+            ("N160", "[\"M8\"]"),
+            (
+                words.GetProperty("block").GetString(),
+                System.Text.RegularExpressions.Regex.Replace(
+                    words.GetProperty("functions").GetProperty("after").ToString(),
+                    "\\s",
+                    "",
+                    System.Text.RegularExpressions.RegexOptions.None,
+                    TimeSpan.FromSeconds(1))));
 
         var page = System.Xml.Linq.XDocument.Load(shop["d.html"]);
         Assert.Contains(page.Descendants("ins"), e => e.Value == "X-45.265");
@@ -193,8 +229,11 @@ public sealed class NcTests
     {
         using var shop = new Workshop();
         var dialects = (await shop.Run("nc dialects --json")).Json.GetProperty("dialects").EnumerateArray().ToArray();
-        Assert.Equal(["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
-        Assert.All(dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()), f => Assert.NotEqual("", f.GetProperty("source").GetString()));
+        Assert.Equal(
+            ["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
+        Assert.All(
+            dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()),
+            f => Assert.NotEqual("", f.GetProperty("source").GetString()));
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);

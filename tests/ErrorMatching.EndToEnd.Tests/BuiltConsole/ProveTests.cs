@@ -17,10 +17,13 @@ public sealed class ProveTests
         var run = await shop.Run($"nc prove {sample}/counterpart.nc out/counterpart.nc --wish out/wish.json --json");
         Assert.Equal((0, ""), (run.Exit, run.Error));
         Assert.Equal("errormatch/nc-prove/1", run.Json.GetProperty("schema").GetString());
-        using var report = JsonDocument.Parse(await File.ReadAllBytesAsync(shop["out", "report.json"], TestContext.Current.CancellationToken));
+        using var report = JsonDocument.Parse(
+            await File.ReadAllBytesAsync(shop["out", "report.json"], TestContext.Current.CancellationToken));
         var (was, now) = (report.RootElement.GetProperty("proof"), run.Json.GetProperty("proof"));
         Assert.True(now.GetProperty("holds").GetBoolean());
-        Assert.Equal(was.EnumerateObject().Select(p => (p.Name, JsonSerializer.Serialize(p.Value))), now.EnumerateObject().Select(p => (p.Name, JsonSerializer.Serialize(p.Value))));
+        Assert.Equal(
+            was.EnumerateObject().Select(p => (p.Name, JsonSerializer.Serialize(p.Value))),
+            now.EnumerateObject().Select(p => (p.Name, JsonSerializer.Serialize(p.Value))));
         Assert.Equal(Workshop.Sha256(shop["out", "counterpart.nc"]), run.Json.GetProperty("afterSha256").GetString());
     }
 
@@ -47,8 +50,12 @@ public sealed class ProveTests
         var moved = (await shop.Run($"nc diff {Program} d.nc --json")).Json.GetProperty("motions").EnumerateArray();
         Assert.Equal(
             moved.Select(m => (m.GetProperty("block").GetString(), m.GetProperty("displacement").ToString())),
-            run.Json.GetProperty("motions").EnumerateArray().Select(m => (m.GetProperty("block").GetString(), m.GetProperty("displacement").ToString())));
-        Assert.Equal(options.EndsWith("0,0", StringComparison.Ordinal) ? 0 : options.Contains("by", StringComparison.Ordinal) ? 3 : 5, run.Json.GetProperty("motions").GetArrayLength());
+            run.Json.GetProperty("motions")
+                .EnumerateArray()
+                .Select(m => (m.GetProperty("block").GetString(), m.GetProperty("displacement").ToString())));
+        Assert.Equal(
+            options.EndsWith("0,0", StringComparison.Ordinal) ? 0 : options.Contains("by", StringComparison.Ordinal) ? 3 : 5,
+            run.Json.GetProperty("motions").GetArrayLength());
     }
 
     [Theory]
@@ -63,7 +70,10 @@ public sealed class ProveTests
         var run = await Prove(shop, Program);
         Assert.Equal(2, run.Exit);
         Assert.All(run.Json.GetProperty("errors").EnumerateArray(), e => Assert.Equal("proof-failed", e.GetProperty("code").GetString()));
-        Assert.True(block is null || run.Json.GetProperty("errors").EnumerateArray().Any(e => e.TryGetProperty("block", out var b) && b.GetString() == block), run.Output);
+        Assert.True(
+            block is null
+                || run.Json.GetProperty("errors").EnumerateArray().Any(e => e.TryGetProperty("block", out var b) && b.GetString() == block),
+            run.Output);
     }
 
     [Theory]
@@ -88,7 +98,9 @@ public sealed class ProveTests
     public async Task A_wish_in_a_shop_s_own_dialect_is_proved_with_its_file()
     {
         using var shop = new Workshop();
-        await shop.Run("nc displace samples/own-dialect/pocket.nc --dialect samples/own-dialect/our-mill.json --blocks /X/ --by 0.1,0 --out after.nc --wish wish.json");
+        await shop.Run(
+            "nc displace samples/own-dialect/pocket.nc --dialect samples/own-dialect/our-mill.json --blocks /X/ --by 0.1,0 --out "
+                + "after.nc --wish wish.json");
         var prove = "nc prove samples/own-dialect/pocket.nc after.nc --wish wish.json --json";
         Assert.Equal(0, (await shop.Run($"{prove} --dialect samples/own-dialect/our-mill.json")).Exit);
         Assert.Equal("unknown-dialect", (await shop.Run(prove)).SingleError.GetProperty("code").GetString());
@@ -117,5 +129,6 @@ public sealed class ProveTests
         Assert.Equal(before, shop.State());
     }
 
-    private static Task<ConsoleRun> Prove(Workshop shop, string before) => shop.Run($"nc prove {before} samples/proof/displaced.nc --wish samples/proof/wish.json --json");
+    private static Task<ConsoleRun> Prove(Workshop shop, string before) =>
+        shop.Run($"nc prove {before} samples/proof/displaced.nc --wish samples/proof/wish.json --json");
 }

@@ -8,7 +8,9 @@ public sealed partial class SurroundingsTests
     [Theory]
     [InlineData("match samples/complex-mating/job.json")]
     [InlineData("match samples/complex-mating/job.json --json")]
-    [InlineData("verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after samples/complex-mating/counterpart-after.csv")]
+    [InlineData(
+        "verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after "
+            + "samples/complex-mating/counterpart-after.csv")]
     [InlineData("nc motion samples/complex-mating/counterpart.nc")]
     [InlineData("nc displace samples/complex-mating/counterpart.nc --blocks N130..N160 --normal -0.02 --out out/d.nc --json")]
     [InlineData("fit polynomial samples/fits/curve.csv --degree auto --json")]
@@ -17,10 +19,18 @@ public sealed partial class SurroundingsTests
     {
         using var shop = new Workshop();
         string[] arguments = line.Split(' ');
-        var plain = await ConsoleRun.Of(shop.Folder, new Dictionary<string, string?> { ["LANG"] = "C", ["LC_ALL"] = "C", ["TZ"] = "UTC" }, arguments);
+        var plain = await ConsoleRun.Of(
+            shop.Folder, new Dictionary<string, string?> { ["LANG"] = "C", ["LC_ALL"] = "C", ["TZ"] = "UTC" }, arguments);
         var german = await ConsoleRun.Of(
             shop.Folder,
-            new Dictionary<string, string?> { ["LANG"] = "de_DE.UTF-8", ["LC_ALL"] = "de_DE.UTF-8", ["LANGUAGE"] = "de", ["TZ"] = "Asia/Kolkata", ["DOTNET_SYSTEM_GLOBALIZATION_INVARIANT"] = null },
+            new Dictionary<string, string?>
+            {
+                ["LANG"] = "de_DE.UTF-8",
+                ["LC_ALL"] = "de_DE.UTF-8",
+                ["LANGUAGE"] = "de",
+                ["TZ"] = "Asia/Kolkata",
+                ["DOTNET_SYSTEM_GLOBALIZATION_INVARIANT"] = null
+            },
             arguments);
         Assert.Equal((plain.Exit, Timeless(plain.Output), plain.Error), (german.Exit, Timeless(german.Output), german.Error));
     }
@@ -41,7 +51,15 @@ public sealed partial class SurroundingsTests
     public async Task Relative_paths_of_a_job_start_from_its_folder_and_those_of_the_command_line_from_the_current_one()
     {
         using var shop = new Workshop();
-        var run = await ConsoleRun.Of(shop["samples", "curve-mating"], "match", "../complex-mating/job.json", "--part", "../complex-mating/part.csv", "--out", "here", "--json");
+        var run = await ConsoleRun.Of(
+            shop["samples", "curve-mating"],
+            "match",
+            "../complex-mating/job.json",
+            "--part",
+            "../complex-mating/part.csv",
+            "--out",
+            "here",
+            "--json");
         Assert.Equal((0, ""), (run.Exit, run.Error));
         Assert.True(File.Exists(shop["samples", "curve-mating", "here", "counterpart.nc"]));
     }

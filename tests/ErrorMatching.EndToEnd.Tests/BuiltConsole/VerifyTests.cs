@@ -2,7 +2,8 @@ using System.Text.Json;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>The improvements that Wang, Tu and Gunawan (Sensors 2021, 21, 7660) publish, from the samples through the built console.</summary>
+/// <summary>The improvements that Wang, Tu and Gunawan (Sensors 2021, 21, 7660) publish,
+/// from the samples through the built console.</summary>
 public sealed class VerifyTests
 {
     [Theory]
@@ -12,7 +13,9 @@ public sealed class VerifyTests
     public async Task The_complex_mating_improves_as_published(string name, string quantity, double before, double after, int percent)
     {
         var report = await Verify("complex-mating");
-        var feature = Assert.Single(report.GetProperty("features").EnumerateArray(), f => f.GetProperty("name").GetString() == name && f.GetProperty("quantity").GetString() == quantity);
+        var feature = Assert.Single(
+            report.GetProperty("features").EnumerateArray(),
+            f => f.GetProperty("name").GetString() == name && f.GetProperty("quantity").GetString() == quantity);
         var wanted = feature.GetProperty("wanted").GetDouble();
         Assert.Equal(before, Math.Abs(feature.GetProperty("before").GetDouble() - wanted), 0.0006);
         Assert.Equal(after, Math.Abs(feature.GetProperty("after").GetDouble() - wanted), 0.0006);
@@ -22,7 +25,8 @@ public sealed class VerifyTests
     [Fact]
     public async Task The_corner_of_the_complex_mating_is_as_far_off_as_published()
     {
-        var corner = Assert.Single((await Verify("complex-mating")).GetProperty("points").EnumerateArray(), p => p.GetProperty("point").GetString() == "4");
+        var corner = Assert.Single(
+            (await Verify("complex-mating")).GetProperty("points").EnumerateArray(), p => p.GetProperty("point").GetString() == "4");
         Assert.Equal(0.371, corner.GetProperty("before").GetProperty("dx").GetDouble(), 1e-9);
         Assert.Equal(0.391, corner.GetProperty("after").GetProperty("dx").GetDouble(), 1e-9);
     }
@@ -30,7 +34,9 @@ public sealed class VerifyTests
     [Fact]
     public async Task The_curve_mating_is_left_with_the_published_error()
     {
-        var curve = Assert.Single((await Verify("curve-mating")).GetProperty("features").EnumerateArray(), f => f.GetProperty("quantity").GetString() == "deviation-x");
+        var curve = Assert.Single(
+            (await Verify("curve-mating")).GetProperty("features").EnumerateArray(),
+            f => f.GetProperty("quantity").GetString() == "deviation-x");
         Assert.Equal(0.320, curve.GetProperty("before").GetDouble(), 1e-9);
         Assert.Equal(0.048, curve.GetProperty("after").GetDouble(), 1e-9);
     }
@@ -41,7 +47,9 @@ public sealed class VerifyTests
         var report = await Verify("complex-mating");
         foreach (var side in new[] { "before", "after" })
         {
-            var largest = report.GetProperty("points").EnumerateArray().Max(p => Math.Abs(p.GetProperty(side).GetProperty("normalMm").GetDouble()));
+            var largest = report.GetProperty("points")
+                .EnumerateArray()
+                .Max(p => Math.Abs(p.GetProperty(side).GetProperty("normalMm").GetDouble()));
             Assert.Equal(largest, report.GetProperty(side == "before" ? "maxBeforeMm" : "maxAfterMm").GetDouble());
         }
     }
@@ -56,7 +64,8 @@ public sealed class VerifyTests
         Assert.StartsWith("<!DOCTYPE html>", File.ReadAllText(shop["out", "verify.html"]), StringComparison.OrdinalIgnoreCase);
     }
 
-    private static string Line(string sample) => $"verify samples/{sample}/job.json --before samples/{sample}/counterpart.csv --after samples/{sample}/counterpart-after.csv";
+    private static string Line(string sample) =>
+        $"verify samples/{sample}/job.json --before samples/{sample}/counterpart.csv --after samples/{sample}/counterpart-after.csv";
 
     private static async Task<JsonElement> Verify(string sample)
     {

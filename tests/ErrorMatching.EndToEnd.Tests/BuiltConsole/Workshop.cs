@@ -23,7 +23,10 @@ internal sealed class Workshop : IDisposable
 
     /// <summary>All files with the hashes of their bytes, sorted by name.</summary>
     public IReadOnlyList<string> State() =>
-        [.. Directory.EnumerateFiles(Folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Select(f => $"{Path.GetRelativePath(Folder, f)} {Sha256(f)}")];
+        [
+            .. Directory.EnumerateFiles(Folder, "*", SearchOption.AllDirectories)
+                .Order(StringComparer.Ordinal)
+                .Select(f => $"{Path.GetRelativePath(Folder, f)} {Sha256(f)}")];
 
     public static string Sha256(string file) => Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file)));
 

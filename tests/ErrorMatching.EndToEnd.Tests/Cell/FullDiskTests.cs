@@ -2,7 +2,8 @@ using System.Diagnostics;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A cell whose store, keys and logs are on a small disk of their own: a file system in memory, which takes root to mount.</summary>
+/// <summary>A cell whose store, keys and logs are on a small disk of their own:
+/// a file system in memory, which takes root to mount.</summary>
 public sealed class FullDiskTests
 {
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
@@ -27,13 +28,20 @@ public sealed class FullDiskTests
         Assert.Equal(3, exit);
         Assert.Contains("store-full", codes);
         Assert.Contains("store-full", cell.Said, StringComparison.Ordinal);
-        Assert.Contains(Directory.EnumerateFiles(cell.Incoming, "*", SearchOption.AllDirectories), f => File.ReadAllBytes(f).AsSpan().SequenceEqual(second.Bytes));
+        Assert.Contains(
+            Directory.EnumerateFiles(cell.Incoming, "*", SearchOption.AllDirectories),
+            f => File.ReadAllBytes(f).AsSpan().SequenceEqual(second.Bytes));
         Assert.Equal("verified", await cell.StateOf(first.Name));
 
         disk.Empty();
         await cell.Until(async () => await cell.StateOf(second.Name) == "verified", Patience, "the second is at the machine");
         await cell.Until(async () => (await cell.Status()).Exit == 0, Patience, "nothing is said any more");
-        Assert.Equal(second.Name, files.FileByProgram[FireFiles.Hash(await File.ReadAllBytesAsync(Path.Combine(cell.Machine, FireCell.ProgramOf(cell.Slots[1])), TestContext.Current.CancellationToken))]);
+        Assert.Equal(
+            second.Name,
+            files.FileByProgram[
+                FireFiles.Hash(
+                    await File.ReadAllBytesAsync(
+                        Path.Combine(cell.Machine, FireCell.ProgramOf(cell.Slots[1])), TestContext.Current.CancellationToken))]);
         await cell.AuditHolds();
         await cell.Stop();
     }
@@ -57,7 +65,8 @@ public sealed class FullDiskTests
 
         // The store can be read, so the status answers: nothing is wrong with it but that no cell runs.
         Assert.Equal((3, "cell-not-running"), (exit, Assert.Single(codes)));
-        Assert.Equal(first.Bytes, await File.ReadAllBytesAsync(Path.Combine(cell.Incoming, first.Name), TestContext.Current.CancellationToken));
+        Assert.Equal(
+            first.Bytes, await File.ReadAllBytesAsync(Path.Combine(cell.Incoming, first.Name), TestContext.Current.CancellationToken));
 
         disk.Remount("rw");
         cell.Start();
@@ -66,7 +75,9 @@ public sealed class FullDiskTests
     }
 
     private static void MoveLogs(FireCell cell, string folder) =>
-        File.WriteAllText(cell.Configuration, File.ReadAllText(cell.Configuration).Replace("\"keys\":", $"\"logs\": \"{folder}\", \"keys\":", StringComparison.Ordinal));
+        File.WriteAllText(
+            cell.Configuration,
+            File.ReadAllText(cell.Configuration).Replace("\"keys\":", $"\"logs\": \"{folder}\", \"keys\":", StringComparison.Ordinal));
 
     private sealed class SmallDisk : IDisposable
     {
@@ -76,7 +87,9 @@ public sealed class FullDiskTests
         {
             _folder = folder;
             Directory.CreateDirectory(folder);
-            Assert.SkipUnless(OperatingSystem.IsLinux() && Run("mount", "-t", "tmpfs", "-o", "size=2m,mode=0700", "errormatch-test", folder) == 0, "A file system in memory cannot be mounted here; that takes root.");
+            Assert.SkipUnless(
+                OperatingSystem.IsLinux() && Run("mount", "-t", "tmpfs", "-o", "size=2m,mode=0700", "errormatch-test", folder) == 0,
+                "A file system in memory cannot be mounted here; that takes root.");
         }
 
         private string Ballast => Path.Combine(_folder, "ballast");
@@ -108,7 +121,12 @@ public sealed class FullDiskTests
 
         private static int Run(string program, params string[] words)
         {
-            var start = new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardError = true, RedirectStandardOutput = true };
+            var start = new ProcessStartInfo(program, words)
+            {
+                UseShellExecute = false,
+                RedirectStandardError = true,
+                RedirectStandardOutput = true
+            };
             using var process = Process.Start(start)!;
             process.StandardError.ReadToEnd();
             process.WaitForExit();

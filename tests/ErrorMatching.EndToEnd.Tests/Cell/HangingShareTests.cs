@@ -39,7 +39,8 @@ public sealed class HangingShareTests
         File.Move(cell["original"], program);
         cell.Start();
         await cell.Until(async () => (await cell.StateOf(other.Name)) == "verified", Patience, "the next start goes on");
-        Assert.False(files.FileByProgram.ContainsKey(FireFiles.Hash(await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))));
+        Assert.False(files.FileByProgram.ContainsKey(FireFiles.Hash(
+            await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))));
         await cell.Stop();
         await cell.AuditHolds();
     }

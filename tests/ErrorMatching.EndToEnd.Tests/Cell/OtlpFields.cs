@@ -3,7 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A message in the wire format of Protocol Buffers: its fields by number, nothing known of their meaning. Source: protobuf.dev/programming-guides/encoding.</summary>
+/// <summary>A message in the wire format of Protocol Buffers: its fields by number, nothing known of their meaning. Source:
+/// protobuf.dev/programming-guides/encoding.</summary>
 internal sealed class OtlpFields
 {
     private readonly List<(int Number, ulong Value, ReadOnlyMemory<byte> Bytes)> _fields = [];

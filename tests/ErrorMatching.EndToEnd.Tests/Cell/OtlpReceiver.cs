@@ -6,7 +6,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A receiver of telemetry on a loopback port, by OTLP over HTTP. Sources: the OTLP specification 1.x and its files trace.proto, metrics.proto and common.proto.</summary>
+/// <summary>A receiver of telemetry on a loopback port, by OTLP over HTTP. Sources: the OTLP specification 1.x and its files trace.proto,
+/// metrics.proto and common.proto.</summary>
 internal sealed class OtlpReceiver : IDisposable
 {
     private readonly LoopbackServer _server;
@@ -52,7 +53,8 @@ internal sealed class OtlpReceiver : IDisposable
             while (await RequestAsync(stream) is { } request)
             {
                 Take(request.Path, request.Body);
-                await stream.WriteAsync("HTTP/1.1 200 OK\r\nContent-Type: application/x-protobuf\r\nContent-Length: 0\r\n\r\n"u8.ToArray(), _server.End);
+                await stream.WriteAsync(
+                    "HTTP/1.1 200 OK\r\nContent-Type: application/x-protobuf\r\nContent-Length: 0\r\n\r\n"u8.ToArray(), _server.End);
             }
         }
         catch (Exception e) when (!LoopbackServer.IsEnd(e))
@@ -86,7 +88,12 @@ internal sealed class OtlpReceiver : IDisposable
     {
         foreach (var resource in new OtlpFields(body).Messages(1))
         {
-            var service = resource.Messages(1).SelectMany(r => r.Messages(1)).FirstOrDefault(a => a.Text(1) == "service.name")?.Messages(2).Single().Text(1) ?? "";
+            var service = resource.Messages(1)
+                .SelectMany(r => r.Messages(1))
+                .FirstOrDefault(a => a.Text(1) == "service.name")?.Messages(2)
+                .Single()
+                .Text(1)
+                ?? "";
             foreach (var item in resource.Messages(2).SelectMany(scope => scope.Messages(2)))
             {
                 switch (path)

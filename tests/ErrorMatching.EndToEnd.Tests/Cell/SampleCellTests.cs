@@ -30,8 +30,14 @@ public sealed class SampleCellTests
         // Who approves within what is part of the evidence.
         var trail = (await shop.Run("audit export " + Config)).Output;
         var configuration = Workshop.Sha256(shop[Config]);
-        Assert.Contains($"\"cell\",\"started\",\"Sample cell\",\"configuration {configuration}; policy automatic, limit 0.5 mm, sum none of its own, gain the job's\"", trail, StringComparison.Ordinal);
-        Assert.Equal(!OperatingSystem.IsWindows(), trail.Contains("\"cell\",\"stopped\",\"Sample cell\",\"told to stop\"", StringComparison.Ordinal));
+        Assert.Contains(
+            $"\"cell\",\"started\",\"Sample cell\",\"configuration {configuration}; policy automatic, limit 0.5 mm, sum none of its own, "
+                + $"gain the job's\"",
+            trail,
+            StringComparison.Ordinal);
+        Assert.Equal(
+            !OperatingSystem.IsWindows(),
+            trail.Contains("\"cell\",\"stopped\",\"Sample cell\",\"told to stop\"", StringComparison.Ordinal));
     }
 
     [Fact]

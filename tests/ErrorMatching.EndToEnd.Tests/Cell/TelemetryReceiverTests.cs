@@ -22,7 +22,10 @@ public sealed class TelemetryReceiverTests
             cell.Drop(name, bytes);
         }
 
-        await cell.Until(() => Task.FromResult(receiver.Spans.Count(s => s.Name == "file to verified") == 2 && receiver.Metrics.Count >= 3), Patience, "telemetry arrives");
+        await cell.Until(
+            () => Task.FromResult(receiver.Spans.Count(s => s.Name == "file to verified") == 2 && receiver.Metrics.Count >= 3),
+            Patience,
+            "telemetry arrives");
         await cell.Stop();
 
         Assert.Empty(receiver.Wrong);
@@ -38,8 +41,12 @@ public sealed class TelemetryReceiverTests
             Assert.All(trace, s => Assert.True(s.Start <= s.End));
             Assert.Equal(6, trace.Select(s => s.Id).Distinct().Count());
         });
-        Assert.Equal(traces.Select(t => t.Key).Order(StringComparer.Ordinal), (await cell.History()).Select(c => c.GetProperty("trace").GetString()!.Split('-')[1]).Order(StringComparer.Ordinal));
-        Assert.Equal(["errormatch.cell.arrived_to_verified", "errormatch.cell.line", "errormatch.cell.steps"], receiver.Metrics.Keys.Order(StringComparer.Ordinal));
+        Assert.Equal(
+            traces.Select(t => t.Key).Order(StringComparer.Ordinal),
+            (await cell.History()).Select(c => c.GetProperty("trace").GetString()!.Split('-')[1]).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["errormatch.cell.arrived_to_verified", "errormatch.cell.line", "errormatch.cell.steps"],
+            receiver.Metrics.Keys.Order(StringComparer.Ordinal));
         Assert.All(receiver.Metrics.Values, service => Assert.Equal("errormatch-cell", service));
     }
 
@@ -70,7 +77,8 @@ public sealed class TelemetryReceiverTests
 
     private static (string, string)[] Variables(string endpoint, string protocol) =>
     [
-        ("OTEL_EXPORTER_OTLP_ENDPOINT", endpoint), ("OTEL_EXPORTER_OTLP_PROTOCOL", protocol), ("OTEL_BSP_SCHEDULE_DELAY", "100"), ("OTEL_METRIC_EXPORT_INTERVAL", "300"),
+        ("OTEL_EXPORTER_OTLP_ENDPOINT", endpoint), ("OTEL_EXPORTER_OTLP_PROTOCOL", protocol), ("OTEL_BSP_SCHEDULE_DELAY", "100"),
+        ("OTEL_METRIC_EXPORT_INTERVAL", "300"),
     ];
 
     private static int FreePort()

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
 
@@ -43,7 +44,9 @@ public sealed class ClosedContourLoopTests
             var outcome = Matcher.Match(input(part));
             if (outcome.Result is not { } result)
             {
-                if (outcome.Refusals.All(r => r.Message.EndsWith("its ends slid along its circle, but its center moved.", StringComparison.Ordinal)) && ++strange <= StrangeWaysAllowed)
+                if (outcome.Refusals.All(r => r.Message.EndsWith(
+                    "its ends slid along its circle, but its center moved.", StringComparison.Ordinal))
+                    && ++strange <= StrangeWaysAllowed)
                 {
                     continue;
                 }
@@ -58,7 +61,10 @@ public sealed class ClosedContourLoopTests
                 from point in part.KeyPoints
                 let error = cut.Probe(point.Place, point.Normal) - nominal.Probe(point.Place, point.Normal) - (share * point.Deviation)
                 where !(Math.Abs(error) <= Rounding)
-                select FormattableString.Invariant($"{seed}, {part.Flavor}, {part.Features[0].Shape}, point {point.Label} (deviation {point.Deviation:0.0000}): {error:0.0000} mm left"));
+                select string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{seed}, {part.Flavor}, {part.Features[0].Shape}, point {point.Label} (deviation {point.Deviation:0.0000}): "
+                        + $"{error:0.0000} mm left"));
         }
 
         Assert.True(failures.Count == 0, $"{failures.Count}:\n{string.Join('\n', failures.Take(40))}");

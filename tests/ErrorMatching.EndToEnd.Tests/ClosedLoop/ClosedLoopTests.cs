@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
@@ -5,8 +6,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// The sign of a correction is what hurts people. Here the rewritten program is cut by a referee that shares nothing with the rewriter, the piece is probed
-/// at its key points along their normals, and what is left of the mating error must be the rounding of the program.
+/// The sign of a correction is what hurts people. Here the rewritten program is cut by a referee that shares nothing with the rewriter,
+/// the piece is probed at its key points along their normals, and what is left of the mating error must be the rounding of the program.
 /// </summary>
 public sealed class ClosedLoopTests
 {
@@ -15,8 +16,8 @@ public sealed class ClosedLoopTests
     private const int Parts = 400;
 
     /// <summary>
-    /// Parts that may be refused: two features run into each other tangentially and deviate by different amounts, so the part has a step that no contour of the same
-    /// blocks can follow.
+    /// Parts that may be refused: two features run into each other tangentially and deviate by different amounts,
+    /// so the part has a step that no contour of the same blocks can follow.
     /// </summary>
     private const int StepsAllowed = 4;
 
@@ -49,7 +50,10 @@ public sealed class ClosedLoopTests
                 from point in part.KeyPoints
                 let left = cut.Probe(point.Place, point.Normal) - predicted[point.Label].NormalMm
                 where !(Math.Abs(left - predicted[point.Label].PredictedMm) <= Rounding)
-                select FormattableString.Invariant($"part {seed}, {part.Flavor}, point {point.Label}: {left:0.0000} mm left, predicted {predicted[point.Label].PredictedMm:0.0000}"));
+                select string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"part {seed}, {part.Flavor}, point {point.Label}: {left:0.0000} mm left, predicted "
+                        + $"{predicted[point.Label].PredictedMm:0.0000}"));
         }
 
         Assert.InRange(matched, Parts * 3 / 4, Parts);
@@ -87,7 +91,10 @@ public sealed class ClosedLoopTests
                 from point in feature.KeyPoints
                 let error = cut.Probe(point.Place, point.Normal) - wanted(point)
                 where !(Math.Abs(error) <= Rounding)
-                select FormattableString.Invariant($"part {seed}, {part.Flavor}, {feature.Kind} {feature.Shape}, point {point.Label} (deviation {point.Deviation:0.0000}): {error:0.0000} mm left"));
+                select string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"part {seed}, {part.Flavor}, {feature.Kind} {feature.Shape}, point {point.Label} (deviation "
+                        + $"{point.Deviation:0.0000}): {error:0.0000} mm left"));
         }
 
         return failures;

@@ -14,13 +14,21 @@ internal static class RandomMatch
 
     /// <summary>Feedback: a counterpart was cut and came out off by a share of the deviation; the part deviates as well.</summary>
     public static MatchInput Feedback(RandomPart part, double share) =>
-        Input(part, "counterpart", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), Csv(part, p => p.Theoretical + ((p.Actual - p.Theoretical) * share)));
+        Input(
+            part,
+            "counterpart",
+            Csv(part, p => p.Theoretical),
+            Csv(part, p => p.Actual),
+            Csv(part, p => p.Theoretical + ((p.Actual - p.Theoretical) * share)));
 
     /// <summary>Feed-forward of a part whose key points deviate one by one, as no line, arc or smooth curve can follow.</summary>
     public static MatchInput Rough(RandomPart part, double amplitude)
     {
         var random = new Random(part.Seed);
-        var rough = part.KeyPoints.ToDictionary(p => p.Label, p => part.Frame.ToPart(p.Place + (p.Normal * (amplitude * ((2 * random.NextDouble()) - 1)))), StringComparer.Ordinal);
+        var rough = part.KeyPoints.ToDictionary(
+            p => p.Label,
+            p => part.Frame.ToPart(p.Place + (p.Normal * (amplitude * ((2 * random.NextDouble()) - 1)))),
+            StringComparer.Ordinal);
         return Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => rough[p.Label]), null);
     }
 
@@ -38,7 +46,8 @@ internal static class RandomMatch
 
     private static string Job(RandomPart part, string from)
     {
-        var features = part.Features.Select(f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0]{{f.More}} }""");
+        var features = part.Features.Select(
+            f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0]{{f.More}} }""");
         return $$"""
             {
               "kind": "mating", "name": "Random {{part.Seed}}",

@@ -6,7 +6,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>The samples through the pure core, judged by the referee: the counterpart follows the part as far as the report predicts.</summary>
+/// <summary>The samples through the pure core, judged by the referee:
+/// the counterpart follows the part as far as the report predicts.</summary>
 public sealed class SampleMatchTests
 {
     private const double ToolRadius = 3;
@@ -30,7 +31,11 @@ public sealed class SampleMatchTests
             var normal = new Flat(point.Normal.X, point.Normal.Y);
             var actual = (point.Actual - point.Theoretical).Dot(point.Normal);
             var found = cut.Probe(new(point.Theoretical.X, point.Theoretical.Y), normal) - actual;
-            Assert.True(Math.Abs(found - point.PredictedMm) <= 0.003, FormattableString.Invariant($"{sample} {point.Point}: predicted {point.PredictedMm:0.0000}, cut {found:0.0000}, was {-point.DecidedMm:0.0000}"));
+            Assert.True(
+                Math.Abs(found - point.PredictedMm) <= 0.003,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{sample} {point.Point}: predicted {point.PredictedMm:0.0000}, cut {found:0.0000}, was {-point.DecidedMm:0.0000}"));
 
             // The paper's samples tolerate 0.05 mm to both sides, circle and slot 0.02; as designed, the counterpart lacks what the part
             // has too much.
@@ -53,8 +58,11 @@ public sealed class SampleMatchTests
     public void The_boss_gets_the_largest_circle_inside_the_bore()
     {
         var result = Match("circle-mating");
-        var quantities = MatchReporter.Report(result, "counterpart.nc", 0).Features[0].Quantities.ToDictionary(q => q.Quantity.Name, q => q.Quantity.Actual, StringComparer.Ordinal);
-        Assert.Equal((0.02102, -0.03420, 40.04462), (Math.Round(quantities["centerXMm"], 5), Math.Round(quantities["centerYMm"], 5), Math.Round(quantities["diameterMm"], 5)));
+        var quantities = MatchReporter.Report(result, "counterpart.nc", 0).Features[0].Quantities.ToDictionary(
+            q => q.Quantity.Name, q => q.Quantity.Actual, StringComparer.Ordinal);
+        Assert.Equal(
+            (0.02102, -0.03420, 40.04462),
+            (Math.Round(quantities["centerXMm"], 5), Math.Round(quantities["centerYMm"], 5), Math.Round(quantities["diameterMm"], 5)));
         var arcs = RefereeInterpreter.Run(Encoding.ASCII.GetString(result.Program.Span)).Where(m => m.Block is "N120" or "N130").ToList();
         Assert.Equal(2, arcs.Count);
         Assert.All(arcs, arc => Assert.InRange((arc.Center - new Flat(0.02102, -0.03420)).Length, 0, 0.0008));
@@ -66,7 +74,8 @@ public sealed class SampleMatchTests
     public void The_key_gets_the_width_length_place_and_direction_of_the_slot()
     {
         var result = Match("slot-mating");
-        var quantities = MatchReporter.Report(result, "counterpart.nc", 0).Features[0].Quantities.ToDictionary(q => q.Quantity.Name, q => q.Quantity, StringComparer.Ordinal);
+        var quantities = MatchReporter.Report(result, "counterpart.nc", 0).Features[0].Quantities.ToDictionary(
+            q => q.Quantity.Name, q => q.Quantity, StringComparer.Ordinal);
         Assert.Equal(20.046, quantities["widthMm"].Actual, 2e-4);
         Assert.Equal(60.074, quantities["lengthMm"].Actual, 2e-4);
         Assert.Equal(0.012, quantities["centerXMm"].Actual, 2e-4);
@@ -77,7 +86,8 @@ public sealed class SampleMatchTests
         Assert.Equal(40.028, (arcs[0].Center - arcs[1].Center).Length, 0.0015);
     }
 
-    /// <summary>A gauge delivers parts that are all a little different; none of them may be refused because of the rounding of a program's words.</summary>
+    /// <summary>A gauge delivers parts that are all a little different;
+    /// none of them may be refused because of the rounding of a program's words.</summary>
     [Theory]
     [InlineData("complex-mating", 0.003)]
     [InlineData("complex-mating", 0.01)]
@@ -100,7 +110,12 @@ public sealed class SampleMatchTests
     {
         var lines = Encoding.ASCII.GetString(csv).TrimEnd().Split('\n');
         var rows = lines.Skip(1).Select(l => l.TrimEnd('\r').Split(','));
-        var shifted = rows.Select(r => string.Join(',', [r[0], .. r[1..].Select(v => (double.Parse(v, CultureInfo.InvariantCulture) + shift()).ToString("F4", CultureInfo.InvariantCulture))]));
+        var shifted = rows.Select(r => string.Join(
+            ',',
+            [
+                r[0],
+                .. r[1..].Select(
+                    v => (double.Parse(v, CultureInfo.InvariantCulture) + shift()).ToString("F4", CultureInfo.InvariantCulture))]));
         return Encoding.ASCII.GetBytes(string.Join('\n', [lines[0], .. shifted]));
     }
 

@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A design of the paper that goes round the whole loop: semi-finished, probed, compensated, finished, probed again. Cutting, probing and what the touches come to are the referee's, of nothing but the programs' text.</summary>
+/// <summary>A design of the paper that goes round the whole loop: semi-finished, probed, compensated, finished, probed again. Cutting,
+/// probing and what the touches come to are the referee's, of nothing but the programs' text.</summary>
 internal sealed class SurfaceLoop
 {
     // The paper's probe repeats to 0.25 um for two standard deviations; the referee's is worse.
@@ -48,10 +49,12 @@ internal sealed class SurfaceLoop
     {
         var (before, after, expected) = Go(seed, repeats);
         var ball = _job.Measuring.StylusDiameterMm / 2;
-        return new(RefereeFigures.Of(before, _sample, ball + _job.Stock.SemiFinishingMm), RefereeFigures.Of(after, _sample, ball), expected);
+        return new(
+            RefereeFigures.Of(before, _sample, ball + _job.Stock.SemiFinishingMm), RefereeFigures.Of(after, _sample, ball), expected);
     }
 
-    /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own, and what was expected between.</summary>
+    /// <summary>What was measured after semi-finishing and after finishing, on a machine of its own,
+    /// and what was expected between.</summary>
     public (MeasuredPoints Before, MeasuredPoints After) Measure(int seed)
     {
         var (before, after, _) = Go(seed, repeats: false);
@@ -73,10 +76,12 @@ internal sealed class SurfaceLoop
 
         CutSurface Cut(IReadOnlyList<AxisMove> moves) => new(moves, radius, repeats ? machine : machine.NextCut(random));
 
-        string Touch(CutSurface piece, string program) => VirtualProbe.Run(program, piece, _job.Measuring.StylusDiameterMm / 2, repeatability, random);
+        string Touch(CutSurface piece, string program) =>
+            VirtualProbe.Run(program, piece, _job.Measuring.StylusDiameterMm / 2, repeatability, random);
     }
 
-    private static MeasuredPoints Read(string log, MeasuringPlan plan, FreeformJob job) => MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(log), "probe.log", plan, job.Measuring);
+    private static MeasuredPoints Read(string log, MeasuringPlan plan, FreeformJob job) =>
+        MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(log), "probe.log", plan, job.Measuring);
 
     private IReadOnlyList<AxisMove> Moves(PartSurface surface, CuttingStage stage)
     {
@@ -89,6 +94,7 @@ internal sealed class SurfaceLoop
     private static string Probing(MeasuringPlan plan)
     {
         Assert.Empty(plan.Refusals);
-        return Encoding.UTF8.GetString(ProbingProgram.Of(plan, "loop", NcDialects.Named("linuxcnc"), ProbingTemplate.Named("linuxcnc")).Bytes.Span);
+        return Encoding.UTF8.GetString(
+            ProbingProgram.Of(plan, "loop", NcDialects.Named("linuxcnc"), ProbingTemplate.Named("linuxcnc")).Bytes.Span);
     }
 }

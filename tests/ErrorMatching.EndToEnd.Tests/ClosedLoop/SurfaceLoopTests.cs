@@ -4,7 +4,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>The second paper's promise (Lee 2019, tables 3 and 4), held on a virtual machine with 15 um of systematic error and 1 um of its own noise.</summary>
+/// <summary>The second paper's promise (Lee 2019, tables 3 and 4), held on a virtual machine with 15 um of systematic error and 1 um of its
+/// own noise.</summary>
 public sealed class SurfaceLoopTests
 {
     private const int Seeds = 20;
@@ -13,13 +14,16 @@ public sealed class SurfaceLoopTests
     [InlineData("surface-one", 70, 61, 78)]
     [InlineData("surface-two", 49, 61, 84)]
     [InlineData("surface-three", 68, 32, 77)]
-    public void Mirror_compensation_reduces_spread_and_profile_at_least_as_much_as_the_paper(string sample, int points, double standardDeviationPercent, double profilePercent)
+    public void Mirror_compensation_reduces_spread_and_profile_at_least_as_much_as_the_paper(
+        string sample, int points, double standardDeviationPercent, double profilePercent)
     {
         var loop = new SurfaceLoop(sample, mirror: true);
         var runs = Enumerable.Range(1, Seeds).Select(loop.Run).ToArray();
 
         Assert.Equal(points, loop.Points);
-        Assert.True(Reduction(runs, s => s.StandardDeviationMm) >= standardDeviationPercent, $"standard deviation: {Reduction(runs, s => s.StandardDeviationMm)} %");
+        Assert.True(
+            Reduction(runs, s => s.StandardDeviationMm) >= standardDeviationPercent,
+            $"standard deviation: {Reduction(runs, s => s.StandardDeviationMm)} %");
         Assert.True(Reduction(runs, s => s.ProfileIsoMm) >= profilePercent, $"profile: {Reduction(runs, s => s.ProfileIsoMm)} %");
         Assert.All(runs, r => Assert.InRange(r.Before.MeanMm, 0.008, 0.022));
         Assert.All(runs, r => Assert.True(Math.Abs(r.After.MeanMm) < 0.001, $"mean {r.After.MeanMm}"));
@@ -65,10 +69,18 @@ public sealed class SurfaceLoopTests
             var file = Repository.PathTo("samples", sample, name);
             if (Environment.GetEnvironmentVariable("UPDATE_SAMPLES") == "1")
             {
-                File.WriteAllText(file, "point,x,y,z\n" + string.Concat(points.Points.Select(p => string.Create(CultureInfo.InvariantCulture, $"{p.Planned.Number},{p.Contact.X:0.0000},{p.Contact.Y:0.0000},{p.Contact.Z:0.0000}\n"))));
+                File.WriteAllText(
+                    file,
+                    "point,x,y,z\n"
+                        + string.Concat(points.Points.Select(p => string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"{p.Planned.Number},{p.Contact.X:0.0000},{p.Contact.Y:0.0000},{p.Contact.Z:0.0000}\n"))));
             }
 
-            var rows = File.ReadAllLines(file).Skip(1).Select(l => l.Split(',').Select(c => double.Parse(c, CultureInfo.InvariantCulture)).ToArray()).ToArray();
+            var rows = File.ReadAllLines(file)
+                .Skip(1)
+                .Select(l => l.Split(',').Select(c => double.Parse(c, CultureInfo.InvariantCulture)).ToArray())
+                .ToArray();
             Assert.Equal(points.Points.Count, rows.Length);
             Assert.All(points.Points.Zip(rows), p => Assert.Equal(
                 [p.First.Planned.Number, p.First.Contact.X, p.First.Contact.Y, p.First.Contact.Z],
@@ -77,13 +89,20 @@ public sealed class SurfaceLoopTests
         }
     }
 
-    // Over all machines: the spread and the profile that were said before finishing are those that came, and the means lie within what was said of their uncertainty.
+    // Over all machines: the spread and the profile that were said before finishing are those that came,
+    // and the means lie within what was said of their uncertainty.
     private static void ExpectedIsWhatCame(SurfaceLoopRun[] runs)
     {
-        var (spread, profile, mean) = (Share(r => r.StandardDeviationMm), Share(r => r.ProfileIsoMm), Math.Sqrt(runs.Average(r => Math.Pow((r.After.MeanMm - r.Expected.Statistics.MeanMm) / r.Expected.MeanUncertaintyMm, 2))));
-        Assert.True(spread is > 0.9 and < 1.1 && profile is > 0.85 and < 1.15 && mean is > 0.1 and < 1.2, $"came over expected: standard deviation {spread:0.000}, profile {profile:0.000}; means in standard uncertainties {mean:0.00}");
+        var (spread, profile, mean) = (
+            Share(r => r.StandardDeviationMm),
+            Share(r => r.ProfileIsoMm),
+            Math.Sqrt(runs.Average(r => Math.Pow((r.After.MeanMm - r.Expected.Statistics.MeanMm) / r.Expected.MeanUncertaintyMm, 2))));
+        Assert.True(
+            spread is > 0.9 and < 1.1 && profile is > 0.85 and < 1.15 && mean is > 0.1 and < 1.2,
+            $"came over expected: standard deviation {spread:0.000}, profile {profile:0.000}; means in standard uncertainties {mean:0.00}");
 
-        double Share(Func<RefereeFigures, double> figure) => Math.Sqrt(runs.Sum(r => Math.Pow(figure(r.After), 2)) / runs.Sum(r => Math.Pow(figure(Expected(r.Expected.Statistics)), 2)));
+        double Share(Func<RefereeFigures, double> figure) =>
+            Math.Sqrt(runs.Sum(r => Math.Pow(figure(r.After), 2)) / runs.Sum(r => Math.Pow(figure(Expected(r.Expected.Statistics)), 2)));
 
         static RefereeFigures Expected(DeviationStatistics s) => new(s.MeanMm, s.StandardDeviationMm, s.ProfileIsoMm);
     }

@@ -13,7 +13,8 @@ public sealed partial class DocumentationTests
 
     public static TheoryData<string> Verbs =>
     [
-        "match", "verify", "job check", "job blocks", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace", "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
+        "match", "verify", "job check", "job blocks", "job new", "job schema", "nc check", "nc motion", "nc locate", "nc displace",
+        "nc diff", "nc prove", "nc dialects", "fit line", "fit polynomial", "fit circle",
         "surface plan", "surface probe", "surface compensate", "surface toolpath", "surface displace", "surface evaluate", "surface fit",
     ];
 
@@ -22,9 +23,11 @@ public sealed partial class DocumentationTests
     public async Task The_commands_of_a_page_run_and_print_what_it_shows(string page)
     {
         using var shop = new Workshop();
-        foreach (var command in DocumentedCommand.Of(await File.ReadAllTextAsync(Repository.PathTo(page), TestContext.Current.CancellationToken)))
+        foreach (var command in DocumentedCommand.Of(
+            await File.ReadAllTextAsync(Repository.PathTo(page), TestContext.Current.CancellationToken)))
         {
-            var words = command.Line.Replace(Quickstart, "errormatch ", StringComparison.Ordinal).Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            var words = command.Line.Replace(
+                Quickstart, "errormatch ", StringComparison.Ordinal).Split(' ', StringSplitOptions.RemoveEmptyEntries);
             switch (words[0])
             {
                 case "errormatch":
@@ -32,8 +35,14 @@ public sealed partial class DocumentationTests
                         ? await shop.Run(words[1..])
                         : await ConsoleRun.Typed(shop.Folder, [.. words[1..], "--password-stdin"], command.Typed);
                     Assert.True(command.Exit == run.Exit, $"{page}: {command.Line} ended with {run.Exit}: {run.Output}{run.Error}");
-                    var printed = (run.Output + run.Error).Split('\n').Select(l => Spaces().Replace(Calculating().Replace(l, "took 0.1 s"), " ").Trim()).ToHashSet(StringComparer.Ordinal);
-                    Assert.All(command.Printed, l => Assert.True(printed.Contains(Spaces().Replace(Calculating().Replace(l, "took 0.1 s"), " ")), $"{page}: {command.Line} does not print: {l}"));
+                    var printed = (run.Output + run.Error).Split('\n')
+                        .Select(l => Spaces().Replace(Calculating().Replace(l, "took 0.1 s"), " ").Trim())
+                        .ToHashSet(StringComparer.Ordinal);
+                    Assert.All(
+                        command.Printed,
+                        l => Assert.True(
+                            printed.Contains(Spaces().Replace(Calculating().Replace(l, "took 0.1 s"), " ")),
+                            $"{page}: {command.Line} does not print: {l}"));
                     break;
                 case "cp":
                     Directory.CreateDirectory(shop[words[^1]]);
@@ -50,7 +59,23 @@ public sealed partial class DocumentationTests
 
     [Fact]
     public void The_pages_for_users_have_commands() => Assert.All(
-        new[] { "README.md", "docs/first-match.md", "docs/write-a-job.md", "docs/read-the-report.md", "docs/feedback-from-a-counterpart.md", "docs/displace-blocks-by-hand.md", "docs/dialects.md", "docs/prove-a-program.md", "docs/refusals.md", "docs/compensate-a-surface.md", "docs/probe-a-surface.md", "docs/cut-a-surface.md", "docs/fit-a-surface.md", "docs/configure-a-cell.md" },
+        new[]
+        {
+            "README.md",
+            "docs/first-match.md",
+            "docs/write-a-job.md",
+            "docs/read-the-report.md",
+            "docs/feedback-from-a-counterpart.md",
+            "docs/displace-blocks-by-hand.md",
+            "docs/dialects.md",
+            "docs/prove-a-program.md",
+            "docs/refusals.md",
+            "docs/compensate-a-surface.md",
+            "docs/probe-a-surface.md",
+            "docs/cut-a-surface.md",
+            "docs/fit-a-surface.md",
+            "docs/configure-a-cell.md"
+        },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));
 
     [Theory]
@@ -80,7 +105,8 @@ public sealed partial class DocumentationTests
     }
 
     private static IEnumerable<string> InRepository(string folder) =>
-        Directory.EnumerateFiles(Repository.PathTo(folder), "*.md", SearchOption.AllDirectories).Select(f => Path.GetRelativePath(Repository.Root, f).Replace('\\', '/'));
+        Directory.EnumerateFiles(Repository.PathTo(folder), "*.md", SearchOption.AllDirectories).Select(
+            f => Path.GetRelativePath(Repository.Root, f).Replace('\\', '/'));
 
     [GeneratedRegex(" +", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Spaces();

@@ -3,15 +3,19 @@ using System.Text.RegularExpressions;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// The commands of a page: the lines behind <c>$</c> in its console blocks, each with the output that the page shows below it. A comment <c># exit 2</c> behind a command says
-/// that it ends so; a line <c>...</c> stands for output that the page leaves out.
+/// The commands of a page: the lines behind <c>$</c> in its console blocks, each with the output that the page shows below it.
+/// A comment <c># exit 2</c> behind a command says that it ends so; a line <c>...</c> stands for output that the page leaves out.
 /// </summary>
 internal sealed partial record DocumentedCommand(string Line, int Exit, IReadOnlyList<string> Shown)
 {
     private const string LeftOut = "...";
 
-    /// <summary>What is typed where a page shows that a password is asked for: one for each name, the second time it is typed left out.</summary>
-    public IReadOnlyList<string> Typed => [.. Shown.Select(l => Question().Match(l)).Where(m => m.Success && !m.Groups["again"].Success).Select(m => "a long password of " + m.Groups["name"].Value)];
+    /// <summary>What is typed where a page shows that a password is asked for:
+    /// one for each name, the second time it is typed left out.</summary>
+    public IReadOnlyList<string> Typed => [
+        .. Shown.Select(l => Question().Match(l))
+            .Where(m => m.Success && !m.Groups["again"].Success)
+            .Select(m => "a long password of " + m.Groups["name"].Value)];
 
     /// <summary>What the page shows besides those questions.</summary>
     public IReadOnlyList<string> Printed => [.. Shown.Where(l => !Question().IsMatch(l))];

@@ -51,7 +51,7 @@ public sealed class ExampleTests
         var file = Path.Combine(
             configuration.Parent!.Parent!.FullName, example, configuration.Name, OperatingSystem.IsWindows() ? example + ".exe" : example);
         using var process = Process.Start(
-            new ProcessStartInfo(file, arguments) 
+            new ProcessStartInfo(file, arguments)
             {
                 UseShellExecute = false,
                 WorkingDirectory = folder,

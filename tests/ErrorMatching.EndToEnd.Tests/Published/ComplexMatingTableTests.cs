@@ -91,7 +91,8 @@ public sealed class ComplexMatingTableTests
     public void Whole_measurement_takes_8_seconds() => Assert.Equal(8, (Part.Points.Count * 5m / 10) + 1);
 
     private static IEnumerable<string> MisprintedX(PublishedTable counterpart) =>
-        counterpart.Points.Where(p => counterpart.At(p, "converted_x_mm") != EquationSix.Converted(Part.At(p, "x_mm"), counterpart.At(p, "measured_x_mm")));
+        counterpart.Points.Where(
+            p => counterpart.At(p, "converted_x_mm") != EquationSix.Converted(Part.At(p, "x_mm"), counterpart.At(p, "measured_x_mm")));
 
     private static double Distance(PublishedTable table, string prefix)
     {

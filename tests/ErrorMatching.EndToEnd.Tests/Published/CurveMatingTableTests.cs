@@ -7,8 +7,8 @@ public sealed class CurveMatingTableTests
     private static readonly PublishedTable Before = PublishedTable.CurveBefore;
     private static readonly PublishedTable After = PublishedTable.CurveAfter;
 
-    // The paper's figure for the uncompensated counterpart: its converted column moved back by the tool radius. It is a test of the reading, not an error
-    // that a gauge would find: the plain difference of the tables is 0.320.
+    // The paper's figure for the uncompensated counterpart: its converted column moved back by the tool radius.
+    // It is a test of the reading, not an error that a gauge would find: the plain difference of the tables is 0.320.
     [Fact]
     public void Uncompensated_error_is_0_116_at_point_8()
     {

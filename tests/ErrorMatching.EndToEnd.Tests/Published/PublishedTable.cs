@@ -3,7 +3,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A table of the paper as printed, misprints included (Wang, Tu, Gunawan, Sensors 2021, 21, 7660). Rows by point label, columns by header.</summary>
+/// <summary>A table of the paper as printed, misprints included (Wang, Tu, Gunawan, Sensors 2021, 21, 7660).
+/// Rows by point label, columns by header.</summary>
 internal sealed class PublishedTable
 {
     private readonly string[] _header;
@@ -36,9 +37,12 @@ internal sealed class PublishedTable
     /// <summary>Point labels in the order of the table.</summary>
     public List<string> Points { get; } = [];
 
-    public decimal At(string point, string column) => decimal.Parse(_rows[point][Array.IndexOf(_header, column)], CultureInfo.InvariantCulture);
+    public decimal At(string point, string column) =>
+        decimal.Parse(_rows[point][Array.IndexOf(_header, column)], CultureInfo.InvariantCulture);
 
-    /// <summary>Largest absolute difference of a column of this table from a column of another, over the points given, and the first point that has it.</summary>
-    public (decimal Value, string Point) LargestDifference(string column, PublishedTable other, string otherColumn, IEnumerable<string> points, decimal add = 0) =>
+    /// <summary>Largest absolute difference of a column of this table from a column of another, over the points given,
+    /// and the first point that has it.</summary>
+    public (decimal Value, string Point) LargestDifference(
+        string column, PublishedTable other, string otherColumn, IEnumerable<string> points, decimal add = 0) =>
         points.Select(p => (Value: Math.Abs(At(p, column) + add - other.At(p, otherColumn)), Point: p)).MaxBy(d => d.Value);
 }

@@ -1,8 +1,9 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// Draws a convex polygon of three to six sides, some corners rounded: counter-clockwise around a boss, clockwise inside a pocket (the material is left of the
-/// travel both times). It starts and ends in the middle of a side that belongs to no feature.
+/// Draws a convex polygon of three to six sides, some corners rounded:
+/// counter-clockwise around a boss, clockwise inside a pocket (the material is left of the travel both times). It starts and ends in the
+/// middle of a side that belongs to no feature.
 /// </summary>
 internal sealed class ClosedContour
 {
@@ -143,13 +144,18 @@ internal sealed class ClosedContour
             return null;
         }
 
-        var boundary = carries ? Draw.Between(_random, 13, 16) : _turning > 0 ? Draw.Between(_random, 1.5, 5) : _toolRadius + Draw.Between(_random, 0.8, 5);
+        var boundary = carries
+            ? Draw.Between(_random, 13, 16)
+            : _turning > 0
+            ? Draw.Between(_random, 1.5, 5)
+            : _toolRadius + Draw.Between(_random, 0.8, 5);
         if (carries)
         {
             _features.Add(("curve", "arc"));
         }
 
-        return (boundary + (_turning * _offset), carries ? _features.Count - 1 : inside ? before : ContourPiece.Connector, carries ? 0 : -1);
+        return (
+            boundary + (_turning * _offset), carries ? _features.Count - 1 : inside ? before : ContourPiece.Connector, carries ? 0 : -1);
     }
 
     private double TrimAt(int corner, (double Radius, int Feature, int Group)?[] corners, int feature) => corners[corner] is { } arc
@@ -164,7 +170,8 @@ internal sealed class ClosedContour
         var next = (side + 1) % _sides;
         var (a, b) = (Flat.Toward(_outward[side]), Flat.Toward(_outward[next]));
         var across = a.Cross(b);
-        return new(((_distance[side] * b.V) - (_distance[next] * a.V)) / across, ((a.U * _distance[next]) - (b.U * _distance[side])) / across);
+        return new(
+            ((_distance[side] * b.V) - (_distance[next] * a.V)) / across, ((a.U * _distance[next]) - (b.U * _distance[side])) / across);
     }
 
     // Features are numbered as the tool meets them; rounded corners were drawn behind the sides.

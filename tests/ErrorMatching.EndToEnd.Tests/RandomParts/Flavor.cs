@@ -8,7 +8,8 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <param name="Compensated">Programmed on the boundary under G41 or G42.</param>
 internal sealed record Flavor(ContourKind Contour, bool MaterialLeft, bool Incremental, bool RadiusArcs, bool Compensated)
 {
-    public static Flavor Draw(Random random) => new((ContourKind)random.Next(3), Coin(random), Coin(random), Coin(random), random.Next(3) == 0);
+    public static Flavor Draw(Random random) =>
+        new((ContourKind)random.Next(3), Coin(random), Coin(random), Coin(random), random.Next(3) == 0);
 
     private static bool Coin(Random random) => random.Next(2) == 0;
 }

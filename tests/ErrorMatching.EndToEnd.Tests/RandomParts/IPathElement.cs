@@ -1,8 +1,9 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// A piece of a contour in the generator's own frame: the material is left of the travel. It knows both the path to be programmed and the boundary,
-/// which lies left of it by the offset (the tool's radius, or nothing under G41 and G42).
+/// A piece of a contour in the generator's own frame: the material is left of the travel.
+/// It knows both the path to be programmed and the boundary, which lies left of it by the offset (the tool's radius,
+/// or nothing under G41 and G42).
 /// </summary>
 internal interface IPathElement
 {
@@ -23,6 +24,7 @@ internal interface IPathElement
 
     IEnumerable<PathMove> Moves();
 
-    /// <summary>Draws a deviation along the normal that a feature on this element can represent exactly, as a function of the length along the boundary.</summary>
+    /// <summary>Draws a deviation along the normal that a feature on this element can represent exactly,
+    /// as a function of the length along the boundary.</summary>
     Func<double, double> DrawDeviation(Random random);
 }

@@ -1,8 +1,8 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// Draws an open run of one to four features, some with connecting lines between them. Headings stay within 69 degrees of the main direction, so that
-/// the run cannot cut itself.
+/// Draws an open run of one to four features, some with connecting lines between them.
+/// Headings stay within 69 degrees of the main direction, so that the run cannot cut itself.
 /// </summary>
 internal sealed class OpenContour
 {
@@ -23,7 +23,8 @@ internal sealed class OpenContour
     }
 
     /// <summary>An element before its place is known: it is built once the corners around it are.</summary>
-    private sealed record Spec(int Feature, int Group, double HeadingIn, double HeadingOut, bool Curved, Func<Flat, double, double, IPathElement> Build);
+    private sealed record Spec(
+        int Feature, int Group, double HeadingIn, double HeadingOut, bool Curved, Func<Flat, double, double, IPathElement> Build);
 
     public static Contour DrawOne(Random random, double toolRadius, double offset)
     {
@@ -111,7 +112,8 @@ internal sealed class OpenContour
         AddCircular(Next("curve", "arc"), 0, heading, sweep, Draw.Between(_random, 12, 30));
     }
 
-    /// <summary>An arc by the radius of its boundary; one that carries key points is made larger if the corners would leave too little of it.</summary>
+    /// <summary>An arc by the radius of its boundary; one that carries key points is made larger if the corners would leave too little of
+    /// it.</summary>
     private void AddCircular(int feature, int group, double heading, double sweep, double boundaryRadius) =>
         Add(new(feature, group, heading, heading + sweep, Curved: group >= 0, (start, trimIn, trimOut) =>
         {
@@ -162,7 +164,9 @@ internal sealed class OpenContour
     }
 
     // A curved wall meets the other one further along than a straight one would: half as far again is ample at these radii.
-    private double Trim(Spec before, Spec after) => ContourPiece.Trim(after.HeadingIn - before.HeadingOut, _offset) * (before.Curved || after.Curved ? 1.6 : 1);
+    private double Trim(Spec before, Spec after) =>
+        ContourPiece.Trim(after.HeadingIn - before.HeadingOut, _offset) * (before.Curved || after.Curved ? 1.6 : 1);
 
-    private static Flat Outside(Flat place, double heading, double along) => place + (Flat.Toward(heading) * along) - (Flat.Toward(heading).Left * 8);
+    private static Flat Outside(Flat place, double heading, double along) =>
+        place + (Flat.Toward(heading) * along) - (Flat.Toward(heading).Left * 8);
 }

@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A circular element; its center can shift and its radius grow. Turning left it goes around the material, turning right the material is outside.</summary>
+/// <summary>A circular element; its center can shift and its radius grow.
+/// Turning left it goes around the material, turning right the material is outside.</summary>
 internal sealed record PathArc(Flat Start, double HeadingIn, double Radius, double Sweep, double Offset) : IPathElement
 {
     public Flat End => Center + (Spoke(Sweep) * Radius);

@@ -11,7 +11,8 @@ internal sealed record PathLine(Flat Start, Flat End, double Offset) : IPathElem
 
     private Flat Direction => (End - Start).Unit();
 
-    public (Flat Place, Flat Normal) BoundaryAt(double length) => (Start + (Direction * length) + (Direction.Left * Offset), -Direction.Left);
+    public (Flat Place, Flat Normal) BoundaryAt(double length) =>
+        (Start + (Direction * length) + (Direction.Left * Offset), -Direction.Left);
 
     public IEnumerable<PathMove> Moves() => [new(End)];
 

@@ -1,8 +1,8 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// A sine wave as the boundary, written as a dense polyline of the tool's path (a CAM's chords: 0.3 um of chord error). Its deviation is a parabola over the
-/// length along the boundary.
+/// A sine wave as the boundary, written as a dense polyline of the tool's path (a CAM's chords: 0.3 um of chord error).
+/// Its deviation is a parabola over the length along the boundary.
 /// </summary>
 internal sealed class PathWave : IPathElement
 {

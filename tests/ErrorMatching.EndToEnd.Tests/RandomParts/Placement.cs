@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>From the generator's frame to the program's: flipped where the material is to be right of the travel, then turned and moved.</summary>
+/// <summary>From the generator's frame to the program's: flipped where the material is to be right of the travel,
+/// then turned and moved.</summary>
 internal sealed record Placement(bool Flip, double Turn, Flat Move)
 {
     public Flat Vector(Flat own)
@@ -11,5 +12,6 @@ internal sealed record Placement(bool Flip, double Turn, Flat Move)
 
     public Flat Place(Flat own) => Vector(own) + Move;
 
-    public PathMove Place(PathMove own) => new(Place(own.To), own.Center is { } center ? Place(center) : null, Flip ? -own.Sweep : own.Sweep);
+    public PathMove Place(PathMove own) =>
+        new(Place(own.To), own.Center is { } center ? Place(center) : null, Flip ? -own.Sweep : own.Sweep);
 }

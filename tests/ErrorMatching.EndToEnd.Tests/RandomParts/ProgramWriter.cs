@@ -48,7 +48,13 @@ internal sealed class ProgramWriter(bool radiusArcs)
         var inWords = radiusArcs && Math.Abs(move.Sweep) is > 0.35 and < 2.6;
         var radius = (exact - move.To).Length;
         var center = inWords ? "R" + Number((long)Math.Round(radius * 1000)) : Offsets(target, exact, radius);
-        var words = new List<string> { Motion(move.Sweep > 0 ? 3 : 2), Coordinate('X', target.U, _at.U), Coordinate('Y', target.V, _at.V), center };
+        var words = new List<string>
+        {
+            Motion(move.Sweep > 0 ? 3 : 2),
+            Coordinate('X', target.U, _at.U),
+            Coordinate('Y', target.V, _at.V),
+            center
+        };
         _at = target;
         Words(string.Join(' ', words.Where(w => w.Length > 0)));
     }
@@ -74,7 +80,8 @@ internal sealed class ProgramWriter(bool radiusArcs)
 
     private static double Distance((long U, long V) a, (long U, long V) b) => new Flat(a.U - b.U, a.V - b.V).Length;
 
-    private static double Distance((long U, long V) grid, (long U, long V) origin, Flat exact) => (new Flat(grid.U - origin.U, grid.V - origin.V) - (exact * 1000)).Length;
+    private static double Distance((long U, long V) grid, (long U, long V) origin, Flat exact) =>
+        (new Flat(grid.U - origin.U, grid.V - origin.V) - (exact * 1000)).Length;
 
     private string Motion(int motion)
     {

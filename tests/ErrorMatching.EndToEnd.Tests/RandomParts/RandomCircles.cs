@@ -22,11 +22,21 @@ internal static class RandomCircles
         var isLeftTurn = random.Next(2) == 0;
 
         // Travelling counter-clockwise the center is on the left: the material of a boss.
-        var flavor = new Flavor(isBore ? ContourKind.Pocket : ContourKind.Boss, isBore != isLeftTurn, random.Next(2) == 0, random.Next(2) == 0, random.Next(3) == 0);
+        var flavor = new Flavor(
+            isBore ? ContourKind.Pocket : ContourKind.Boss,
+            isBore != isLeftTurn,
+            random.Next(2) == 0,
+            random.Next(2) == 0,
+            random.Next(3) == 0);
         var toolRadius = random.Next(2, 11) * 0.5;
         var boundary = (isBore ? (1.4 * toolRadius) + 1 : 1) + Draw.Between(random, 1, 25);
         var center = new Flat(Draw.Between(random, -100, 100), Draw.Between(random, -100, 100));
-        var path = new Ring(center, flavor.Compensated ? boundary : isBore ? boundary - toolRadius : boundary + toolRadius, Draw.Between(random, -Math.PI, Math.PI), isLeftTurn ? 1 : -1, isBore);
+        var path = new Ring(
+            center,
+            flavor.Compensated ? boundary : isBore ? boundary - toolRadius : boundary + toolRadius,
+            Draw.Between(random, -Math.PI, Math.PI),
+            isLeftTurn ? 1 : -1,
+            isBore);
         var frame = new RandomFrame(
             new[] { "none", "x", "y" }[random.Next(3)],
             Math.Round(Draw.Between(random, -180, 180), 3),
@@ -64,7 +74,10 @@ internal static class RandomCircles
             writer.Incremental = true;
         }
 
-        writer.Line(lead > 0 ? start + ((toTool - travel) * lead) : start, before: !flavor.Compensated ? "" : flavor.MaterialLeft ? "G42 D1" : "G41 D1", after: "F500.");
+        writer.Line(
+            lead > 0 ? start + ((toTool - travel) * lead) : start,
+            before: !flavor.Compensated ? "" : flavor.MaterialLeft ? "G42 D1" : "G41 D1",
+            after: "F500.");
         var quarter = Math.Sign(travel.Cross(toTool)) * Math.PI / 2;
         if (lead > 0)
         {
@@ -88,7 +101,9 @@ internal static class RandomCircles
             writer.Arc(new(start + ((toTool + travel) * lead), start + (toTool * lead), quarter));
         }
 
-        writer.Line(lead > 0 ? start + (toTool * (lead * 1.3)) + (travel * lead) : start + (toTool * away), before: flavor.Compensated ? "G40" : "");
+        writer.Line(
+            lead > 0 ? start + (toTool * (lead * 1.3)) + (travel * lead) : start + (toTool * away),
+            before: flavor.Compensated ? "G40" : "");
         writer.Words("G90 G0 Z50.");
         writer.Words("M30");
         writer.Raw("%");
@@ -110,7 +125,13 @@ internal static class RandomCircles
             var outward = shift.Dot(spoke) + Math.Sqrt((radius * radius) - (across * across)) - boundary;
             var (at, normal) = (path.Center + (spoke * boundary), path.IsBore ? -spoke : spoke);
             var deviation = path.IsBore ? -outward : outward;
-            return new RandomKeyPoint((i + 1).ToString(CultureInfo.InvariantCulture), at, normal, deviation, frame.ToPart(at), frame.ToPart(at + (normal * deviation)));
+            return new RandomKeyPoint(
+                (i + 1).ToString(CultureInfo.InvariantCulture),
+                at,
+                normal,
+                deviation,
+                frame.ToPart(at),
+                frame.ToPart(at + (normal * deviation)));
         })];
     }
 

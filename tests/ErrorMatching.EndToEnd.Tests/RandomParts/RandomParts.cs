@@ -26,7 +26,10 @@ internal sealed class RandomParts
         _contour = _flavor.Contour == ContourKind.Open
             ? OpenContour.DrawOne(_random, _toolRadius, offset)
             : ClosedContour.DrawOne(_random, _toolRadius, offset, _flavor.Contour == ContourKind.Pocket);
-        _placement = new(!_flavor.MaterialLeft, Draw.Between(_random, -Math.PI, Math.PI), new(Draw.Between(_random, -100, 100), Draw.Between(_random, -100, 100)));
+        _placement = new(
+            !_flavor.MaterialLeft,
+            Draw.Between(_random, -Math.PI, Math.PI),
+            new(Draw.Between(_random, -100, 100), Draw.Between(_random, -100, 100)));
         _frame = new(
             new[] { "none", "x", "y" }[_random.Next(3)],
             _random.Next(3) == 0 ? 0 : Math.Round(Draw.Between(_random, -180, 180), 3),
@@ -71,7 +74,10 @@ internal sealed class RandomParts
         }
 
         // Material left of the travel means the tool right of it.
-        _writer.Line(_placement.Place(_contour.Pieces[0].Element.Start), before: !_flavor.Compensated ? "" : _flavor.MaterialLeft ? "G42 D1" : "G41 D1", after: "F500.");
+        _writer.Line(
+            _placement.Place(_contour.Pieces[0].Element.Start),
+            before: !_flavor.Compensated ? "" : _flavor.MaterialLeft ? "G42 D1" : "G41 D1",
+            after: "F500.");
         foreach (var piece in _contour.Pieces)
         {
             WritePiece(piece, blocks);
@@ -128,6 +134,12 @@ internal sealed class RandomParts
         var normal = _placement.Vector(ownNormal);
         var deviated = deviation(length);
         _labels++;
-        return new(_labels.ToString(CultureInfo.InvariantCulture), place, normal, deviated, _frame.ToPart(place), _frame.ToPart(place + (normal * deviated)));
+        return new(
+            _labels.ToString(CultureInfo.InvariantCulture),
+            place,
+            normal,
+            deviated,
+            _frame.ToPart(place),
+            _frame.ToPart(place + (normal * deviated)));
     }
 }

@@ -31,7 +31,8 @@ public sealed class RandomPartsTests
     {
         // Three contours, material left or right, G90 or G91, center or radius, compensated or not.
         Assert.Equal(3 * 2 * 2 * 2 * 2, Parts.Select(p => p.Flavor).Distinct().Count());
-        var met = Parts.SelectMany(p => p.Features.Select(f => (p.Flavor.Contour, p.Flavor.MaterialLeft, p.Flavor.Compensated, f.Kind, f.Shape))).Distinct();
+        var met = Parts.SelectMany(p => p.Features.Select(
+            f => (p.Flavor.Contour, p.Flavor.MaterialLeft, p.Flavor.Compensated, f.Kind, f.Shape))).Distinct();
         Assert.Equal((4 + 3 + 3) * 2 * 2, met.Count());
         Assert.Equal(["none", "x", "y"], Parts.Select(p => p.Frame.Mirror).Distinct().Order(StringComparer.Ordinal));
     }
@@ -56,7 +57,8 @@ public sealed class RandomPartsTests
         {
             var order = RefereeInterpreter.Run(part.Program).Select(m => m.Block).ToList();
             var last = -1;
-            foreach (var (first, end) in part.Features.Select(f => f.Blocks.Split("..")).Select(b => (order.IndexOf(b[0]), order.IndexOf(b[^1]))))
+            foreach (var (first, end) in part.Features.Select(f => f.Blocks.Split("..")).Select(
+                b => (order.IndexOf(b[0]), order.IndexOf(b[^1]))))
             {
                 Assert.True(first > last && end >= first, $"part {part.Seed}");
                 last = end;
@@ -110,7 +112,8 @@ public sealed class RandomPartsTests
         }
     }
 
-    private static IEnumerable<IReadOnlyList<RandomKeyPoint>> Groups(string shape) => Parts.SelectMany(p => p.Features).Where(f => f.Shape == shape).SelectMany(f => f.Groups);
+    private static IEnumerable<IReadOnlyList<RandomKeyPoint>> Groups(string shape) =>
+        Parts.SelectMany(p => p.Features).Where(f => f.Shape == shape).SelectMany(f => f.Groups);
 
     private static Flat Circumcenter(Flat a, Flat b, Flat c)
     {
@@ -127,7 +130,8 @@ public sealed class RandomPartsTests
            from point in feature.KeyPoints
            let found = piece.Probe(point.Place, point.Normal)
            where !(Math.Abs(found - wanted(part)) <= limit)
-           select FormattableString.Invariant($"part {part.Seed}, {part.Flavor}, {feature.Kind} {feature.Shape}, point {point.Label}: {found:R}"),
+           select FormattableString.Invariant(
+               $"part {part.Seed}, {part.Flavor}, {feature.Kind} {feature.Shape}, point {point.Label}: {found:R}"),
     ];
 
     private static VirtualCut Cut(RandomPart part, double toolRadius) => new(RefereeInterpreter.Run(part.Program), toolRadius);

@@ -15,11 +15,20 @@ internal static class RandomSlots
         var random = new Random(seed);
         var isSlot = random.Next(2) == 0;
         var turn = random.Next(2) == 0 ? 1 : -1;
-        var flavor = new Flavor(isSlot ? ContourKind.Pocket : ContourKind.Boss, isSlot != turn > 0, random.Next(2) == 0, random.Next(2) == 0, random.Next(3) == 0);
+        var flavor = new Flavor(
+            isSlot ? ContourKind.Pocket : ContourKind.Boss,
+            isSlot != turn > 0,
+            random.Next(2) == 0,
+            random.Next(2) == 0,
+            random.Next(3) == 0);
         var toolRadius = random.Next(2, 11) * 0.5;
         var radius = (isSlot ? (1.4 * toolRadius) + 1 : 1) + Draw.Between(random, 1, 12);
         var nominal = new Shape(
-            new(Draw.Between(random, -100, 100), Draw.Between(random, -100, 100)), Draw.Between(random, -Math.PI, Math.PI), radius, Draw.Between(random, 6, 30), turn);
+            new(Draw.Between(random, -100, 100), Draw.Between(random, -100, 100)),
+            Draw.Between(random, -Math.PI, Math.PI),
+            radius,
+            Draw.Between(random, 6, 30),
+            turn);
         var path = nominal with { Radius = flavor.Compensated ? radius : isSlot ? radius - toolRadius : radius + toolRadius };
         var part = nominal with
         {
@@ -65,7 +74,10 @@ internal static class RandomSlots
             writer.Incremental = true;
         }
 
-        writer.Line(lead > 0 ? start + ((toTool - travel) * lead) : start, before: !flavor.Compensated ? "" : flavor.MaterialLeft ? "G42 D1" : "G41 D1", after: "F500.");
+        writer.Line(
+            lead > 0 ? start + ((toTool - travel) * lead) : start,
+            before: !flavor.Compensated ? "" : flavor.MaterialLeft ? "G42 D1" : "G41 D1",
+            after: "F500.");
         var quarter = Math.Sign(travel.Cross(toTool)) * Math.PI / 2;
         if (lead > 0)
         {
@@ -93,7 +105,9 @@ internal static class RandomSlots
             writer.Arc(new(start + ((toTool + travel) * lead), start + (toTool * lead), quarter));
         }
 
-        writer.Line(lead > 0 ? start + (toTool * (lead * 1.3)) + (travel * lead) : start + (toTool * away), before: flavor.Compensated ? "G40" : "");
+        writer.Line(
+            lead > 0 ? start + (toTool * (lead * 1.3)) + (travel * lead) : start + (toTool * away),
+            before: flavor.Compensated ? "G40" : "");
         writer.Words("G90 G0 Z50.");
         writer.Words("M30");
         writer.Raw("%");
@@ -115,7 +129,11 @@ internal static class RandomSlots
             // Away from the middle of the flank, where the tool comes and goes, and from its ends.
             groups.Add([.. new[] { -0.8, 0.8 }.Select(share => Point(nominal.OnFlank(side, share), nominal.OutOfFlank(side)))]);
             var count = random.Next(1, 4);
-            groups.Add([.. Enumerable.Range(1, count).Select(i => nominal.OnEnd(side, 0.15 + (0.7 * i / (count + 1)))).Select(at => Point(at, (at - nominal.Center(side)).Unit()))]);
+            groups.Add(
+                [
+                    .. Enumerable.Range(1, count)
+                        .Select(i => nominal.OnEnd(side, 0.15 + (0.7 * i / (count + 1))))
+                        .Select(at => Point(at, (at - nominal.Center(side)).Unit()))]);
         }
 
         return groups;
@@ -132,7 +150,13 @@ internal static class RandomSlots
 
             label++;
             var (normal, deviation) = isSlot ? (-outward, -low) : (outward, low);
-            return new(label.ToString(CultureInfo.InvariantCulture), at, normal, deviation, frame.ToPart(at), frame.ToPart(at + (normal * deviation)));
+            return new(
+                label.ToString(CultureInfo.InvariantCulture),
+                at,
+                normal,
+                deviation,
+                frame.ToPart(at),
+                frame.ToPart(at + (normal * deviation)));
         }
     }
 
@@ -148,8 +172,10 @@ internal static class RandomSlots
         public Flat OnFlank(int side, double share) => Middle + (Along * (Half * side * share)) + (OutOfFlank(side) * Radius);
 
         // The end behind that flank, from 0 to 1.
-        public Flat OnEnd(int side, double share) => Center(side) + (((OutOfFlank(side) * Math.Cos(Math.PI * share)) + (Along * (side * Math.Sin(Math.PI * share)))) * Radius);
+        public Flat OnEnd(int side, double share) =>
+            Center(side) + (((OutOfFlank(side) * Math.Cos(Math.PI * share)) + (Along * (side * Math.Sin(Math.PI * share)))) * Radius);
 
-        public double DistanceFromAxis(Flat place) => (place - (Middle + (Along * Math.Clamp((place - Middle).Dot(Along), -Half, Half)))).Length;
+        public double DistanceFromAxis(Flat place) =>
+            (place - (Middle + (Along * Math.Clamp((place - Middle).Dot(Along), -Half, Half)))).Length;
     }
 }

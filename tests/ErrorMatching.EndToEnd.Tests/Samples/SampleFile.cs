@@ -11,7 +11,9 @@ internal static class SampleFile
     public static IReadOnlyList<(string Label, Flat Place)> Points(string sample, string file) =>
     [
         .. Text(sample, file).TrimEnd('\n').Split('\n').Skip(1).Select(line => line.Split(',')).Select(cells =>
-            (cells[0], new Flat(double.Parse(cells[1], CultureInfo.InvariantCulture), double.Parse(cells[2], CultureInfo.InvariantCulture)))),
+            (
+                cells[0],
+                new Flat(double.Parse(cells[1], CultureInfo.InvariantCulture), double.Parse(cells[2], CultureInfo.InvariantCulture)))),
     ];
 
     public static IReadOnlyList<RefereeMove> Moves(string sample, string file) => RefereeInterpreter.Run(Text(sample, file));

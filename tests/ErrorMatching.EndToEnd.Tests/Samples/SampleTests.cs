@@ -7,7 +7,11 @@ public sealed class SampleTests
 {
     private const double ToolRadius = 3;
 
-    private static readonly JsonDocumentOptions Commented = new() { CommentHandling = JsonCommentHandling.Skip, AllowTrailingCommas = true };
+    private static readonly JsonDocumentOptions Commented = new()
+    {
+        CommentHandling = JsonCommentHandling.Skip,
+        AllowTrailingCommas = true
+    };
 
     // Point 3 of the tooth belongs to no feature: it is the apex, which no probe reaches.
     [Theory]
@@ -19,7 +23,9 @@ public sealed class SampleTests
     {
         var cut = new VirtualCut(SampleFile.Moves(sample, "counterpart.nc"), ToolRadius);
 
-        Assert.All(SampleFile.Points(sample, "theoretical.csv").Where(p => p.Label != "3" || sample != "complex-mating"), p => Assert.InRange(cut.Clearance(p.Place), -0.001, 0.001));
+        Assert.All(
+            SampleFile.Points(sample, "theoretical.csv").Where(p => p.Label != "3" || sample != "complex-mating"),
+            p => Assert.InRange(cut.Clearance(p.Place), -0.001, 0.001));
     }
 
     // The material is at +x of the path: a probe that comes from the tool finds every key point of the curves.
@@ -43,7 +49,9 @@ public sealed class SampleTests
     {
         var labels = SampleFile.Points(sample, "theoretical.csv").Select(p => p.Label);
 
-        Assert.All(new[] { "part.csv", "counterpart.csv", "counterpart-after.csv" }, f => Assert.Equal(labels, SampleFile.Points(sample, f).Select(p => p.Label)));
+        Assert.All(
+            new[] { "part.csv", "counterpart.csv", "counterpart-after.csv" },
+            f => Assert.Equal(labels, SampleFile.Points(sample, f).Select(p => p.Label)));
     }
 
     // The paper's uncompensated line ends in the rounded corner, which is why no limit is set for the counterparts.
@@ -53,7 +61,10 @@ public sealed class SampleTests
     public void Part_deviates_by_a_plausible_amount_from_the_boundary(string sample, double limit)
     {
         var cut = new VirtualCut(SampleFile.Moves(sample, "counterpart.nc"), ToolRadius);
-        var points = SampleFile.Points(sample, "part.csv").Where(p => p.Label != "3" || sample == "curve-mating").Select(p => Math.Abs(cut.Clearance(p.Place))).ToList();
+        var points = SampleFile.Points(sample, "part.csv")
+            .Where(p => p.Label != "3" || sample == "curve-mating")
+            .Select(p => Math.Abs(cut.Clearance(p.Place)))
+            .ToList();
 
         Assert.InRange(points.Max(), 0.05, limit);
     }
@@ -101,7 +112,8 @@ public sealed class SampleTests
     {
         var visible = SampleFile.Moves("figure-nine", "original.nc").Select(m => m.To.In(WorkPlane.XY));
 
-        Assert.Subset(SampleFile.Moves("complex-mating", "counterpart.nc").Select(m => m.To.In(WorkPlane.XY)).ToHashSet(), visible.ToHashSet());
+        Assert.Subset(
+            SampleFile.Moves("complex-mating", "counterpart.nc").Select(m => m.To.In(WorkPlane.XY)).ToHashSet(), visible.ToHashSet());
     }
 
     [Fact]

@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A cell in a temporary folder, run by the built console: incoming files, slots with ready files, and ways to end the process.</summary>
+/// <summary>A cell in a temporary folder, run by the built console:
+/// incoming files, slots with ready files, and ways to end the process.</summary>
 internal sealed class FireCell : IDisposable
 {
     private readonly StringBuilder _said = new();
@@ -19,7 +20,13 @@ internal sealed class FireCell : IDisposable
     /// <param name="machine">The folder in which the machine's files lie as the machine itself sees it; null for one of the cell's.</param>
     /// <param name="name">The cell's name.</param>
     /// <param name="keys">Folder of the keys, which the cells of one store share.</param>
-    public FireCell(int slots, string store = """{ "kind": "sqlite", "file": "store/cell.db" }""", string? transport = null, string? machine = null, string name = "Under fire", string keys = "keys")
+    public FireCell(
+        int slots,
+        string store = """{ "kind": "sqlite", "file": "store/cell.db" }""",
+        string? transport = null,
+        string? machine = null,
+        string name = "Under fire",
+        string keys = "keys")
     {
         Slots = [.. Enumerable.Range(0, slots).Select(i => $"S{i:00}")];
         Machine = machine ?? this["machine"];
@@ -159,7 +166,10 @@ internal sealed class FireCell : IDisposable
         var clock = Stopwatch.StartNew();
         while (!await isSo())
         {
-            Assert.True(clock.Elapsed < atMost, $"{what}: not after {atMost}. Left: {string.Join(", ", Directory.EnumerateFiles(Incoming).Select(Path.GetFileName))}. {Tail()}");
+            Assert.True(
+                clock.Elapsed < atMost,
+                $"{what}: not after {atMost}. Left: {string.Join(", ", Directory.EnumerateFiles(Incoming).Select(Path.GetFileName))}. "
+                    + $"{Tail()}");
             await Task.Delay(100, TestContext.Current.CancellationToken);
         }
     }

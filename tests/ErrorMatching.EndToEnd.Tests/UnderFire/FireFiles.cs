@@ -13,15 +13,18 @@ internal sealed class FireFiles
     private static readonly string Folder = Repository.PathTo("samples", "complex-mating");
     private static readonly string[] Part = File.ReadAllLines(Path.Combine(Folder, "part.csv"));
     private static readonly byte[] Base = File.ReadAllBytes(Path.Combine(Folder, "counterpart.nc"));
-    private static readonly MatingJob Job = MatingJob.Parse(File.ReadAllBytes(Path.Combine(Folder, "job.json")), Path.Combine(Folder, "job.json"));
-    private static readonly MeasurementFile Theoretical = MeasurementReader.Read(Path.Combine(Folder, "theoretical.csv"), MeasurementFormat.Points);
+    private static readonly MatingJob Job = MatingJob.Parse(
+        File.ReadAllBytes(Path.Combine(Folder, "job.json")), Path.Combine(Folder, "job.json"));
+    private static readonly MeasurementFile Theoretical = MeasurementReader.Read(
+        Path.Combine(Folder, "theoretical.csv"), MeasurementFormat.Points);
 
     private readonly Dictionary<string, string> _programs = new(StringComparer.Ordinal);
 
     /// <summary>SHA-256 of the program that no correction has touched.</summary>
     public static string OriginalSha256 { get; } = Hash(Base);
 
-    /// <summary>What every program that may be seen at a machine was made of: the name of the file, by the SHA-256 of the program.</summary>
+    /// <summary>What every program that may be seen at a machine was made of:
+    /// the name of the file, by the SHA-256 of the program.</summary>
     public IReadOnlyDictionary<string, string> FileByProgram => _programs;
 
     /// <summary>The measurement of a piece.</summary>
@@ -32,8 +35,10 @@ internal sealed class FireFiles
         // Point 1 moves by up to 0.1 mm and point 4 by up to 0.01 mm: some of 100 x 1,000 pieces.
         var bytes = Encoding.ASCII.GetBytes(string.Join('\n', Part.Select(line => line.Split(',') switch
         {
-            ["1", var x, var y] => string.Create(CultureInfo.InvariantCulture, $"1,{double.Parse(x, CultureInfo.InvariantCulture) + (number % 1000 * 0.0001):0.0000},{y}"),
-            ["4", var x, var y] => string.Create(CultureInfo.InvariantCulture, $"4,{x},{double.Parse(y, CultureInfo.InvariantCulture) + (number / 1000 * 0.0001):0.0000}"),
+            ["1", var x, var y] => string.Create(
+                CultureInfo.InvariantCulture, $"1,{double.Parse(x, CultureInfo.InvariantCulture) + (number % 1000 * 0.0001):0.0000},{y}"),
+            ["4", var x, var y] => string.Create(
+                CultureInfo.InvariantCulture, $"4,{x},{double.Parse(y, CultureInfo.InvariantCulture) + (number / 1000 * 0.0001):0.0000}"),
             _ => line,
         })) + "\n");
         var name = string.Create(CultureInfo.InvariantCulture, $"{slot}_{number:000000}.csv");

@@ -50,20 +50,35 @@ internal static class FireKills
         }
 
         cell.Start();
-        await cell.Until(() => Task.FromResult(machine.Cut.Count >= measured.Length), TimeSpan.FromSeconds(300 + (3 * kills)), $"{measured.Length} programs cut");
-        await cell.Until(async () => (await cell.History()).Count(c => State(c) == "released") == measured.Length, TimeSpan.FromMinutes(5), "all released");
+        await cell.Until(
+            () => Task.FromResult(machine.Cut.Count >= measured.Length),
+            TimeSpan.FromSeconds(300 + (3 * kills)),
+            $"{measured.Length} programs cut");
+        await cell.Until(
+            async () => (await cell.History()).Count(c => State(c) == "released") == measured.Length,
+            TimeSpan.FromMinutes(5),
+            "all released");
         await cell.Stop();
 
         Assert.Empty(machine.Wrong);
-        Assert.Equal(measured.Select(m => m.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            measured.Select(m => m.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         var history = await cell.History();
-        Assert.Equal(measured.Select(m => m.Name).Order(StringComparer.Ordinal), history.Where(c => State(c) == "released").Select(c => c.GetProperty("fileName").GetString()).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            measured.Select(m => m.Name).Order(StringComparer.Ordinal),
+            history.Where(c => State(c) == "released").Select(c => c.GetProperty("fileName").GetString()).Order(StringComparer.Ordinal));
         Assert.All(history, c => Assert.True(State(c) is "released" or "refused", c.ToString()));
         Assert.Empty(Directory.EnumerateFiles(cell.Incoming));
-        Assert.Equal(cell.Slots.Select(FireCell.ProgramOf).Order(StringComparer.Ordinal), Directory.EnumerateFiles(cell.Machine).Select(f => Path.GetFileName(f)).Where(f => !f.EndsWith(".READY", StringComparison.Ordinal)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            cell.Slots.Select(FireCell.ProgramOf).Order(StringComparer.Ordinal),
+            Directory.EnumerateFiles(cell.Machine)
+                .Select(f => Path.GetFileName(f))
+                .Where(f => !f.EndsWith(".READY", StringComparison.Ordinal))
+                .Order(StringComparer.Ordinal));
         await cell.AuditHolds();
         TestContext.Current.TestOutputHelper!.WriteLine(
-            $"{kills} kills, {halves.Count} programs cut off while they were written to the machine; {measured.Length} measurements, each cut once; {history.Count} corrections in {clock.Elapsed.TotalSeconds:0} s");
+            $"{kills} kills, {halves.Count} programs cut off while they were written to the machine; {measured.Length} measurements, "
+                + $"each cut once; {history.Count} corrections in {clock.Elapsed.TotalSeconds:0} s");
     }
 
     private static string? State(JsonElement correction) => correction.GetProperty("state").GetString();

@@ -2,7 +2,8 @@ using System.Collections.Concurrent;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A machine that cuts what it finds: it looks at each slot's program all the time, cuts one it has not cut yet, and says by a file that it is ready.</summary>
+/// <summary>A machine that cuts what it finds: it looks at each slot's program all the time, cuts one it has not cut yet,
+/// and says by a file that it is ready.</summary>
 /// <remarks>Whatever it finds is whole: the program of a known measurement or the original, to the last byte, at every instant.</remarks>
 internal sealed class FireMachine : IAsyncDisposable
 {

@@ -8,7 +8,11 @@ internal static class FireStates
     {
         var run = await ConsoleRun.Of(cell.Folder, "cell", "history", cell.Configuration, "--most", "1000", "--json");
         return run.Exit == 0
-            ? run.Json.GetProperty("corrections").EnumerateArray().Where(c => c.GetProperty("fileName").GetString() == fileName).Select(c => c.GetProperty("state").GetString()).SingleOrDefault()
+            ? run.Json.GetProperty("corrections")
+                .EnumerateArray()
+                .Where(c => c.GetProperty("fileName").GetString() == fileName)
+                .Select(c => c.GetProperty("state").GetString())
+                .SingleOrDefault()
             : null;
     }
 
@@ -17,7 +21,10 @@ internal static class FireStates
     {
         var run = await ConsoleRun.Of(cell.Folder, "cell", "status", cell.Configuration, "--json");
         return run.Json.TryGetProperty("problems", out var problems)
-            ? (run.Exit, run.Json.GetProperty("running").GetBoolean(), [.. problems.EnumerateArray().Select(p => p.GetProperty("code").GetString()!)])
+            ? (
+                run.Exit,
+                run.Json.GetProperty("running").GetBoolean(),
+                [.. problems.EnumerateArray().Select(p => p.GetProperty("code").GetString()!)])
             : (run.Exit, false, [.. run.Json.GetProperty("errors").EnumerateArray().Select(p => p.GetProperty("code").GetString()!)]);
     }
 }

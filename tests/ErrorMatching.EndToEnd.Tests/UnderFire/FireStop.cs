@@ -5,8 +5,8 @@ namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Ends a cell as a service manager does, and measures how long it takes.</summary>
 /// <remarks>
-/// The clock is one of naps of 50 ms: each counts as what it was meant to be, however long a busy computer makes it. So it stands still while the computer has no time for the tests, which is when it has
-/// none for the cell either; where nothing else runs it is a stopwatch.
+/// The clock is one of naps of 50 ms: each counts as what it was meant to be, however long a busy computer makes it. So it stands still
+/// while the computer has no time for the tests, which is when it has none for the cell either; where nothing else runs it is a stopwatch.
 /// </remarks>
 internal static class FireStop
 {
@@ -15,7 +15,8 @@ internal static class FireStop
 
     private static readonly TimeSpan Nap = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Tells a process to end, waits for it, and fails the test if it takes longer than <see cref="Limit"/> or what it is given.</summary>
+    /// <summary>Tells a process to end, waits for it, and fails the test if it takes longer than <see cref="Limit"/> or what it is
+    /// given.</summary>
     /// <returns>Its exit code.</returns>
     public static async Task<int> Of(Process process, TimeSpan? atMost = null)
     {

@@ -4,16 +4,19 @@ using System.Text;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>Good files among duplicates, strangers, truncated and hostile ones: every one is accounted for, and only good ones reach the machine.</summary>
+/// <summary>Good files among duplicates, strangers, truncated and hostile ones:
+/// every one is accounted for, and only good ones reach the machine.</summary>
 /// <remarks>400 files here, 10,000 by <c>tests/fire flood 10000</c>.</remarks>
 public sealed class FloodTests
 {
-    private static readonly int Files = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_FLOOD") ?? "400", CultureInfo.InvariantCulture);
+    private static readonly int Files = int.Parse(
+        Environment.GetEnvironmentVariable("ERRORMATCH_FLOOD") ?? "400", CultureInfo.InvariantCulture);
 
     // Names that a shell, a path, a spreadsheet or a terminal would take for something else.
     private static readonly string[] HostileNames =
     [
-        "$(touch pwned)", "%2e%2e%2fpasswd", "a\nb", "=cmd|' C calc'!A0", "con", "\u001b[2J", "\u202Evsc", "S00_1;rm -rf ~", "S00_'", "--help", ".hidden", new string('x', 240), "S00_\u0661",
+        "$(touch pwned)", "%2e%2e%2fpasswd", "a\nb", "=cmd|' C calc'!A0", "con", "\u001b[2J", "\u202Evsc", "S00_1;rm -rf ~", "S00_'",
+        "--help", ".hidden", new string('x', 240), "S00_\u0661",
     ];
 
     [Fact]
@@ -60,7 +63,8 @@ public sealed class FloodTests
                     wanted[name] = "refused";
                     break;
                 case < 18:
-                    cell.Drop(name, Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(bytes).Replace("2a,", "2a,NaN", StringComparison.Ordinal)));
+                    cell.Drop(
+                        name, Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(bytes).Replace("2a,", "2a,NaN", StringComparison.Ordinal)));
                     wanted[name] = "refused";
                     break;
                 case < 19:
@@ -90,23 +94,35 @@ public sealed class FloodTests
             }
         }
 
-        await cell.Until(() => Task.FromResult(Directory.EnumerateFiles(cell.Incoming).Count() == left.Count && machine.Cut.Count == cut.Count), TimeSpan.FromSeconds(300 + (Files / 5)), "all files taken and cut");
-        await cell.Until(async () => (await cell.History()).All(c => c.GetProperty("state").GetString() is "released" or "refused"), TimeSpan.FromMinutes(5), "an end for each");
+        await cell.Until(
+            () => Task.FromResult(Directory.EnumerateFiles(cell.Incoming).Count() == left.Count && machine.Cut.Count == cut.Count),
+            TimeSpan.FromSeconds(300 + (Files / 5)),
+            "all files taken and cut");
+        await cell.Until(
+            async () => (await cell.History()).All(c => c.GetProperty("state").GetString() is "released" or "refused"),
+            TimeSpan.FromMinutes(5),
+            "an end for each");
         await cell.Stop();
 
         var history = await cell.History();
         Assert.Equal(wanted.Count, history.Count);
-        var outcomes = history.ToDictionary(c => c.GetProperty("fileName").GetString()!, c => c.GetProperty("state").GetString() + (c.TryGetProperty("code", out var code) ? " " + code.GetString() : ""), StringComparer.Ordinal);
+        var outcomes = history.ToDictionary(
+            c => c.GetProperty("fileName").GetString()!,
+            c => c.GetProperty("state").GetString() + (c.TryGetProperty("code", out var code) ? " " + code.GetString() : ""),
+            StringComparer.Ordinal);
         Assert.All(wanted, w => Assert.StartsWith(w.Value, outcomes.GetValueOrDefault(w.Key, "lost: " + w.Key), StringComparison.Ordinal));
 
         // What begins with a point is a gauge's own until it gets another name: it stays where it is.
         Assert.NotEmpty(left);
-        Assert.Equal(left.Order(StringComparer.Ordinal), Directory.EnumerateFiles(cell.Incoming).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            left.Order(StringComparer.Ordinal),
+            Directory.EnumerateFiles(cell.Incoming).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
         Assert.Empty(machine.Wrong);
         Assert.Equal(cut.Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         Assert.False(File.Exists(cell["pwned"]));
         await cell.AuditHolds();
-        TestContext.Current.TestOutputHelper!.WriteLine($"{wanted.Count + left.Count} files, {cut.Count} of them cut, in {clock.Elapsed.TotalSeconds:0} s");
+        TestContext.Current.TestOutputHelper!.WriteLine(
+            $"{wanted.Count + left.Count} files, {cut.Count} of them cut, in {clock.Elapsed.TotalSeconds:0} s");
     }
 
     // What no eye sees is shown by a mark, or it would do to a terminal what its sender wants.

@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A point or a vector of the referee in the working plane, mm. The referee has its own types so that it shares nothing with what it judges.</summary>
+/// <summary>A point or a vector of the referee in the working plane, mm.
+/// The referee has its own types so that it shares nothing with what it judges.</summary>
 internal readonly record struct Flat(double U, double V)
 {
     public double Length => Math.Sqrt((U * U) + (V * V));

@@ -1,8 +1,8 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// A second, deliberately small NC interpreter. It was written from the meaning of the words (ISO 6983-1) and shares no code with the library,
-/// so that an error of the library's own interpreter cannot hide itself. What it does not know and could move an axis, it refuses.
+/// A second, deliberately small NC interpreter. It was written from the meaning of the words (ISO 6983-1) and shares no code with the
+/// library, so that an error of the library's own interpreter cannot hide itself. What it does not know and could move an axis, it refuses.
 /// The tool starts at the origin.
 /// </summary>
 internal sealed class RefereeInterpreter

@@ -5,7 +5,8 @@ public sealed class RefereeInterpreterTests
     [Fact]
     public void Modal_words_and_coordinates_stay()
     {
-        var moves = RefereeInterpreter.Run("%\nO1 (a comment X9)\nN10 G0 X1. Y2.\nN20 G1 Y5 F500. ; and another X7\n/N30 X-.5\nN40 Z-2.5\nM30\nX99.\n%\n");
+        var moves = RefereeInterpreter.Run(
+            "%\nO1 (a comment X9)\nN10 G0 X1. Y2.\nN20 G1 Y5 F500. ; and another X7\n/N30 X-.5\nN40 Z-2.5\nM30\nX99.\n%\n");
 
         Assert.Equal(["N10", "N20", "N30", "N40"], moves.Select(m => m.Block));
         Assert.Equal([true, false, false, false], moves.Select(m => m.Rapid));
@@ -50,7 +51,8 @@ public sealed class RefereeInterpreterTests
         Assert.Equal(sweepDegrees, move.Sweep * 180 / Math.PI, 9);
     }
 
-    // ISO 6983-1: each plane is seen against its third axis, so that the counter-clockwise quarter goes from X to Y, from Z to X, from Y to Z.
+    // ISO 6983-1: each plane is seen against its third axis, so that the counter-clockwise quarter goes from X to Y, from Z to X,
+    // from Y to Z.
     [Theory]
     [InlineData("G17 G0 X10\nG3 X0 Y10 I-10")]
     [InlineData("G18 G0 Z10\nG3 Z0 X10 K-10")]

@@ -1,8 +1,8 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// One programmed move. An arc has a center, a radius and a sweep (radians, counter-clockwise positive, seen against the third axis of its plane);
-/// its radius is the mean of those at its two ends, so that a mismatch by rounding counts half.
+/// One programmed move. An arc has a center, a radius and a sweep (radians, counter-clockwise positive,
+/// seen against the third axis of its plane); its radius is the mean of those at its two ends, so that a mismatch by rounding counts half.
 /// </summary>
 internal sealed record RefereeMove(string Block, int Line, bool Rapid, Spot From, Spot To, WorkPlane Plane, CutterSide Side)
 {

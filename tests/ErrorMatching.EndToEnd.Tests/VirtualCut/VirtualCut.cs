@@ -1,8 +1,9 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>
-/// The piece that a program leaves in one plane. Without cutter compensation the feed moves carry the center of a round tool and the boundary is
-/// the envelope of its circle; under G41 and G42 the programmed path itself is the boundary (a control that compensates cuts along it).
+/// The piece that a program leaves in one plane. Without cutter compensation the feed moves carry the center of a round tool and the
+/// boundary is the envelope of its circle; under G41 and G42 the programmed path itself is the boundary (a control that compensates cuts
+/// along it).
 /// </summary>
 internal sealed class VirtualCut
 {
@@ -19,12 +20,13 @@ internal sealed class VirtualCut
         }
     }
 
-    /// <summary>How far a place lies inside the material that the tool's circle leaves: positive in material, zero on the boundary, negative where it was cut.</summary>
+    /// <summary>How far a place lies inside the material that the tool's circle leaves:
+    /// positive in material, zero on the boundary, negative where it was cut.</summary>
     public double Clearance(Flat place) => _centers.Min(p => p.DistanceTo(place)) - _toolRadius;
 
     /// <summary>
-    /// Where the boundary lies on the normal through a key point, as a signed distance from the key point along the normal. The normal points from the
-    /// material to the tool: a positive answer means that more material stands than the key point says.
+    /// Where the boundary lies on the normal through a key point, as a signed distance from the key point along the normal.
+    /// The normal points from the material to the tool: a positive answer means that more material stands than the key point says.
     /// </summary>
     /// <exception cref="RefereeException">Nothing was cut there, or (under G41 and G42) the tool ran on the other side.</exception>
     public double Probe(Flat keyPoint, Flat normal, double reach = 2)
@@ -35,7 +37,10 @@ internal sealed class VirtualCut
 
     private double ProbeContour(Flat keyPoint, Flat unit, double reach)
     {
-        var crossings = _contours.SelectMany(p => p.Crossings(keyPoint, unit).Select(c => (c.T, c.Travel, p.Side))).Where(c => Math.Abs(c.T) <= reach).ToList();
+        var crossings = _contours
+            .SelectMany(p => p.Crossings(keyPoint, unit).Select(c => (c.T, c.Travel, p.Side)))
+            .Where(c => Math.Abs(c.T) <= reach)
+            .ToList();
         if (crossings.Count == 0)
         {
             throw new RefereeException($"no contour within {reach:R} of {keyPoint}");
@@ -51,8 +56,8 @@ internal sealed class VirtualCut
     }
 
     /// <summary>
-    /// Comes from the place of the tool's center, as a probe does, toward the material. The clearance changes by no more than the way travelled,
-    /// so a step of its own size cannot jump over the boundary.
+    /// Comes from the place of the tool's center, as a probe does, toward the material.
+    /// The clearance changes by no more than the way travelled, so a step of its own size cannot jump over the boundary.
     /// </summary>
     private double ProbeEnvelope(Flat keyPoint, Flat unit, double reach)
     {

@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>What a ball end mill leaves of a block that is large enough: the envelope of its sphere along all feed moves, cusps included.</summary>
+/// <summary>What a ball end mill leaves of a block that is large enough:
+/// the envelope of its sphere along all feed moves, cusps included.</summary>
 internal sealed class CutSurface
 {
     // Fine enough that a ball between two places stands less than 0.02 um off.
@@ -25,12 +26,15 @@ internal sealed class CutSurface
             var parts = Math.Max(1, (int)Math.Ceiling((move.To - move.From).Length / 0.5));
             for (var i = 0; i < parts; i++)
             {
-                Add(machine.At(move.From + ((move.To - move.From) * ((double)i / parts))), machine.At(move.From + ((move.To - move.From) * ((i + 1.0) / parts))));
+                Add(
+                    machine.At(move.From + ((move.To - move.From) * ((double)i / parts))),
+                    machine.At(move.From + ((move.To - move.From) * ((i + 1.0) / parts))));
             }
         }
     }
 
-    /// <summary>Where the center of a stylus ball stops on its way into the material: the first place where the ball touches what is left.</summary>
+    /// <summary>Where the center of a stylus ball stops on its way into the material:
+    /// the first place where the ball touches what is left.</summary>
     /// <param name="from">Where the move begins, outside of the material.</param>
     /// <param name="to">Where it ends; on the way the material is met nearly square.</param>
     /// <param name="stylusRadius">Radius of the stylus ball.</param>
@@ -47,7 +51,8 @@ internal sealed class CutSurface
             return null;
         }
 
-        // Depths along the move from its beginning: the cut goes as deep as the deepest ball, the stylus only as deep as the highest cusp lets it.
+        // Depths along the move from its beginning: the cut goes as deep as the deepest ball,
+        // the stylus only as deep as the highest cusp lets it.
         var stop = double.MaxValue;
         for (var s = -reach; s < reach + (grid / 2); s += grid)
         {

@@ -1,21 +1,26 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>How far a virtual machine's tool is from where its program sends it: the same at each cut (systematic, smooth), and different each time (repeatability).</summary>
+/// <summary>How far a virtual machine's tool is from where its program sends it:
+/// the same at each cut (systematic, smooth), and different each time (repeatability).</summary>
 internal sealed class MachineError
 {
     private readonly (double Kx, double Ky, double Phase, double Amplitude)[] _systematic, _random;
     private readonly double _mean;
 
-    private MachineError((double, double, double, double)[] systematic, (double, double, double, double)[] random, double mean) => (_systematic, _random, _mean) = (systematic, random, mean);
+    private MachineError((double, double, double, double)[] systematic, (double, double, double, double)[] random, double mean) =>
+        (_systematic, _random, _mean) = (systematic, random, mean);
 
     /// <summary>A machine that goes where it is sent.</summary>
     public static MachineError None { get; } = new([], [], 0);
 
-    /// <summary>A machine. Its systematic error has a mean of 15 um or so and a standard deviation of 6 um over a piece of 75 x 63 mm, as in tables 2 and 3 of Lee 2019.</summary>
+    /// <summary>A machine. Its systematic error has a mean of 15 um or so and a standard deviation of 6 um over a piece of 75 x 63 mm, as
+    /// in tables 2 and 3 of Lee 2019.</summary>
     public static MachineError Systematic(Random random)
     {
         // Half a wave to one wave over the piece: geometric errors of axes, deflection and wear change slowly.
-        var waves = Enumerable.Range(0, 3).Select(_ => (Wave(random, 75), Wave(random, 63), 2 * Math.PI * random.NextDouble(), 1 + random.NextDouble())).ToArray();
+        var waves = Enumerable.Range(0, 3)
+            .Select(_ => (Wave(random, 75), Wave(random, 63), 2 * Math.PI * random.NextDouble(), 1 + random.NextDouble()))
+            .ToArray();
         var raw = new MachineError(waves, [], 0);
         var values = Grid().Select(p => raw.Along(p.X, p.Y)).ToArray();
         var mean = values.Average();
@@ -61,7 +66,9 @@ internal sealed class MachineError
         return sum;
     }
 
-    private static double Wave(Random random, double length) => 2 * Math.PI * (0.2 + (0.6 * random.NextDouble())) / length * (random.Next(2) == 0 ? 1 : -1);
+    private static double Wave(Random random, double length) =>
+        2 * Math.PI * (0.2 + (0.6 * random.NextDouble())) / length * (random.Next(2) == 0 ? 1 : -1);
 
-    private static IEnumerable<(double X, double Y)> Grid() => from i in Enumerable.Range(0, 16) from j in Enumerable.Range(0, 13) select (75 * i / 15.0, 63 * j / 12.0);
+    private static IEnumerable<(double X, double Y)> Grid() =>
+        from i in Enumerable.Range(0, 16) from j in Enumerable.Range(0, 13) select (75 * i / 15.0, 63 * j / 12.0);
 }

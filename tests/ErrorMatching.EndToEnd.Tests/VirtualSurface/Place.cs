@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>A place or a direction in space, in millimetres. The referee has its own, so that it shares no code with what it judges.</summary>
+/// <summary>A place or a direction in space, in millimetres. The referee has its own,
+/// so that it shares no code with what it judges.</summary>
 internal readonly record struct Place(double X, double Y, double Z)
 {
     public double Length => Math.Sqrt(Dot(this));

@@ -3,7 +3,8 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>Reads programs of straight absolute moves in millimetres: all that a finishing or a probing program should hold. Written from ISO 6983-1 and the controls' words for measuring; shares no code with the library.</summary>
+/// <summary>Reads programs of straight absolute moves in millimetres: all that a finishing or a probing program should hold. Written from
+/// ISO 6983-1 and the controls' words for measuring; shares no code with the library.</summary>
 internal static partial class StraightProgram
 {
     /// <summary>All moves that have a beginning: the first one that names all three axes only sets where the tool is.</summary>
@@ -15,7 +16,10 @@ internal static partial class StraightProgram
         foreach (var line in program.Split('\n'))
         {
             var text = Comments().Replace(Texts().Replace(line.TrimEnd('\r'), ""), "").ToUpperInvariant();
-            if (text.Length == 0 || text[0] is '%' or '#' || text.Contains('=', StringComparison.Ordinal) && !text.Contains("MEAS=", StringComparison.Ordinal) || text.TrimStart().StartsWith('O'))
+            if (text.Length == 0
+                || text[0] is '%' or '#'
+                || text.Contains('=', StringComparison.Ordinal) && !text.Contains("MEAS=", StringComparison.Ordinal)
+                || text.TrimStart().StartsWith('O'))
             {
                 continue;
             }

@@ -16,7 +16,10 @@ internal static partial class VirtualProbe
     /// <exception cref="InvalidOperationException">A move ends without a touch.</exception>
     public static string Run(string program, CutSurface surface, double stylusRadius, double repeatability, Random random)
     {
-        var touches = StraightProgram.Read(program).Where(m => m.IsMeasuring).Select(m => Touch(m, surface, stylusRadius, repeatability, random)).ToArray();
+        var touches = StraightProgram.Read(program)
+            .Where(m => m.IsMeasuring)
+            .Select(m => Touch(m, surface, stylusRadius, repeatability, random))
+            .ToArray();
         var log = new StringBuilder();
         var next = 0;
         foreach (Match line in LogLines().Matches(program))
@@ -25,23 +28,29 @@ internal static partial class VirtualProbe
             if (text.Contains("#5061", StringComparison.Ordinal))
             {
                 var at = touches[next++];
-                text = text.Replace("#5061", Six(at.X), StringComparison.Ordinal).Replace("#5062", Six(at.Y), StringComparison.Ordinal).Replace("#5063", Six(at.Z), StringComparison.Ordinal);
+                text = text.Replace("#5061", Six(at.X), StringComparison.Ordinal)
+                    .Replace("#5062", Six(at.Y), StringComparison.Ordinal)
+                    .Replace("#5063", Six(at.Z), StringComparison.Ordinal);
             }
 
             log.Append(text).Append('\n');
         }
 
-        return next == touches.Length ? log.ToString() : throw new InvalidOperationException($"{touches.Length} touches, {next} lines in the log");
+        return next == touches.Length
+            ? log.ToString()
+            : throw new InvalidOperationException($"{touches.Length} touches, {next} lines in the log");
     }
 
     private static Place Touch(AxisMove move, CutSurface surface, double stylusRadius, double repeatability, Random random)
     {
-        var at = surface.Touch(move.From, move.To, stylusRadius) ?? throw new InvalidOperationException($"nothing touched between {move.From} and {move.To}");
+        var at = surface.Touch(move.From, move.To, stylusRadius)
+            ?? throw new InvalidOperationException($"nothing touched between {move.From} and {move.To}");
         return at + ((move.To - move.From).Unit() * (repeatability * Normal(random)));
     }
 
     // Box and Muller.
-    private static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+    private static double Normal(Random random) =>
+        Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
     private static string Six(double value) => value.ToString("0.000000", CultureInfo.InvariantCulture);
 

@@ -19,7 +19,9 @@ public sealed class CompensatorTests
         Assert.True(piece.Off(result.Surface.Spline, Tilted) < 3e-5, $"{piece.Off(result.Surface.Spline, Tilted)}");
         Assert.True(result.ApproximationMm <= 1.01e-5);
         Assert.Equal(0.03, result.LargestMoveMm, 4);
-        Assert.Equal((piece.Surface.Region, piece.Surface.Outside, piece.Surface.Name), (result.Surface.Region, result.Surface.Outside, result.Surface.Name));
+        Assert.Equal(
+            (piece.Surface.Region, piece.Surface.Outside, piece.Surface.Name),
+            (result.Surface.Region, result.Surface.Outside, result.Surface.Name));
         Assert.Equal(SpatialVerdict.Systematic, result.Structure.Verdict);
         // What is left is what the probe of the job, 0.125 um at a point, may have told wrong.
         Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 1e-6, 5e-5);
@@ -52,7 +54,8 @@ public sealed class CompensatorTests
     {
         var piece = new MeasuredDesign(PaperDesign.One, "\"method\": \"best\"", "\"method\": \"tensor\"");
         var random = new Random(2);
-        var result = piece.Compensate(piece.With((u, v) => Tilted(u, v) + (0.002 * (random.NextDouble() + random.NextDouble() - 1)))).Result!;
+        var result = piece.Compensate(piece.With(
+            (u, v) => Tilted(u, v) + (0.002 * (random.NextDouble() + random.NextDouble() - 1)))).Result!;
 
         // The noise has a standard deviation of 2 um / sqrt(6) = 0.82 um.
         Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 0.0008, 0.0025);
@@ -76,8 +79,13 @@ public sealed class CompensatorTests
     public void A_measurement_that_is_given_twice_is_refused()
     {
         var piece = new MeasuredDesign(PaperDesign.One);
-        Assert.Equal("same-measurement", Assert.Throws<FreeformException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
-        Assert.Equal("same-measurement", Assert.Throws<FreeformException>(() => SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.With(Tilted), piece.With(Tilted, "copy.csv")])).Code);
+        Assert.Equal(
+            "same-measurement",
+            Assert.Throws<FreeformException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
+        Assert.Equal(
+            "same-measurement",
+            Assert.Throws<FreeformException>(() => SurfaceEvaluation.Of(
+                piece.Job, piece.Surface, [piece.With(Tilted), piece.With(Tilted, "copy.csv")])).Code);
     }
 
     [Fact]
@@ -157,7 +165,9 @@ public sealed class CompensatorTests
         Assert.Equal(0, result.LargestMoveMm);
         Assert.Same(piece.Surface.Spline, result.Surface.Spline);
         Assert.Contains("nothing is compensated", result.Warnings[0], StringComparison.Ordinal);
-        Assert.All(new[] { result.Mirror, result.ToolRadius }, p => Assert.Equal((0, result.Predicted.Statistics), (p.Statistics.MeanMm, p.Statistics)));
+        Assert.All(
+            new[] { result.Mirror, result.ToolRadius },
+            p => Assert.Equal((0, result.Predicted.Statistics), (p.Statistics.MeanMm, p.Statistics)));
         var map = ErrorMap.Of(result);
         Assert.All(map.ToolRadiusMm.Concat(map.MirrorMm), e => Assert.Equal(0, e));
     }
@@ -184,11 +194,18 @@ public sealed class CompensatorTests
         var piece = new MeasuredDesign(PaperDesign.One, "\"method\": \"mirror\"", $"\"method\": \"{method}\"");
         foreach (var bad in new[] { piece.Plan.Points[31], piece.Plan.Points[0], piece.Plan.Points[^1] })
         {
-            var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? off : 0))).Refusals);
+            var refusal = Assert.Single(
+                piece.Compensate(piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? off : 0))).Refusals);
 
             Assert.Equal("outlying-point", refusal.Code);
             var (um, said) = (1000 * (Tilted(bad.U, bad.V) + off), 1000 * Tilted(bad.U, bad.V));
-            Assert.StartsWith(FormattableString.Invariant($"Point {bad.Number} (near X{bad.Position.X:0.###} Y{bad.Position.Y:0.###} Z{bad.Position.Z:0.###}) is {um:+0.0;-0.0} um off along the normal, where the points around it say {said:+0.0;-0.0} um: "), refusal.Message, StringComparison.Ordinal);
+            Assert.StartsWith(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Point {bad.Number} (near X{bad.Position.X:0.###} Y{bad.Position.Y:0.###} Z{bad.Position.Z:0.###}) is "
+                        + $"{um:+0.0;-0.0} um off along the normal, where the points around it say {said:+0.0;-0.0} um: "),
+                refusal.Message,
+                StringComparison.Ordinal);
             Assert.Contains("measure again", refusal.Message, StringComparison.Ordinal);
         }
     }
@@ -198,7 +215,10 @@ public sealed class CompensatorTests
     {
         var piece = new MeasuredDesign(PaperDesign.Two);
         var bad = piece.Plan.Points[20];
-        var refusal = Assert.Single(piece.Compensate(piece.With(Tilted, "one.csv"), piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? 0.12 : 0.0001), "two.csv")).Refusals);
+        var refusal = Assert.Single(
+            piece.Compensate(
+                piece.With(Tilted, "one.csv"),
+                piece.With((u, v) => Tilted(u, v) + (u == bad.U && v == bad.V ? 0.12 : 0.0001), "two.csv")).Refusals);
 
         Assert.Equal("outlying-point", refusal.Code);
         Assert.StartsWith($"Point {bad.Number} ", refusal.Message, StringComparison.Ordinal);
@@ -215,7 +235,8 @@ public sealed class CompensatorTests
         var piece = new MeasuredDesign(PaperDesign.Two);
         var worst = piece.Plan.Points[20];
         var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => u == worst.U && v == worst.V ? error : 0.01)).Refusals);
-        Assert.Contains($"is {said} mm off along the normal; compensation.limitMm allows 0.2 mm", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(
+            $"is {said} mm off along the normal; compensation.limitMm allows 0.2 mm", refusal.Message, StringComparison.Ordinal);
     }
 
     // Waves of four points each way: the points lie beside the crests, and the surface through them goes over the limit that they keep.
@@ -251,7 +272,8 @@ public sealed class CompensatorTests
     {
         foreach (var of in new[] { "error", "points" })
         {
-            var piece = new MeasuredDesign(PaperDesign.Two, "\"method\": \"best\", \"of\": \"error\"", $"\"method\": \"{method}\", \"of\": \"{of}\"");
+            var piece = new MeasuredDesign(
+                PaperDesign.Two, "\"method\": \"best\", \"of\": \"error\"", $"\"method\": \"{method}\", \"of\": \"{of}\"");
             var result = piece.Compensate(piece.With(Tilted)).Result!;
 
             // A linear error and a quadratic surface are within every method's reach: 2 um at the measured points, far less for most.
@@ -285,11 +307,16 @@ public sealed class CompensatorTests
         var measured = piece.With(Tilted);
         var edge = last ? piece.Plan.Points.Max(At) : 0;
         var outermost = piece.Plan.Points.Where(p => At(p) == edge + (last ? -1 : 1));
-        var gap = outermost.Max(p => piece.Plan.Points.Where(q => At(q) == edge && Along(q) == Along(p)).Min(q => (p.Position - q.Position).Length));
-        var refusal = Assert.Single(piece.Compensate(measured with { Points = [.. measured.Points.Where(p => At(p.Planned) != edge)] }).Refusals);
+        var gap = outermost.Max(
+            p => piece.Plan.Points.Where(q => At(q) == edge && Along(q) == Along(p)).Min(q => (p.Position - q.Position).Length));
+        var refusal = Assert.Single(
+            piece.Compensate(measured with { Points = [.. measured.Points.Where(p => At(p.Planned) != edge)] }).Refusals);
 
         Assert.Equal("limits-lost", refusal.Code);
-        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $" lies {gap:0.###} mm inside of the edge"), refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(
+            string.Create(CultureInfo.InvariantCulture, $" lies {gap:0.###} mm inside of the edge"),
+            refusal.Message,
+            StringComparison.Ordinal);
         Assert.Contains("measure up to the edges", refusal.Message, StringComparison.Ordinal);
 
         int At(PlanPoint p) => endOfCurves ? p.I : p.J;
@@ -303,7 +330,15 @@ public sealed class CompensatorTests
         var piece = new MeasuredDesign(PaperDesign.Two, "\"of\": \"error\"", "\"of\": \"points\"");
         var random = new Random(3);
         var measured = piece.With(Tilted);
-        var beside = measured with { Points = [.. measured.Points.Select(p => p with { Contact = p.Contact + new Vector3(0.03 * (random.NextDouble() - 0.5), 0.03 * (random.NextDouble() - 0.5), 0) })] };
+        var beside = measured with
+        {
+            Points = [
+                .. measured.Points.Select(
+                    p => p with
+                    {
+                        Contact = p.Contact + new Vector3(0.03 * (random.NextDouble() - 0.5), 0.03 * (random.NextDouble() - 0.5), 0)
+                    })]
+        };
 
         Assert.NotNull(piece.Compensate(beside).Result);
     }
@@ -321,7 +356,8 @@ public sealed class CompensatorTests
         foreach (var (row, point) in rows.Skip(1).Zip(measured.Points))
         {
             var cells = row.Split(',').Select(c => double.Parse(c, CultureInfo.InvariantCulture)).ToArray();
-            var wanted = MirrorEquations.CompensationPoint(point.Contact, MirrorEquations.MirrorPoint(point.Planned.Position, point.Planned.Normal, 0.2), point.Planned.Normal);
+            var wanted = MirrorEquations.CompensationPoint(
+                point.Contact, MirrorEquations.MirrorPoint(point.Planned.Position, point.Planned.Normal, 0.2), point.Planned.Normal);
             Assert.True((new Point3(cells[1], cells[2], cells[3]) - wanted).Length < 1e-5, row);
             Assert.Equal(1000 * Tilted(point.Planned.U, point.Planned.V), cells[4], 2);
         }
@@ -354,7 +390,8 @@ public sealed class CompensatorTests
     {
         var piece = new MeasuredDesign(PaperDesign.Three, "\"of\": \"error\"", $"\"of\": \"{of}\"");
         var top = piece.Plan.Points[piece.Plan.Points.Count / 2];
-        var result = piece.Compensate(piece.With((u, v) => 0.02 - (0.05 * (((u - top.U) * (u - top.U)) + ((v - top.V) * (v - top.V)))))).Result!;
+        var result = piece.Compensate(piece.With(
+            (u, v) => 0.02 - (0.05 * (((u - top.U) * (u - top.U)) + ((v - top.V) * (v - top.V)))))).Result!;
 
         var at = result.Samples.Single(s => s.Point == top.Number);
         Assert.Equal(0.02, result.MoveAt(at).Length, of == "error" ? 1e-7 : 2e-5);
@@ -374,9 +411,13 @@ public sealed class CompensatorTests
     [Fact]
     public void An_alignment_is_made_where_the_job_asks_for_it()
     {
-        var piece = new MeasuredDesign(PaperDesign.Three, "\"stylusDiameterMm\": 6", "\"alignment\": \"best-fit\", \"stylusDiameterMm\": 6");
+        var piece = new MeasuredDesign(
+            PaperDesign.Three, "\"stylusDiameterMm\": 6", "\"alignment\": \"best-fit\", \"stylusDiameterMm\": 6");
         var measured = piece.With((u, v) => 0);
-        var moved = measured with { Points = [.. measured.Points.Select(p => p with { Contact = p.Contact + new Vector3(0.02, -0.03, 0.05) })] };
+        var moved = measured with
+        {
+            Points = [.. measured.Points.Select(p => p with { Contact = p.Contact + new Vector3(0.02, -0.03, 0.05) })]
+        };
         var result = piece.Compensate(moved).Result!;
 
         Assert.NotNull(result.Alignment);

@@ -11,7 +11,10 @@ internal sealed class MeasuredDesign
     public MeasuredDesign(PartSurface surface, string change = "", string to = "")
     {
         Surface = surface;
-        Job = FreeformJob.Parse(Encoding.UTF8.GetBytes(change.Length == 0 ? FreeformTemplate.Text : FreeformTemplate.Text.Replace(change, to, StringComparison.Ordinal)), "job.json");
+        Job = FreeformJob.Parse(
+            Encoding.UTF8.GetBytes(
+                change.Length == 0 ? FreeformTemplate.Text : FreeformTemplate.Text.Replace(change, to, StringComparison.Ordinal)),
+            "job.json");
         Plan = MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
     }
 
@@ -22,13 +25,19 @@ internal sealed class MeasuredDesign
     public MeasuringPlan Plan { get; }
 
     /// <summary>The points of a piece whose error is a function of u and v, in millimetres, on the stock of the job's stage.</summary>
-    public MeasuredPoints With(Func<double, double, double> error, string file = "measured.csv") => Over(Job.Stock.Of(Job.Measuring.After), error, file);
+    public MeasuredPoints With(Func<double, double, double> error, string file = "measured.csv") =>
+        Over(Job.Stock.Of(Job.Measuring.After), error, file);
 
     /// <summary>The same on another stock.</summary>
     public MeasuredPoints Over(double stock, Func<double, double, double> error, string file = "measured.csv")
     {
-        MeasuredPoint[] points = [.. Plan.Points.Select((p, i) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + error(p.U, p.V))), i + 2))];
-        return new(file, Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<Point3>(points.Select(p => p.Contact).ToArray()))), points, []);
+        MeasuredPoint[] points = [
+            .. Plan.Points.Select((p, i) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + error(p.U, p.V))), i + 2))];
+        return new(
+            file,
+            Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<Point3>(points.Select(p => p.Contact).ToArray()))),
+            points,
+            []);
     }
 
     public CompensationOutcome Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));

@@ -17,7 +17,8 @@ public sealed class ThroughPointsTests
         var result = piece.Compensate(piece.With(Tilted)).Result!;
         var left = Left(piece, result, Tilted);
 
-        // On the surface that is cut, by lines along the normals of the nominal one: several micrometers, where at the points there is next to nothing.
+        // On the surface that is cut, by lines along the normals of the nominal one:
+        // several micrometers, where at the points there is next to nothing.
         Assert.InRange(left.StandardDeviationMm, 0.001, 0.05);
         Assert.Equal(left.StandardDeviationMm, result.Mirror.Statistics.StandardDeviationMm, 0.05 * left.StandardDeviationMm);
         Assert.InRange(result.Mirror.Statistics.ProfileIsoMm, 0.9 * left.ProfileIsoMm, 1.2 * left.ProfileIsoMm);
@@ -80,7 +81,8 @@ public sealed class ThroughPointsTests
             double Error(double u, double v) => shape.Height(TrueShape.LengthX * u, TrueShape.LengthY * v);
             var piece = new MeasuredDesign(PaperDesign.One, Fit, $"\"method\": \"{method}\", \"of\": \"points\"");
             var result = piece.Compensate(piece.With((u, v) => Error(u, v) + (0.001 * noise.Next()))).Result!;
-            var after = DeviationStatistics.Of([.. result.Samples.Select(s => Error(s.U, s.V) + result.MoveAt(s).Dot(s.Normal) + (0.001 * noise.Next()))]);
+            var after = DeviationStatistics.Of(
+                [.. result.Samples.Select(s => Error(s.U, s.V) + result.MoveAt(s).Dot(s.Normal) + (0.001 * noise.Next()))]);
             came += after.StandardDeviationMm * after.StandardDeviationMm;
             expected += result.Mirror.Statistics.StandardDeviationMm * result.Mirror.Statistics.StandardDeviationMm;
         }

@@ -76,19 +76,27 @@ public sealed class SurfaceDisplacerTests
     [InlineData("linuxcnc", "G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM2\n", 0, "(", ")")]
     [InlineData("siemens-840d", "; FINISHING\nG710 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM30\n", 0, "; ", "")]
     [InlineData("fanuc", "%\nO1000 (FINISHING)\nG21 G90 G17\nG0 X0. Y10. Z20.\nG1 Z3. F500.\nX75.\nG0 Z20.\nM30\n%\n", 2, "(", ")")]
-    public void A_program_tells_what_it_was_made_of_and_is_not_displaced_again(string control, string text, int line, string opens, string closes)
+    public void A_program_tells_what_it_was_made_of_and_is_not_displaced_again(
+        string control, string text, int line, string opens, string closes)
     {
         var (program, dialect) = (Encoding.ASCII.GetBytes(text), NcDialects.Named(control));
-        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Value!;
-        var marker = $"{opens}ERRORMATCH MEASUREMENT={Measurement.ToUpperInvariant()} BASE={Convert.ToHexString(SHA256.HashData(program))}{closes}";
+        var result = SurfaceDisplacer.Displace(
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Value!;
+        var marker =
+            $"{opens}ERRORMATCH MEASUREMENT={Measurement.ToUpperInvariant()} BASE={Convert.ToHexString(SHA256.HashData(program))}{closes}";
         Assert.Equal(marker, Lines(result.Program.Bytes)[line]);
         Assert.Equal(marker, result.Proof.Marker);
         Assert.True(result.Proof is { Holds: true, UntouchedBytesIdentical: true });
 
         // Of another measurement as well, and if somebody edited the marker: the error that is in it was cut away already.
-        foreach (var again in new[] { result.Program.Bytes, Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(result.Program.Bytes.Span).Replace("BASE=", "BASE", StringComparison.Ordinal)) })
+        foreach (var again in new[]
         {
-            var refusal = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64)).Refusal!;
+            result.Program.Bytes,
+            Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(result.Program.Bytes.Span).Replace("BASE=", "BASE", StringComparison.Ordinal))
+        })
+        {
+            var refusal = SurfaceDisplacer.Displace(
+                Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64)).Refusal!;
             Assert.Equal((Marker.AlreadyCompensated, line + 1), (refusal.Code, refusal.Line));
             Assert.Contains("Begin from the original program", refusal.Message, StringComparison.Ordinal);
         }
@@ -107,7 +115,8 @@ public sealed class SurfaceDisplacerTests
     public void A_program_for_another_control_is_blamed_at_its_first_unknown_code()
     {
         var program = "; FINISHING\nG17 G90 G710\nG54\nS10000 M3\nG0 Z20\nX0 Y10\nG1 Z3 F500\nX75\nG0 Z20\nM30\n"u8.ToArray();
-        var refusal = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement).Refusal!;
+        var refusal = SurfaceDisplacer.Displace(
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement).Refusal!;
         Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Line));
         Assert.Contains("G710", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("fanuc", refusal.Message, StringComparison.Ordinal);
@@ -141,7 +150,8 @@ public sealed class SurfaceDisplacerTests
         var result = Displace(surface, new Wave(), "G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX75\nG0 Z20\nM2\n"u8.ToArray(), 1, false);
 
         // The wave leaves the straight line between its values at both ends by this, looked for every micrometer of the way.
-        var bend = Enumerable.Range(0, 75_001).Max(i => Math.Abs(Wave.Error(0.001 * i, 10) - Wave.Error(0, 10) - ((Wave.Error(75, 10) - Wave.Error(0, 10)) * i / 75_000)));
+        var bend = Enumerable.Range(0, 75_001).Max(i => Math.Abs(
+            Wave.Error(0.001 * i, 10) - Wave.Error(0, 10) - ((Wave.Error(75, 10) - Wave.Error(0, 10)) * i / 75_000)));
         Assert.Equal(bend, result.LargestMisfitMm, 0.00001);
     }
 
@@ -152,7 +162,8 @@ public sealed class SurfaceDisplacerTests
     [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX[10+10]\nG0 Z20\nM2\n", "expression")]
     public void What_cannot_follow_is_refused(string program, string code)
     {
-        var result = SurfaceDisplacer.Displace(Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement);
+        var result = SurfaceDisplacer.Displace(
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement);
 
         Assert.Equal(code, result.Refusal?.Code);
     }
@@ -160,7 +171,8 @@ public sealed class SurfaceDisplacerTests
     [Fact]
     public void Beyond_the_edge_the_edge_counts()
     {
-        var result = Displace(Shapes.Plane(75, 63), new Wave(), "G21 G90 G17\nG0 X-2 Y10 Z20\nG1 Z3 F500\nX0\nX75\nX77\nG0 Z20\nM2\n"u8.ToArray(), 1, false);
+        var result = Displace(
+            Shapes.Plane(75, 63), new Wave(), "G21 G90 G17\nG0 X-2 Y10 Z20\nG1 Z3 F500\nX0\nX75\nX77\nG0 Z20\nM2\n"u8.ToArray(), 1, false);
 
         var after = NcInterpreter.Run(result.Program, Dialect);
         Assert.Equal(3 - Wave.Error(0, 10), after.Motions[1].End.Z, 0.00005);

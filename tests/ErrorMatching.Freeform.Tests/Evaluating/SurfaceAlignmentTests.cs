@@ -20,7 +20,8 @@ public sealed class SurfaceAlignmentTests
     public void Error_is_the_distance_along_the_normal_less_the_stock()
     {
         var plan = PlanOf(PaperDesign.Three).ToArray();
-        var errors = SurfaceErrors.Of(PaperDesign.Three, plan.Select((p, i) => (p, p.Position + (p.Normal * (0.2 + (i * 0.001))))), 0.2, "m.csv");
+        var errors = SurfaceErrors.Of(
+            PaperDesign.Three, plan.Select((p, i) => (p, p.Position + (p.Normal * (0.2 + (i * 0.001))))), 0.2, "m.csv");
 
         Assert.All(errors.Select((e, i) => (e, i)), p => Assert.Equal(p.i * 0.001, p.e.ErrorMm, 9));
     }
@@ -44,7 +45,8 @@ public sealed class SurfaceAlignmentTests
         var back = SurfaceAlignment.BestFit(surface, points, 0, "m.csv");
 
         Assert.True(SurfaceErrors.Of(surface, points, 0, "m.csv").Max(e => Math.Abs(e.ErrorMm)) > 0.02);
-        Assert.All(SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
+        Assert.All(
+            SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
     }
 
     [Fact]
@@ -55,7 +57,8 @@ public sealed class SurfaceAlignmentTests
         var back = SurfaceAlignment.BestFit(surface, points, 0, "m.csv");
 
         Assert.Equal(0, back.TranslateMm.Y, 6);
-        Assert.All(SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
+        Assert.All(
+            SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
     }
 
     private static IEnumerable<PlanPoint> PlanOf(PartSurface surface)

@@ -45,7 +45,10 @@ public sealed class SurfaceEvaluationTests
     {
         var piece = new MeasuredDesign(PaperDesign.One);
         var bad = piece.Plan.Points[31];
-        var e = SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.With((u, v) => 0.01 * u, "good.csv"), piece.With((u, v) => u == bad.U && v == bad.V ? 0.48 : 0.01 * v, "bad.csv")]);
+        var e = SurfaceEvaluation.Of(
+            piece.Job,
+            piece.Surface,
+            [piece.With((u, v) => 0.01 * u, "good.csv"), piece.With((u, v) => u == bad.U && v == bad.V ? 0.48 : 0.01 * v, "bad.csv")]);
 
         Assert.Empty(e.Pieces[0].Warnings);
         var warning = Assert.Single(e.Pieces[1].Warnings);

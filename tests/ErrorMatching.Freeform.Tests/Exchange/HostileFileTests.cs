@@ -52,7 +52,8 @@ public sealed class HostileFileTests
     [Fact]
     public void A_file_larger_than_any_surface_is_refused()
     {
-        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(new byte[SurfaceReader.MaxBytes + 1], "a.igs", null, outsideIsUp: true));
+        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(
+            new byte[SurfaceReader.MaxBytes + 1], "a.igs", null, outsideIsUp: true));
         Assert.Equal("too-large", error.Code);
         Assert.Contains("268435457 bytes; at most 268435456", error.Problem, StringComparison.Ordinal);
     }
@@ -114,22 +115,27 @@ public sealed class HostileFileTests
     [Fact]
     public void Shells_that_refer_to_one_another_have_no_face()
     {
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", "#100=OPEN_SHELL('',(#101));\n#101=OPEN_SHELL('',(#100,#101));")));
+        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File(
+            "#100", "#100=OPEN_SHELL('',(#101));\n#101=OPEN_SHELL('',(#100,#101));")));
         Assert.Equal("no-surface", error.Code);
     }
 
     [Fact]
     public void Shells_in_shells_without_end_are_refused()
     {
-        var data = string.Join('\n', Enumerable.Range(100, 5000).Select(n => string.Create(CultureInfo.InvariantCulture, $"#{n}=OPEN_SHELL('',(#{n + 1}));")));
-        Assert.Equal("too-deep", Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", data + "\n#5100=OPEN_SHELL('',());"))).Code);
+        var data = string.Join(
+            '\n', Enumerable.Range(100, 5000).Select(n => string.Create(CultureInfo.InvariantCulture, $"#{n}=OPEN_SHELL('',(#{n + 1}));")));
+        Assert.Equal(
+            "too-deep",
+            Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", data + "\n#5100=OPEN_SHELL('',());"))).Code);
     }
 
     [Fact]
     public void Units_that_refer_to_one_another_are_refused()
     {
         var unit = "(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(*));\n#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#2)";
-        var data = StepByHand.Points(101, "0.,0.,0.", "0.,1.,0.", "1.,0.,0.", "1.,1.,0.") + "\n#100=BEZIER_SURFACE('',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.);";
+        var data = StepByHand.Points(101, "0.,0.,0.", "0.,1.,0.", "1.,0.,0.", "1.,1.,0.")
+            + "\n#100=BEZIER_SURFACE('',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.);";
         Assert.Equal("bad-unit", Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", data, unit))).Code);
         Assert.Equal(1, StepByHand.Read(StepByHand.File("#100", data)).Spline.PointAt(1, 1).X);
     }
@@ -141,14 +147,20 @@ public sealed class HostileFileTests
         {
             var file = new IgesText();
             var basis = file.Add(128, IgesText.Flat(6, 4), dependent: true);
-            var hole = file.Add(100, "100,0.,3.,2.,4.,2.,4.,2.", dependent: true, matrix: file.Add(124, "124,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0."));
+            var hole = file.Add(
+                100, "100,0.,3.,2.,4.,2.,4.,2.", dependent: true, matrix: file.Add(124, "124,1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0."));
             file.Add(144, $"144,{basis},0,1,0,{file.Add(142, $"142,0,{basis},0,{hole},2", dependent: true)}");
             return file.Bytes();
         }
 
         if (name == "grid.csv")
         {
-            return Encoding.ASCII.GetBytes("i,j,x,y,z\n" + string.Concat(Enumerable.Range(0, 20).Select(k => string.Create(CultureInfo.InvariantCulture, $"{k % 5},{k / 5},{10 * (k % 5)},{8 * (k / 5)},{7 + (0.1 * (k % 5) * (k / 5))}\n"))));
+            return Encoding.ASCII.GetBytes(
+                "i,j,x,y,z\n"
+                    + string.Concat(
+                        Enumerable.Range(0, 20).Select(k => string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"{k % 5},{k / 5},{10 * (k % 5)},{8 * (k / 5)},{7 + (0.1 * (k % 5) * (k / 5))}\n"))));
         }
 
         if (name == "hand.stp")

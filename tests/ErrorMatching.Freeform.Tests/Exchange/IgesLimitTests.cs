@@ -144,11 +144,15 @@ public sealed class IgesLimitTests
         var (x, y) = (30 + (20 * c), 25 + (20 * s));
         var file = new IgesText();
         var surface = file.Add(128, IgesText.Flat(60, 60), dependent: true);
-        var numbers = string.Join(',', new[] { a, b, k, d, e, f, 0, x, y, x, y }.Select(n => n.ToString("R", System.Globalization.CultureInfo.InvariantCulture)));
+        var numbers = string.Join(
+            ',', new[] { a, b, k, d, e, f, 0, x, y, x, y }.Select(n => n.ToString("R", System.Globalization.CultureInfo.InvariantCulture)));
         var ellipse = file.Add(104, $"104,{numbers}", form: 1, dependent: true);
         file.Add(144, $"144,{surface},1,0,{file.Add(142, $"142,0,{surface},0,{ellipse},2", dependent: true)}");
         var loop = Assert.Single(file.Read().Region.Loops);
-        Assert.All(loop, q => Assert.Equal(0, (a * 3600 * q.X * q.X) + (b * 3600 * q.X * q.Y) + (k * 3600 * q.Y * q.Y) + (d * 60 * q.X) + (e * 60 * q.Y) + f, 1e-6));
+        Assert.All(
+            loop,
+            q => Assert.Equal(
+                0, (a * 3600 * q.X * q.X) + (b * 3600 * q.X * q.Y) + (k * 3600 * q.Y * q.Y) + (d * 60 * q.X) + (e * 60 * q.Y) + f, 1e-6));
         Assert.Equal(Math.PI * 200, 3600 * Math.Abs(RegionLoop.Area(loop)), 0.1);
     }
 
@@ -174,7 +178,11 @@ public sealed class IgesLimitTests
     public void A_tabulated_cylinder_moves_its_directrix()
     {
         var file = new IgesText();
-        var arc = file.Add(100, "100,0.,0.,0.,50.,0.,0.,50.", dependent: true, matrix: file.Add(124, "124,1.,0.,0.,0.,0.,0.,-1.,0.,0.,1.,0.,0.", dependent: true));
+        var arc = file.Add(
+            100,
+            "100,0.,0.,0.,50.,0.,0.,50.",
+            dependent: true,
+            matrix: file.Add(124, "124,1.,0.,0.,0.,0.,0.,-1.,0.,0.,1.,0.,0.", dependent: true));
         file.Add(122, $"122,{arc},50.,30.,0.");
         var spline = file.Read().Spline;
         var p = spline.PointAt(0.4, 0.5);
@@ -187,7 +195,8 @@ public sealed class IgesLimitTests
     {
         var file = new IgesText();
         var low = file.Add(110, "110,0.,0.,0.,60.,0.,0.", dependent: true);
-        var high = file.Add(126, "126,2,2,0,0,1,0,0.,0.,0.,2.,2.,2.,1.,1.,1.,60.,40.,8.,30.,40.,20.,0.,40.,8.,0.,2.,0.,0.,1.", dependent: true);
+        var high = file.Add(
+            126, "126,2,2,0,0,1,0,0.,0.,0.,2.,2.,2.,1.,1.,1.,60.,40.,8.,30.,40.,20.,0.,40.,8.,0.,2.,0.,0.,1.", dependent: true);
         file.Add(118, $"118,{low},{high},1,0", form: 1);
         var p = file.Read().Spline.PointAt(0.5, 0.5);
         Assert.Equal(30, p.X, 1e-12);

@@ -8,7 +8,8 @@ public sealed class IgesReadingTests
     [Fact]
     public void Inches_become_millimeters()
     {
-        var file = new IgesText("1H,,1H;,4HTEST,4HTEST,4HTEST,4HTEST,32,38,6,308,15,4HTEST,1.,1,4HINCH,1,0.01,15H20260101.000000,1.E-6,1000.;");
+        var file = new IgesText(
+            "1H,,1H;,4HTEST,4HTEST,4HTEST,4HTEST,32,38,6,308,15,4HTEST,1.,1,4HINCH,1,0.01,15H20260101.000000,1.E-6,1000.;");
         file.Add(128, IgesText.Flat(3, 2, 0.5));
         Assert.Equal(0, (file.Read().Spline.PointAt(1, 1) - new Point3(76.2, 50.8, 12.7)).Length, 1e-12);
     }
@@ -84,7 +85,10 @@ public sealed class IgesReadingTests
         // A quarter of a cylinder about y, radius 50: weights 1, cos 45, 1.
         var w = Math.Sqrt(0.5).ToString("R", System.Globalization.CultureInfo.InvariantCulture);
         var file = new IgesText();
-        file.Add(128, $"128,2,1,2,1,0,0,0,0,0,0.,0.,0.,1.,1.,1.,0.,0.,1.,1.,1.,{w},1.,1.,{w},1.,-50.,0.,0.,-50.,0.,50.,0.,0.,50.,-50.,30.,0.,-50.,30.,50.,0.,30.,50.,0.,1.,0.,1.");
+        file.Add(
+            128,
+            $"128,2,1,2,1,0,0,0,0,0,0.,0.,0.,1.,1.,1.,0.,0.,1.,1.,1.,{w},1.,1.,{w},1.,-50.,0.,0.,-50.,0.,50.,0.,0.,50.,-50.,30.,0.,-50.,"
+                + $"30.,50.,0.,30.,50.,0.,1.,0.,1.");
         var spline = file.Read().Spline;
         Assert.True(spline.IsRational);
         for (var i = 1; i < 20; i++)
@@ -124,7 +128,10 @@ public sealed class IgesReadingTests
         Assert.Equal("no-such-surface", Assert.Throws<FreeformException>(() => file.Read("4")).Code);
         var several = Assert.Throws<FreeformException>(() => file.Read());
         Assert.Equal("several-surfaces", several.Code);
-        Assert.Contains("1 \"BASE\" (x 0 to 1, y 0 to 1, z 0 to 0), 2 \"UPPER SHELL\" (x 0 to 2, y 0 to 1, z 0 to 0), 3 (x 0 to 3", several.Problem, StringComparison.Ordinal);
+        Assert.Contains(
+            "1 \"BASE\" (x 0 to 1, y 0 to 1, z 0 to 0), 2 \"UPPER SHELL\" (x 0 to 2, y 0 to 1, z 0 to 0), 3 (x 0 to 3",
+            several.Problem,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -167,7 +174,8 @@ public sealed class IgesReadingTests
         file.Add(128, IgesText.Flat(3, 2));
         var lines = Encoding.Latin1.GetString(file.Bytes()).Split('\n').ToList();
         lines.RemoveAt(5);
-        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(Encoding.Latin1.GetBytes(string.Join('\n', lines)), "a.igs", null, outsideIsUp: true));
+        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(
+            Encoding.Latin1.GetBytes(string.Join('\n', lines)), "a.igs", null, outsideIsUp: true));
         Assert.Equal("bad-record", error.Code);
         Assert.Equal(6, error.Line);
     }

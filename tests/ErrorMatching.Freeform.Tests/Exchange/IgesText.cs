@@ -5,7 +5,8 @@ namespace ErrorMatching.Freeform.Tests;
 
 /// <summary>IGES files put together by hand: entities with their parameters as text, laid out in records of 80 columns.</summary>
 /// <param name="global">The global section.</param>
-internal sealed class IgesText(string global = "1H,,1H;,4HTEST,4HTEST,4HTEST,4HTEST,32,38,6,308,15,4HTEST,1.,2,2HMM,1,0.01,15H20260101.000000,1.E-6,1000.;")
+internal sealed class IgesText(
+    string global = "1H,,1H;,4HTEST,4HTEST,4HTEST,4HTEST,32,38,6,308,15,4HTEST,1.,2,2HMM,1,0.01,15H20260101.000000,1.E-6,1000.;")
 {
     private readonly List<(int Type, int Form, string Parameters, string Status, int Matrix, string Label)> _entities = [];
 
@@ -17,7 +18,8 @@ internal sealed class IgesText(string global = "1H,,1H;,4HTEST,4HTEST,4HTEST,4HT
 
     /// <summary>Adds an entity.</summary>
     /// <returns>Its D number.</returns>
-    public int Add(int type, string parameters, int form = 0, bool dependent = false, bool blanked = false, int matrix = 0, string label = "")
+    public int Add(
+        int type, string parameters, int form = 0, bool dependent = false, bool blanked = false, int matrix = 0, string label = "")
     {
         _entities.Add((type, form, parameters, (blanked ? "01" : "00") + (dependent ? "01" : "00") + "0000", matrix, label));
         return (2 * _entities.Count) - 1;
@@ -59,7 +61,8 @@ internal sealed class IgesText(string global = "1H,,1H;,4HTEST,4HTEST,4HTEST,4HT
     /// <summary>The parameters of a flat surface from (0, 0) to (width, height) whose parameters run from 0 to 1.</summary>
     public static string Flat(double width, double height, double z = 0) => string.Create(
         CultureInfo.InvariantCulture,
-        $"128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,{z},{width},0.,{z},0.,{height},{z},{width},{height},{z},0.,1.,0.,1.");
+        $"128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,{z},{width},0.,{z},0.,{height},{z},{width},{height},{z},0.,1.,"
+            + $"0.,1.");
 
     // Breaks behind delimiters, as the form asks for numbers.
     private static List<string> Chunks(string text, int width)

@@ -6,7 +6,8 @@ namespace ErrorMatching.Freeform.Tests;
 /// <summary>Limits are an outer loop and holes in it, on a flat surface of 60 x 40 whose parameters are millimeters.</summary>
 public sealed class LoopNestingTests
 {
-    private static readonly SplineSurface Flat = new(KnotVector.Clamped(1, [0, 60]), KnotVector.Clamped(1, [0, 40]), [new(0, 0, 0), new(0, 40, 0), new(60, 0, 0), new(60, 40, 0)]);
+    private static readonly SplineSurface Flat = new(
+        KnotVector.Clamped(1, [0, 60]), KnotVector.Clamped(1, [0, 40]), [new(0, 0, 0), new(0, 40, 0), new(60, 0, 0), new(60, 40, 0)]);
 
     [Theory]
     [InlineData("5 5 55 5 55 35 5 35", "20 10 40 10 40 20 20 20")] // a hole
@@ -60,9 +61,12 @@ public sealed class LoopNestingTests
         bool Far(string before, string behind)
         {
             var text = error.Problem[(error.Problem.IndexOf(before, StringComparison.Ordinal) + before.Length)..];
-            var at = text[..text.IndexOf(')', StringComparison.Ordinal)].Split(", ").Select(n => double.Parse(n, CultureInfo.InvariantCulture)).ToArray();
+            var at = text[..text.IndexOf(')', StringComparison.Ordinal)].Split(", ")
+                .Select(n => double.Parse(n, CultureInfo.InvariantCulture))
+                .ToArray();
             Assert.StartsWith(behind, text[(text.IndexOf(')', StringComparison.Ordinal) + 1)..], StringComparison.Ordinal);
-            return (new Point2(at[0], at[1]) - new Point2(30, 20)).Length < 10.001 == (new Point2(at[0], at[1]) - new Point2(38, 20)).Length < 6.001;
+            return (new Point2(at[0], at[1]) - new Point2(30, 20)).Length < 10.001 == (new Point2(at[0], at[1]) - new Point2(38, 20)).Length
+                < 6.001;
         }
     }
 
@@ -83,7 +87,11 @@ public sealed class LoopNestingTests
     public void Sides_that_are_long_on_a_bent_surface_are_followed(double to, bool taken)
     {
         var arc = SplineArc.Of(default, new(20, 0, 0), new(0, 0, 20), 0, Math.PI);
-        var surface = new SplineSurface(arc.Knots, KnotVector.Clamped(1, [0, 40]), [.. arc.Poles.ToArray().SelectMany(p => new[] { p, p + new Vector3(0, 40, 0) })], [.. arc.Weights.ToArray().SelectMany(w => new[] { w, w })]);
+        var surface = new SplineSurface(
+            arc.Knots,
+            KnotVector.Clamped(1, [0, 40]),
+            [.. arc.Poles.ToArray().SelectMany(p => new[] { p, p + new Vector3(0, 40, 0) })],
+            [.. arc.Weights.ToArray().SelectMany(w => new[] { w, w })]);
         IReadOnlyList<Point2> outer = [new(0.1, 2), new(3, 2), new(3, 20), new(0.1, 20)];
         IReadOnlyList<Point2> hole = [new(0.5, 5), new(2.5, 5), new(2.5, 40 * to), new(0.5, 40 * to)];
         Assert.Equal(taken, Record.Exception(() => RegionLimits.Of(surface, [outer, hole], Fail)) is null);
@@ -96,7 +104,13 @@ public sealed class LoopNestingTests
         var outer = Wave(19.9, 100_000);
         Assert.Equal(2, Limits([outer, Wave(19, 99_000)]).Loops.Count);
         Assert.Equal("bad-loop", Assert.Throws<FreeformException>(() => Limits([outer, Circle(49, 20, 3, 90_000)])).Code);
-        Assert.Equal(2501, Limits([Loop("0 0 60 0 60 40 0 40"), .. Enumerable.Range(0, 2500).Select(k => Circle(0.6 + (1.1 * (k % 50)), 0.4 + (0.78 * (k / 50)), 0.3, 40))]).Loops.Count);
+        Assert.Equal(
+            2501,
+            Limits(
+                [
+                    Loop("0 0 60 0 60 40 0 40"),
+                    .. Enumerable.Range(0, 2500).Select(k => Circle(0.6 + (1.1 * (k % 50)), 0.4 + (0.78 * (k / 50)), 0.3, 40))])
+                .Loops.Count);
     }
 
     // Teeth of a comb that leans: the boxes around them all overlap.
@@ -120,8 +134,10 @@ public sealed class LoopNestingTests
     {
         var file = new IgesText();
         var surface = file.Add(128, IgesText.Flat(60, 40), dependent: true);
-        var outer = file.Add(142, $"142,0,{surface},0,{file.Add(100, "100,0.,30.,20.,40.,20.,40.,20.", dependent: true)},2", dependent: true);
-        var hole = file.Add(142, $"142,0,{surface},0,{file.Add(100, "100,0.,38.,20.,44.,20.,44.,20.", dependent: true)},2", dependent: true);
+        var outer = file.Add(
+            142, $"142,0,{surface},0,{file.Add(100, "100,0.,30.,20.,40.,20.,40.,20.", dependent: true)},2", dependent: true);
+        var hole = file.Add(
+            142, $"142,0,{surface},0,{file.Add(100, "100,0.,38.,20.,44.,20.,44.,20.", dependent: true)},2", dependent: true);
         var trimmed = file.Add(144, $"144,{surface},1,1,{outer},{hole}");
         var error = Assert.Throws<FreeformException>(() => file.Read());
         Assert.Equal(("bad-loop", trimmed + 3), (error.Code, error.Line));
@@ -154,8 +170,13 @@ public sealed class LoopNestingTests
         [.. text.Split(' ').Select(n => double.Parse(n, CultureInfo.InvariantCulture)).Chunk(2).Select(p => new Point2(p[0], p[1]))];
 
     private static IReadOnlyList<Point2> Circle(double x, double y, double radius, int count) =>
-        [.. Enumerable.Range(0, count).Select(i => new Point2(x + (radius * Math.Cos(Math.Tau * i / count)), y + (radius * Math.Sin(Math.Tau * i / count))))];
+        [
+            .. Enumerable.Range(0, count).Select(i => new Point2(
+                x + (radius * Math.Cos(Math.Tau * i / count)), y + (radius * Math.Sin(Math.Tau * i / count))))];
 
     private static IReadOnlyList<Point2> Wave(double radius, int count) =>
-        [.. Enumerable.Range(0, count).Select(i => (Angle: Math.Tau * i / count, R: radius - 0.3 + (0.3 * Math.Cos(Math.Tau * 500 * i / count)))).Select(a => new Point2(30 + (a.R * Math.Cos(a.Angle)), 20 + (a.R * Math.Sin(a.Angle))))];
+        [
+            .. Enumerable.Range(0, count)
+                .Select(i => (Angle: Math.Tau * i / count, R: radius - 0.3 + (0.3 * Math.Cos(Math.Tau * 500 * i / count))))
+                .Select(a => new Point2(30 + (a.R * Math.Cos(a.Angle)), 20 + (a.R * Math.Sin(a.Angle))))];
 }

@@ -67,7 +67,9 @@ public sealed class RoundTripTests
         var text = Encoding.ASCII.GetString(StepWriter.Write(PaperDesign.Three));
         var from = text.IndexOf("FILE_SCHEMA", StringComparison.Ordinal);
         text = text[..from] + $"FILE_SCHEMA(('{schema}'))" + text[text.IndexOf(';', from)..];
-        Assert.Equal(PaperDesign.Three.Spline.Poles.ToArray(), SurfaceReader.Read(Encoding.ASCII.GetBytes(text), "surface.stp", null, true).Spline.Poles.ToArray());
+        Assert.Equal(
+            PaperDesign.Three.Spline.Poles.ToArray(),
+            SurfaceReader.Read(Encoding.ASCII.GetBytes(text), "surface.stp", null, true).Spline.Poles.ToArray());
     }
 
     [Fact]
@@ -77,7 +79,8 @@ public sealed class RoundTripTests
         Assert.All(lines, l => Assert.Equal(80, l.Length));
     }
 
-    // Each corner comes back to the last bit. A side that is straight in the parameters is bent in space: STEP has more edges for it, whose ends lie on it.
+    // Each corner comes back to the last bit. A side that is straight in the parameters is bent in space:
+    // STEP has more edges for it, whose ends lie on it.
     private static void SameLoop(IReadOnlyList<Point2> written, IReadOnlyList<Point2> read, bool mayDivide)
     {
         var next = 0;
@@ -91,13 +94,16 @@ public sealed class RoundTripTests
 
             Assert.True(mayDivide && next > 0, $"{point} was not written");
             var (from, to) = (written[next - 1], written[next % written.Count]);
-            Assert.True((point - from).Length + (to - point).Length - (to - from).Length < 1e-9, $"{point} lies beside the side from {from} to {to}");
+            Assert.True(
+                (point - from).Length + (to - point).Length - (to - from).Length < 1e-9,
+                $"{point} lies beside the side from {from} to {to}");
         }
 
         Assert.Equal(written.Count, next);
     }
 
-    private static byte[] Write(PartSurface surface, string file) => file.EndsWith(".igs", StringComparison.Ordinal) ? IgesWriter.Write(surface) : StepWriter.Write(surface);
+    private static byte[] Write(PartSurface surface, string file) =>
+        file.EndsWith(".igs", StringComparison.Ordinal) ? IgesWriter.Write(surface) : StepWriter.Write(surface);
 
     private static PartSurface Read(byte[] bytes, string file) => SurfaceReader.Read(bytes, file, entity: null, outsideIsUp: true);
 

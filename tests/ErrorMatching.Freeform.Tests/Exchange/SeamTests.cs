@@ -2,7 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform.Tests;
 
-/// <summary>Limits in space on surfaces that close on themselves: a cylinder of radius 15 about the y axis, 50 mm long, whose seam lies on top (x = 0, z = 15). Angles are counted from x to z.</summary>
+/// <summary>Limits in space on surfaces that close on themselves: a cylinder of radius 15 about the y axis, 50 mm long, whose seam lies on
+/// top (x = 0, z = 15). Angles are counted from x to z.</summary>
 public sealed class SeamTests
 {
     private const double Radius = 15;
@@ -49,12 +50,18 @@ public sealed class SeamTests
     private static PartSurface Patch(string kind, double from, double to)
     {
         var file = new IgesText();
-        return Limited(file, kind, [Line(file, from, 0, Length), Arc(file, Length, from, to), Line(file, to, Length, 0), Arc(file, 0, to, from)]);
+        return Limited(
+            file, kind, [Line(file, from, 0, Length), Arc(file, Length, from, to), Line(file, to, Length, 0), Arc(file, 0, to, from)]);
     }
 
     private static PartSurface Limited(IgesText file, string kind, int[] curves)
     {
-        var surface = kind == "spline" ? file.Add(128, Spline(), dependent: true) : file.Add(120, $"120,{file.Add(110, "110,0.,0.,0.,0.,1.,0.", dependent: true)},{Line(file, 90, 0, Length)},0.,{Text(Math.Tau)}", dependent: true);
+        var surface = kind == "spline"
+            ? file.Add(128, Spline(), dependent: true)
+            : file.Add(
+                120,
+                $"120,{file.Add(110, "110,0.,0.,0.,0.,1.,0.", dependent: true)},{Line(file, 90, 0, Length)},0.,{Text(Math.Tau)}",
+                dependent: true);
         var chain = file.Add(102, $"102,{curves.Length},{string.Join(',', curves)}", dependent: true);
         file.Add(144, $"144,{surface},1,0,{file.Add(142, $"142,0,{surface},0,{chain},2", dependent: true)}");
         return file.Read();
@@ -63,8 +70,10 @@ public sealed class SeamTests
     // Nine poles round, the corners of a square between its middles, at either end.
     private static string Spline()
     {
-        var weights = string.Concat(Enumerable.Repeat(string.Concat(Enumerable.Range(0, 9).Select(i => "," + Text(i % 2 == 0 ? 1 : Math.Sqrt(0.5)))), 2));
-        var poles = string.Concat(new[] { 0, Length }.SelectMany(y => Enumerable.Range(0, 9).Select(i => $",{Text(Radius * Sign(i))},{Text(y)},{Text(Radius * Sign(i + 2))}")));
+        var weights = string.Concat(Enumerable.Repeat(
+            string.Concat(Enumerable.Range(0, 9).Select(i => "," + Text(i % 2 == 0 ? 1 : Math.Sqrt(0.5)))), 2));
+        var poles = string.Concat(new[] { 0, Length }.SelectMany(
+            y => Enumerable.Range(0, 9).Select(i => $",{Text(Radius * Sign(i))},{Text(y)},{Text(Radius * Sign(i + 2))}")));
         return $"128,8,1,2,1,1,0,0,0,0,0.,0.,0.,1.,1.,2.,2.,3.,3.,4.,4.,4.,0.,0.,50.,50.{weights}{poles},0.,4.,0.,50.";
     }
 
@@ -86,7 +95,8 @@ public sealed class SeamTests
         return file.Add(100, $"100,{Text(-side * y)},0.,0.,{x0},{z0},{x1},{z1}", dependent: true, matrix: matrix);
     }
 
-    private static (string X, string Z) At(double angle) => (Text(Radius * Math.Cos(angle * Math.PI / 180)), Text(Radius * Math.Sin(angle * Math.PI / 180)));
+    private static (string X, string Z) At(double angle) =>
+        (Text(Radius * Math.Cos(angle * Math.PI / 180)), Text(Radius * Math.Sin(angle * Math.PI / 180)));
 
     private static string Text(double value) => value.ToString("0.0##############", CultureInfo.InvariantCulture);
 

@@ -8,7 +8,9 @@ internal static class StepByHand
     public const string Millimeter = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))";
 
     /// <summary>A unit of length as an inch, by its definition in millimeters (#3).</summary>
-    public const string Inch = "(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(#5));\n#3=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#3);\n#5=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)";
+    public const string Inch = "(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(#5));\n#3=(LENGTH_UNIT()NAMED_UNIT(*)"
+        + "SI_UNIT(.MILLI.,.METRE.));\n#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#3);\n#5=DIMENSIONAL_EXPONENTS(1.,0.,0.,"
+        + "0.,0.,0.,0.)";
 
     /// <summary>The bytes of a file.</summary>
     /// <param name="items">What the representation holds, such as #100,#200.</param>
@@ -32,14 +34,17 @@ internal static class StepByHand
         """);
 
     /// <summary>Reads a file.</summary>
-    public static PartSurface Read(byte[] file, string? entity = null, bool outsideIsUp = true) => SurfaceReader.Read(file, "hand.stp", entity, outsideIsUp);
+    public static PartSurface Read(byte[] file, string? entity = null, bool outsideIsUp = true) =>
+        SurfaceReader.Read(file, "hand.stp", entity, outsideIsUp);
 
     /// <summary>Numbered points, one a line.</summary>
     /// <param name="first">Number of the first one.</param>
     /// <param name="points">Their coordinates as text.</param>
-    public static string Points(int first, params string[] points) => string.Join('\n', points.Select((p, i) => $"#{first + i}=CARTESIAN_POINT('',({p}));"));
+    public static string Points(int first, params string[] points) =>
+        string.Join('\n', points.Select((p, i) => $"#{first + i}=CARTESIAN_POINT('',({p}));"));
 
-    /// <summary>An edge of straight lines between points, with its vertices: #n for the oriented edge, #n+1 to #n+5 for what it is made of.</summary>
+    /// <summary>An edge of straight lines between points, with its vertices:
+    /// #n for the oriented edge, #n+1 to #n+5 for what it is made of.</summary>
     public static string Line(int n, int from, int to, bool forward = true) =>
         $"""
         #{n}=ORIENTED_EDGE('',*,*,#{n + 1},{(forward ? ".T." : ".F.")});

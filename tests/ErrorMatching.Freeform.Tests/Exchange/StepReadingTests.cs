@@ -7,7 +7,9 @@ public sealed class StepReadingTests
 {
     private static readonly string Corners = StepByHand.Points(101, "0.,0.,0.5", "0.,2.,0.5", "3.,0.,0.5", "3.,2.,0.5");
 
-    private static readonly string Flat = Corners + "\n#100=B_SPLINE_SURFACE_WITH_KNOTS('TOP',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);";
+    private static readonly string Flat = Corners
+        + "\n#100=B_SPLINE_SURFACE_WITH_KNOTS('TOP',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.)"
+            + ",.UNSPECIFIED.);";
 
     [Fact]
     public void A_surface_without_a_face_is_whole()
@@ -49,7 +51,10 @@ public sealed class StepReadingTests
     [Fact]
     public void Comments_lines_and_escapes_are_read()
     {
-        var text = Flat.Replace("#100=B_SPLINE_SURFACE_WITH_KNOTS('TOP',1", "/* ; #7=' */ #100 /* a */\n = b_spline_surface_with_knots /**/ ( 'it''s \\X2\\6C34\\X0\\ \\X\\FC; \\S\\D' ,\r\n 1", StringComparison.Ordinal).Replace("#103", "\n#103\n", StringComparison.Ordinal);
+        var text = Flat.Replace(
+            "#100=B_SPLINE_SURFACE_WITH_KNOTS('TOP',1",
+            "/* ; #7=' */ #100 /* a */\n = b_spline_surface_with_knots /**/ ( 'it''s \\X2\\6C34\\X0\\ \\X\\FC; \\S\\D' ,\r\n 1",
+            StringComparison.Ordinal).Replace("#103", "\n#103\n", StringComparison.Ordinal);
         Assert.Equal("it's 水 ü; Ä", StepByHand.Read(StepByHand.File("#100", text)).Name);
     }
 
@@ -58,7 +63,11 @@ public sealed class StepReadingTests
     {
         var w = Math.Sqrt(0.5).ToString("R", System.Globalization.CultureInfo.InvariantCulture);
         var points = StepByHand.Points(101, "-50.,0.,0.", "-50.,30.,0.", "-50.,0.,50.", "-50.,30.,50.", "0.,0.,50.", "0.,30.,50.");
-        var spline = StepByHand.Read(StepByHand.File("#100", $"{points}\n#100=(BOUNDED_SURFACE()B_SPLINE_SURFACE(2,1,((#101,#102),(#103,#104),(#105,#106)),.CYLINDRICAL_SURF.,.F.,.F.,.F.)B_SPLINE_SURFACE_WITH_KNOTS((3,3),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(((1.,1.),({w},{w}),(1.,1.)))REPRESENTATION_ITEM('ROUND')SURFACE());")).Spline;
+        var spline = StepByHand.Read(StepByHand.File(
+            "#100",
+            $"{points}\n#100=(BOUNDED_SURFACE()B_SPLINE_SURFACE(2,1,((#101,#102),(#103,#104),(#105,#106)),.CYLINDRICAL_SURF.,.F.,.F.,.F.)"
+                + $"B_SPLINE_SURFACE_WITH_KNOTS((3,3),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()"
+                + $"RATIONAL_B_SPLINE_SURFACE(((1.,1.),({w},{w}),(1.,1.)))REPRESENTATION_ITEM('ROUND')SURFACE());")).Spline;
         Assert.True(spline.IsRational);
         for (var i = 1; i < 20; i++)
         {
@@ -124,7 +133,10 @@ public sealed class StepReadingTests
     [Fact]
     public void Surfaces_are_chosen_by_name_or_number()
     {
-        var data = Flat + "\n" + Flat.Replace("#10", "#20", StringComparison.Ordinal).Replace("'TOP'", "'NONE'", StringComparison.Ordinal).Replace("3.,", "4.,", StringComparison.Ordinal);
+        var data = Flat + "\n"
+            + Flat.Replace("#10", "#20", StringComparison.Ordinal)
+                .Replace("'TOP'", "'NONE'", StringComparison.Ordinal)
+                .Replace("3.,", "4.,", StringComparison.Ordinal);
         var file = StepByHand.File("#100,#200", data);
         Assert.Equal(3, StepByHand.Read(file, "TOP").Spline.PointAt(1, 1).X);
         Assert.Equal(4, StepByHand.Read(file, "2").Spline.PointAt(1, 1).X);
@@ -135,9 +147,21 @@ public sealed class StepReadingTests
 
     [Theory]
     [InlineData("#100=TOROIDAL_SURFACE('',#101,50.,10.);", "not-read", "#100 TOROIDAL_SURFACE")]
-    [InlineData("#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103,#999)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);", "bad-reference", "#999, which the file does not have")]
-    [InlineData("#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);", "bad-value", "rows of poles of different lengths")]
-    [InlineData("#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.,(2,1),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);", "bad-surface", "knots")]
+    [InlineData(
+        "#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103,#999)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.)"
+            + ",.UNSPECIFIED.);",
+        "bad-reference",
+        "#999, which the file does not have")]
+    [InlineData(
+        "#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103)),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.)"
+            + ",.UNSPECIFIED.);",
+        "bad-value",
+        "rows of poles of different lengths")]
+    [InlineData(
+        "#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#101,#102),(#103,#104)),.UNSPECIFIED.,.F.,.F.,.F.,(2,1),(2,2),(0.,1.),(0.,1.)"
+            + ",.UNSPECIFIED.);",
+        "bad-surface",
+        "knots")]
     [InlineData("#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,x,((#101,#102),(#103,#104)));", "bad-instance", "\"(\" is expected")]
     [InlineData("#100=B_SPLINE_SURFACE_WITH_KNOTS('',1,1", "truncated", "ends within a statement")]
     [InlineData("#100=PLANE('',#101);\n#100=PLANE('',#101);", "bad-instance", "#100 is there twice")]
@@ -152,7 +176,9 @@ public sealed class StepReadingTests
         var error = Assert.Throws<FreeformException>(() => StepByHand.Read(file));
         Assert.Equal(code, error.Code);
         Assert.Contains(said, error.Problem, StringComparison.Ordinal);
-        Assert.Equal(instance.Contains("twice", StringComparison.Ordinal) || instance.Contains('\n', StringComparison.Ordinal) ? 16 : 15, error.Line);
+        Assert.Equal(
+            instance.Contains("twice", StringComparison.Ordinal) || instance.Contains('\n', StringComparison.Ordinal) ? 16 : 15,
+            error.Line);
     }
 
     [Fact]

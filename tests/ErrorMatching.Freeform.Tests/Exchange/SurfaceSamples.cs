@@ -18,13 +18,20 @@ internal static class SurfaceSamples
         {
             for (var j = 0; j < v.PoleCount; j++)
             {
-                poles.Add(new((10 * u.Greville(i)) + (0.01 * random.NextDouble()), (10 * v.Greville(j)) + (0.01 * random.NextDouble()), random.NextDouble()));
+                poles.Add(new(
+                    (10 * u.Greville(i)) + (0.01 * random.NextDouble()),
+                    (10 * v.Greville(j)) + (0.01 * random.NextDouble()),
+                    random.NextDouble()));
                 weights.Add(seed % 2 == 0 ? 1 : 0.8 + (0.4 * random.NextDouble()));
             }
         }
 
         var surface = new SplineSurface(u, v, [.. poles], [.. weights]);
-        return new($"TOP {seed} of a piece", surface, limited ? new([Circle(u, v, 0.45), Circle(u, v, 0.1 + (0.2 * random.NextDouble()))]) : SurfaceRegion.Whole, 1);
+        return new(
+            $"TOP {seed} of a piece",
+            surface,
+            limited ? new([Circle(u, v, 0.45), Circle(u, v, 0.1 + (0.2 * random.NextDouble()))]) : SurfaceRegion.Whole,
+            1);
     }
 
     private static List<Point2> Circle(KnotVector u, KnotVector v, double size)

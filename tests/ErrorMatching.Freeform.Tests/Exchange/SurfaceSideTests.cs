@@ -20,8 +20,10 @@ public sealed class SurfaceSideTests
     public void A_surface_that_turns_over_is_refused_with_both_places()
     {
         // A half tube lying on its side: up on top, down below.
-        Point3[] poles = [new(0, 0, 0), new(0, 50, 0), new(40, 0, 0), new(40, 50, 0), new(40, 0, 40), new(40, 50, 40), new(0, 0, 40), new(0, 50, 40)];
-        var surface = new PartSurface("TUBE", new(KnotVector.Clamped(3, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), SurfaceRegion.Whole, 1);
+        Point3[] poles = [
+            new(0, 0, 0), new(0, 50, 0), new(40, 0, 0), new(40, 50, 0), new(40, 0, 40), new(40, 50, 40), new(0, 0, 40), new(0, 50, 40)];
+        var surface = new PartSurface(
+            "TUBE", new(KnotVector.Clamped(3, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), SurfaceRegion.Whole, 1);
         var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(IgesWriter.Write(surface), "a.igs", null, outsideIsUp: true));
         Assert.Equal("folded-surface", error.Code);
         Assert.Matches(@"up at \(.*, .*, .*\) and down at \(.*\)", error.Problem);
@@ -30,7 +32,8 @@ public sealed class SurfaceSideTests
     [Fact]
     public void A_surface_whose_turned_part_is_cut_away_is_read()
     {
-        Point3[] poles = [new(0, 0, 0), new(0, 50, 0), new(40, 0, 0), new(40, 50, 0), new(40, 0, 40), new(40, 50, 40), new(0, 0, 40), new(0, 50, 40)];
+        Point3[] poles = [
+            new(0, 0, 0), new(0, 50, 0), new(40, 0, 0), new(40, 50, 0), new(40, 0, 40), new(40, 50, 40), new(0, 0, 40), new(0, 50, 40)];
         SurfaceRegion lower = new([[new(0, 0), new(0.45, 0), new(0.45, 1), new(0, 1)]]);
         var surface = new PartSurface("TUBE", new(KnotVector.Clamped(3, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), lower, 1);
         Assert.Equal(1, SurfaceReader.Read(IgesWriter.Write(surface), "a.igs", null, outsideIsUp: true).Outside);
@@ -42,7 +45,9 @@ public sealed class SurfaceSideTests
         Point3[] poles = [new(0, 0, 0), new(0, 0, 10), new(40, 0, 0), new(40, 0, 10)];
         var knots = KnotVector.Clamped(1, [0, 1]);
         var surface = new PartSurface("WALL", new(knots, knots, poles), SurfaceRegion.Whole, 1);
-        Assert.Equal("upright-surface", Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
+        Assert.Equal(
+            "upright-surface",
+            Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
     }
 
     [Fact]
@@ -51,6 +56,8 @@ public sealed class SurfaceSideTests
         Point3[] poles = [new(0, 0, 0), new(0, 2e6, 0), new(40, 0, 0), new(40, 2e6, 0)];
         var knots = KnotVector.Clamped(1, [0, 1]);
         var surface = new PartSurface("MOON", new(knots, knots, poles), SurfaceRegion.Whole, 1);
-        Assert.Equal("implausible", Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
+        Assert.Equal(
+            "implausible",
+            Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
     }
 }

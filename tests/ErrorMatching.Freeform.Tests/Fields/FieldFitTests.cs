@@ -40,7 +40,12 @@ public sealed class FieldFitTests
         {
             var shape = RandomShape.MachineError(100 + seed);
             var samples = shape.Samples(noise: 0.000125, seed: seed);
-            FieldData data = new([.. samples.Select(s => s.I)], [.. samples.Select(s => s.J)], [.. samples.Select(s => (2 * s.U) - 1)], [.. samples.Select(s => (2 * s.V) - 1)], [.. samples.Select(s => s.ErrorMm)]);
+            FieldData data = new(
+                [.. samples.Select(s => s.I)],
+                [.. samples.Select(s => s.J)],
+                [.. samples.Select(s => (2 * s.U) - 1)],
+                [.. samples.Select(s => (2 * s.V) - 1)],
+                [.. samples.Select(s => s.ErrorMm)]);
             chosen += MeanUm(shape, ModelChoice.Best(data));
             process += MeanUm(shape, ProcessSearch.Run(data, ProcessSearch.Trend(1))!);
         }
@@ -48,7 +53,9 @@ public sealed class FieldFitTests
         Assert.InRange(chosen / process, 0.8, 1.04);
 
         static double MeanUm(TrueShape shape, FieldModel model) =>
-            Enumerable.Range(0, 400).Average(k => Math.Abs(model.At((k % 20 / 9.5) - 1, (k / 20 / 9.5) - 1) - shape.Height(TrueShape.LengthX * (k % 20) / 19, TrueShape.LengthY * (k / 20) / 19)));
+            Enumerable.Range(0, 400).Average(k => Math.Abs(
+                model.At((k % 20 / 9.5) - 1, (k / 20 / 9.5) - 1) - shape.Height(
+                    TrueShape.LengthX * (k % 20) / 19, TrueShape.LengthY * (k / 20) / 19)));
     }
 
     [Fact]

@@ -96,10 +96,12 @@ public sealed class NumbersTests
             for (var j = 0; j < n; j++)
             {
                 Assert.Equal(i == j ? 1 : 0, Vectors.Dot(eigen.Vectors[i], eigen.Vectors[j]), tolerance);
-                Assert.Equal(matrix[i, j], Enumerable.Range(0, n).Sum(k => eigen.Values[k] * eigen.Vectors[k][i] * eigen.Vectors[k][j]), tolerance);
+                Assert.Equal(
+                    matrix[i, j], Enumerable.Range(0, n).Sum(k => eigen.Values[k] * eigen.Vectors[k][i] * eigen.Vectors[k][j]), tolerance);
             }
         }
     }
 
-    private static double[][] Rows(int n, Func<int, int, double> element) => [.. Enumerable.Range(0, n).Select(i => Enumerable.Range(0, n).Select(j => element(i, j)).ToArray())];
+    private static double[][] Rows(int n, Func<int, int, double> element) =>
+        [.. Enumerable.Range(0, n).Select(i => Enumerable.Range(0, n).Select(j => element(i, j)).ToArray())];
 }

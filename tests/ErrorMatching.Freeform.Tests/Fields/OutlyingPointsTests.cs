@@ -7,8 +7,8 @@ public sealed class OutlyingPointsTests
     /// <summary>Points along u and v; noise in millimeters.</summary>
     public static TheoryData<int, int, double> Grids => new(
         from size in new[] { (10, 7), (7, 7), (6, 5), (15, 2) }
-            from noise in new[] { 0, 0.00025, 0.001 }
-            select (size.Item1, size.Item2, noise));
+        from noise in new[] { 0, 0.00025, 0.001 }
+        select (size.Item1, size.Item2, noise));
 
     // Fields that are no touch gone wrong: the sizes of their figures do not matter to the test, but the largest is 1.
     private static (string Name, Func<Random, Func<double, double, double>> Of)[] Fields { get; } =

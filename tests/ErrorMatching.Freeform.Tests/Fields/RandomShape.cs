@@ -11,11 +11,13 @@ public static class RandomShape
         return new($"quadratic {seed}", (x, y) =>
         {
             var (a, b) = ((2 * x / TrueShape.LengthX) - 1, (2 * y / TrueShape.LengthY) - 1);
-            return 20 + (c[0] * a) + (c[1] * b) + (c[2] * a * a) + (c[3] * a * b) + (c[4] * b * b) + (c[5] * a * a * b) + (c[6] * a * b * b) + (c[7] * a * a * b * b);
+            return 20 + (c[0] * a) + (c[1] * b) + (c[2] * a * a) + (c[3] * a * b) + (c[4] * b * b) + (c[5] * a * a * b) + (c[6] * a * b * b)
+                + (c[7] * a * a * b * b);
         });
     }
 
-    /// <summary>A quadratic that bends otherwise behind a place along either side, anywhere with two lines at least on each side of it; by how much changes along the break.</summary>
+    /// <summary>A quadratic that bends otherwise behind a place along either side, anywhere with two lines at least on each side of it; by
+    /// how much changes along the break.</summary>
     public static TrueShape Break(int seed)
     {
         var random = new Random(seed);
@@ -24,7 +26,11 @@ public static class RandomShape
         var (size, change) = ((random.Next(2) == 0 ? -1 : 1) * Between(random, 0.005, 0.02), Between(random, -0.4, 0.4));
         return new(
             $"break {seed} at {(alongX ? "x" : "y")} = {at}",
-            (x, y) => quadratic.Height(x, y) + (size * (1 + (change * (alongX ? y / TrueShape.LengthY : x / TrueShape.LengthX))) * Math.Pow(Math.Max(0, (alongX ? x : y) - at), 2)));
+            (x, y) => quadratic.Height(x, y)
+                + (
+                    size * (
+                        1 + (change * (alongX ? y / TrueShape.LengthY : x / TrueShape.LengthX)))
+                        * Math.Pow(Math.Max(0, (alongX ? x : y) - at), 2)));
     }
 
     /// <summary>One to three waves of 75 to 150 mm in any direction, up to half a millimetre high each, on a parabola.</summary>
@@ -36,14 +42,19 @@ public static class RandomShape
         return new($"waves {seed}", (x, y) => (p * x * x) + (q * x * y) + waves.Sum(w => w(x, y)));
     }
 
-    /// <summary>A quadratic that bends otherwise behind a line through the middle of the piece, or near it, in any direction but along the sides.</summary>
+    /// <summary>A quadratic that bends otherwise behind a line through the middle of the piece, or near it,
+    /// in any direction but along the sides.</summary>
     public static TrueShape ObliqueBreak(int seed)
     {
         var random = new Random(seed);
-        var (quadratic, angle) = (Quadratic(seed + 1_000_000), (random.Next(2) * Math.PI / 2) + Between(random, Math.PI / 12, 5 * Math.PI / 12));
+        var (quadratic, angle) = (
+            Quadratic(seed + 1_000_000), (random.Next(2) * Math.PI / 2) + Between(random, Math.PI / 12, 5 * Math.PI / 12));
         var (x0, y0) = (TrueShape.LengthX * Between(random, 0.3, 0.7), TrueShape.LengthY * Between(random, 0.3, 0.7));
         var size = (random.Next(2) == 0 ? -1 : 1) * Between(random, 0.005, 0.02);
-        return new($"oblique break {seed}", (x, y) => quadratic.Height(x, y) + (size * Math.Pow(Math.Max(0, ((x - x0) * Math.Cos(angle)) + ((y - y0) * Math.Sin(angle))), 2)));
+        return new(
+            $"oblique break {seed}",
+            (x, y) => quadratic.Height(x, y)
+                + (size * Math.Pow(Math.Max(0, ((x - x0) * Math.Cos(angle)) + ((y - y0) * Math.Sin(angle))), 2)));
     }
 
     /// <summary>Both a break and waves.</summary>
@@ -53,7 +64,8 @@ public static class RandomShape
         return new($"{broken.Name} among {waves.Name}", (x, y) => broken.Height(x, y) + waves.Height(x, y));
     }
 
-    /// <summary>An error of a machine: three slow waves in any direction about a mean of 15 um, with a standard deviation near 6 um.</summary>
+    /// <summary>An error of a machine: three slow waves in any direction about a mean of 15 um,
+    /// with a standard deviation near 6 um.</summary>
     public static TrueShape MachineError(int seed)
     {
         var random = new Random(seed);

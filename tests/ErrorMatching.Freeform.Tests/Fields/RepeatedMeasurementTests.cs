@@ -6,7 +6,8 @@ public sealed class RepeatedMeasurementTests
     public void Mean_deviation_and_standard_error_are_those_of_the_book()
     {
         // 2 4 4 4 5 5 7 9: mean 5, sum of squares 32, deviation sqrt(32/7), standard error of the mean sqrt(32/7/8).
-        var point = Assert.Single(RepeatedMeasurement.Of([.. new[] { 2.0, 4, 4, 4, 5, 5, 7, 9 }.Select(e => (IReadOnlyList<ErrorSample>)[Sample(1, e)])]).Points);
+        var point = Assert.Single(
+            RepeatedMeasurement.Of([.. new[] { 2.0, 4, 4, 4, 5, 5, 7, 9 }.Select(e => (IReadOnlyList<ErrorSample>)[Sample(1, e)])]).Points);
 
         Assert.Equal(5, point.Mean.ErrorMm, 1e-15);
         Assert.Equal(8, point.Count);
@@ -28,7 +29,11 @@ public sealed class RepeatedMeasurementTests
     public void An_outlier_is_named_and_stays_in_the_mean()
     {
         var noise = new Noise(1);
-        var measurements = Enumerable.Range(0, 4).Select(m => (IReadOnlyList<ErrorSample>)[.. Enumerable.Range(1, 20).Select(p => Sample(p, (0.001 * noise.Next()) + (m == 2 && p == 7 ? 0.05 : 0)))]).ToArray();
+        var measurements = Enumerable.Range(0, 4)
+            .Select(
+                m => (IReadOnlyList<ErrorSample>)[
+                    .. Enumerable.Range(1, 20).Select(p => Sample(p, (0.001 * noise.Next()) + (m == 2 && p == 7 ? 0.05 : 0)))])
+            .ToArray();
         var result = RepeatedMeasurement.Of(measurements);
         var outlier = Assert.Single(result.Outliers);
 

@@ -8,9 +8,10 @@ public sealed class SpatialStructureTests
     [Fact]
     public void Four_places_in_a_row_worked_by_hand()
     {
-        // Values 1 2 4 5, mean 3, z = -2 -1 1 2; neighbors 1-2, 2-3, 3-4: sum of z z over pairs 2 - 1 + 2 = 3, doubled 6; sum of squares 10, W = 6.
-        // I = 4 / 6 * 6 / 10 = 0.4. E = -1/3. S0 = 6, S1 = 12, S2 = 4 (1 + 4 + 4 + 1) = 40, b2 = 4 * 34 / 100 = 1.36.
-        // E[I^2] = (4 ((16 - 12 + 3) 12 - 4 * 40 + 3 * 36) - 1.36 ((16 - 4) 12 - 8 * 40 + 6 * 36)) / (3 * 2 * 1 * 36) = (4 * 32 - 1.36 * 40) / 216 = 73.6 / 216.
+        // Values 1 2 4 5, mean 3, z = -2 -1 1 2; neighbors 1-2, 2-3, 3-4: sum of z z over pairs 2 - 1 + 2 = 3, doubled 6;
+        // sum of squares 10, W = 6. I = 4 / 6 * 6 / 10 = 0.4. E = -1/3.
+        // S0 = 6, S1 = 12, S2 = 4 (1 + 4 + 4 + 1) = 40, b2 = 4 * 34 / 100 = 1.36. E[I^2] = (4 ((16 - 12 + 3) 12 - 4 * 40 + 3 * 36) - 1.36
+        // ((16 - 4) 12 - 8 * 40 + 6 * 36)) / (3 * 2 * 1 * 36) = (4 * 32 - 1.36 * 40) / 216 = 73.6 / 216.
         var result = SpatialStructure.Of([1, 2, 4, 5], [(0, 1), (1, 2), (2, 3)]);
 
         Assert.Equal(0.4, result.I, 1e-14);
@@ -37,7 +38,8 @@ public sealed class SpatialStructureTests
     {
         Assert.Equal(SpatialVerdict.Systematic, SpatialStructure.Of(TrueShape.MachineError.Samples(noise: 0.001)).Verdict);
         var flat = new TrueShape("flat", (x, y) => 0.015);
-        var wrong = Enumerable.Range(1, 200).Count(seed => SpatialStructure.Of(flat.Samples(noise: 0.003, seed: seed)).Verdict == SpatialVerdict.Systematic);
+        var wrong = Enumerable.Range(1, 200).Count(
+            seed => SpatialStructure.Of(flat.Samples(noise: 0.003, seed: seed)).Verdict == SpatialVerdict.Systematic);
 
         // 5 % of 200 are 10, with a standard deviation of 3.
         Assert.InRange(wrong, 2, 20);
@@ -76,7 +78,8 @@ public sealed class SpatialStructureTests
         seed =>
         {
             var samples = TrueShape.MachineError.Samples(5, 4, 0.002, seed);
-            var (one, other) = (SpatialStructure.Of(samples), SpatialStructure.Of(samples, [.. samples.Select(s => (1000 * s.ErrorMm) - 7)]));
+            var (one, other) = (
+                SpatialStructure.Of(samples), SpatialStructure.Of(samples, [.. samples.Select(s => (1000 * s.ErrorMm) - 7)]));
             return Math.Abs(one.I - other.I) < 1e-9 && Math.Abs(one.Z - other.Z) < 1e-8;
         }).QuickCheckThrowOnFailure();
 
@@ -85,7 +88,8 @@ public sealed class SpatialStructureTests
     [InlineData(1.6448536269514722, 0.05)]
     [InlineData(-1.2815515655446004, 0.9)]
     [InlineData(4.7534243088228987, 1e-6)]
-    public void Tail_of_the_normal_distribution_is_that_of_the_tables(double x, double tail) => Assert.Equal(tail, SpatialStructure.NormalTail(x), tail * 1e-9);
+    public void Tail_of_the_normal_distribution_is_that_of_the_tables(double x, double tail) =>
+        Assert.Equal(tail, SpatialStructure.NormalTail(x), tail * 1e-9);
 
     /// <summary>Moran's I by its definition, over all pairs of places.</summary>
     private static double BruteForce(double[] values, (int A, int B)[] neighbors)
@@ -107,5 +111,6 @@ public sealed class SpatialStructureTests
 
     private static IEnumerable<double[]> Orders(double[] values) => values.Length == 1
         ? [values]
-        : Enumerable.Range(0, values.Length).SelectMany(k => Orders([.. values[..k], .. values[(k + 1)..]]).Select(rest => (double[])[values[k], .. rest]));
+        : Enumerable.Range(0, values.Length).SelectMany(
+            k => Orders([.. values[..k], .. values[(k + 1)..]]).Select(rest => (double[])[values[k], .. rest]));
 }

@@ -16,7 +16,8 @@ internal static class Designs
     public static double Two(double x, double y) => 24 + (K * Square(y - 31.5) * ((2 * x / Width) - 1));
 
     /// <summary>Quadratic both ways, from convex to concave.</summary>
-    public static double Three(double x, double y) => 24 + (K * ((Square(y - 31.5) * ((2 * x / Width) - 1)) + (Square(x - 37.5) * ((2 * y / Depth) - 1))));
+    public static double Three(double x, double y) =>
+        24 + (K * ((Square(y - 31.5) * ((2 * x / Width) - 1)) + (Square(x - 37.5) * ((2 * y / Depth) - 1))));
 
     /// <summary>Waves of two lengths, for which no polynomial of low degree will do.</summary>
     public static double Waves(double x, double y) => 20 + Math.Sin(x / 12) + (0.5 * Math.Cos((y / 15) + (x / 40)));

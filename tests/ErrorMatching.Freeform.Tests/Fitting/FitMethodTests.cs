@@ -8,7 +8,11 @@ public sealed class FitMethodTests
     public void The_schema_names_the_ways_of_fitting()
     {
         using var schema = JsonDocument.Parse(FreeformTemplate.Schema);
-        var named = schema.RootElement.GetProperty("properties").GetProperty("fit").GetProperty("properties").GetProperty("method").GetProperty("enum");
+        var named = schema.RootElement.GetProperty("properties")
+            .GetProperty("fit")
+            .GetProperty("properties")
+            .GetProperty("method")
+            .GetProperty("enum");
         Assert.Equal(FitMethod.All.Select(m => m.Name), named.EnumerateArray().Select(n => n.GetString()));
     }
 

@@ -53,7 +53,10 @@ public sealed class GridReaderTests
 
     [Fact]
     public void A_missing_point_is_called_by_its_numbers()
-        => Assert.Contains("found no point i = 2 on the curve j = 0, but i = 3", Assert.Throws<MeasurementException>(() => Read(Good + "3,0,9,9,9\n")).Message, StringComparison.Ordinal);
+        => Assert.Contains(
+            "found no point i = 2 on the curve j = 0, but i = 3",
+            Assert.Throws<MeasurementException>(() => Read(Good + "3,0,9,9,9\n")).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     public void More_points_than_can_be_fitted_in_reasonable_time_are_refused()

@@ -25,7 +25,8 @@ public sealed class SurfaceFitterTests
     }
 
     [Theory]
-    // What least squares with n poles makes of 0.3 um of noise over 70 points is 0.3 * sqrt(2 / pi) * sqrt(n / 70) um on average: 0.05 to 0.09 for the 4 to 9 poles of a mesh, 0.11 for 16, 0.24 for all.
+    // What least squares with n poles makes of 0.3 um of noise over 70 points is 0.3 * sqrt(2 / pi) * sqrt(n / 70) um on average: 0.05 to
+    // 0.09 for the 4 to 9 poles of a mesh, 0.11 for 16, 0.24 for all.
     [InlineData("through-curve-mesh", 0.11)]
     [InlineData("through-curves", 0.15)]
     [InlineData("fit-surface", 0.14)]
@@ -46,8 +47,11 @@ public sealed class SurfaceFitterTests
         // Lee 2019, table 1: lowest d2 for Surface two and three, and no worse than the others but one for Surface one.
         foreach (var design in new[] { "one", "two", "three" })
         {
-            var d2 = FitMethod.All.Select(m => m.Name).Where(n => n != "best").ToDictionary(n => n, n => Enumerable.Range(1, 5).Average(seed => Errors(design, n, 0.3, seed).D2));
-            Assert.All(d2, d => Assert.True(d2["through-curve-mesh"] <= d.Value, $"{design}: {d.Key} {d.Value}, mesh {d2["through-curve-mesh"]}"));
+            var d2 = FitMethod.All.Select(m => m.Name)
+                .Where(n => n != "best")
+                .ToDictionary(n => n, n => Enumerable.Range(1, 5).Average(seed => Errors(design, n, 0.3, seed).D2));
+            Assert.All(
+                d2, d => Assert.True(d2["through-curve-mesh"] <= d.Value, $"{design}: {d.Key} {d.Value}, mesh {d2["through-curve-mesh"]}"));
         }
     }
 
@@ -91,7 +95,12 @@ public sealed class SurfaceFitterTests
     public void Curves_may_have_different_numbers_of_points(string method)
     {
         int[] counts = [10, 7, 12, 9, 8, 11, 10];
-        PointGrid ragged = new([.. counts.Select((n, j) => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, n).Select(i => new GridPoint(i, j, On(Designs.Width * i / (n - 1), Designs.Depth * j / 6)))])]);
+        PointGrid ragged = new(
+            [
+                .. counts.Select(
+                    (n, j) => (IReadOnlyList<GridPoint>)[
+                        .. Enumerable.Range(0, n).Select(i => new GridPoint(
+                            i, j, On(Designs.Width * i / (n - 1), Designs.Depth * j / 6)))])]);
         var fit = SurfaceFitter.Fit(ragged, FitMethod.Named(method)!, ToleranceMm);
         var distance = new SurfaceDistance(fit.Surface);
         Assert.InRange(distance.Of(ragged.Points.Select(p => p.Position)).MaxMm * UmPerMm, 0, method == "studio-surface" ? 0.05 : 1e-6);
@@ -107,9 +116,14 @@ public sealed class SurfaceFitterTests
     {
         // x, y, z become y, z, x: what was a height over XY stands over YZ.
         var grid = Designs.Grid(Designs.Waves, noiseMm: 0.0003);
-        PointGrid turned = new([.. grid.Curves.Select(c => (IReadOnlyList<GridPoint>)[.. c.Select(p => p with { Position = new(p.Position.Z, p.Position.X, p.Position.Y) })])]);
+        PointGrid turned = new(
+            [
+                .. grid.Curves.Select(
+                    c => (IReadOnlyList<GridPoint>)[
+                        .. c.Select(p => p with { Position = new(p.Position.Z, p.Position.X, p.Position.Y) })])]);
         var kind = FitMethod.Named(method)!;
-        Assert.Equal(SurfaceFitter.Fit(grid, kind, ToleranceMm).LeaveLineOutMm, SurfaceFitter.Fit(turned, kind, ToleranceMm).LeaveLineOutMm, 1e-7);
+        Assert.Equal(
+            SurfaceFitter.Fit(grid, kind, ToleranceMm).LeaveLineOutMm, SurfaceFitter.Fit(turned, kind, ToleranceMm).LeaveLineOutMm, 1e-7);
     }
 
     [Theory]
@@ -117,10 +131,15 @@ public sealed class SurfaceFitterTests
     public void A_tube_that_is_no_height_field_is_fitted(string method)
     {
         // Three quarters of a tube of radius 20: 5.5 mm from point to point.
-        PointGrid tube = new([.. Enumerable.Range(0, 6).Select(j => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, 18).Select(i => new GridPoint(i, j, Round(1.5 * Math.PI * i / 17, 8 * j)))])]);
+        PointGrid tube = new(
+            [
+                .. Enumerable.Range(0, 6).Select(
+                    j => (IReadOnlyList<GridPoint>)[
+                        .. Enumerable.Range(0, 18).Select(i => new GridPoint(i, j, Round(1.5 * Math.PI * i / 17, 8 * j)))])]);
         var fit = SurfaceFitter.Fit(tube, FitMethod.Named(method)!, ToleranceMm);
         var truth = Enumerable.Range(0, 400).Select(k => Round(1.5 * Math.PI * k / 399, 40.0 * (k * 7 % 400) / 399));
-        // A cubic through points a = 0.277 rad apart leaves some 20 a^4 / 384 = 0.3 um, more beside the ends; one bicubic patch cannot follow three quarters of a circle.
+        // A cubic through points a = 0.277 rad apart leaves some 20 a^4 / 384 = 0.3 um, more beside the ends;
+        // one bicubic patch cannot follow three quarters of a circle.
         Assert.InRange(new SurfaceDistance(fit.Surface).Of(truth).MeanMm, 0, method == "fit-surface" ? 3 : 0.003);
 
         static Point3 Round(double angle, double along) => new(20 * Math.Cos(angle), along, 20 * Math.Sin(angle));
@@ -150,12 +169,24 @@ public sealed class SurfaceFitterTests
     public void Points_that_span_no_surface_are_refused()
     {
         PointGrid single = new([[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))]]);
-        Assert.Equal(GeometryError.TooFewPoints, Assert.Throws<GeometryException>(() => SurfaceFitter.Fit(single, FitMethod.Tensor, ToleranceMm)).Error);
+        Assert.Equal(
+            GeometryError.TooFewPoints,
+            Assert.Throws<GeometryException>(() => SurfaceFitter.Fit(single, FitMethod.Tensor, ToleranceMm)).Error);
         PointGrid standing = new([[new(0, 0, new(0, 0, 0)), new(1, 0, new(0, 0, 0))], [new(0, 1, new(0, 5, 0)), new(1, 1, new(3, 5, 0))]]);
-        Assert.Equal(GeometryError.CoincidentPoints, Assert.Throws<GeometryException>(() => GridSurface.Interpolate(standing with { Curves = [.. standing.Curves, [new(0, 2, new(1, 9, 0)), new(1, 2, new(1, 9, 0)), new(2, 2, new(4, 9, 0))]] })).Error);
+        Assert.Equal(
+            GeometryError.CoincidentPoints,
+            Assert.Throws<GeometryException>(() => GridSurface.Interpolate(
+                standing with
+                {
+                    Curves = [.. standing.Curves, [new(0, 2, new(1, 9, 0)), new(1, 2, new(1, 9, 0)), new(2, 2, new(4, 9, 0))]]
+                })).Error);
     }
 
-    private static (double D1, double D2, double LineOut, (int DegreeU, int DegreeV, int PolesU, int PolesV) Net) Errors(string design, string method, double noiseUm, int seed = 1)
+    private static (
+        double D1,
+        double D2,
+        double LineOut,
+        (int DegreeU, int DegreeV, int PolesU, int PolesV) Net) Errors(string design, string method, double noiseUm, int seed = 1)
     {
         var height = Designs.Named(design);
         var grid = Designs.Grid(height, noiseMm: noiseUm / UmPerMm, seed: seed);

@@ -12,10 +12,14 @@ public sealed class FreeformJobTests
 
         Assert.Equal(new JobStock(0.4, 0.2), job.Stock);
         Assert.Equal(new JobTool(6, 2, 10000, 1200), job.Tool);
-        Assert.Equal((7, 10, 6.0, 2.0), (job.Measuring.Curves, job.Measuring.PointsPerCurve, job.Measuring.StylusDiameterMm, job.Measuring.ApproachMm));
+        Assert.Equal(
+            (7, 10, 6.0, 2.0),
+            (job.Measuring.Curves, job.Measuring.PointsPerCurve, job.Measuring.StylusDiameterMm, job.Measuring.ApproachMm));
         Assert.Equal((CuttingStage.SemiFinishing, false), (job.Measuring.After, job.Measuring.ReportsStylusCenter));
         Assert.Equal(new JobFit(FitMethod.Best, true, 0.001), job.Fit);
-        Assert.Equal((true, false, 0.001, 0.001, false), (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ScallopMm, job.Toolpath.ChordMm, job.Toolpath.ProgramsTip));
+        Assert.Equal(
+            (true, false, 0.001, 0.001, false),
+            (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ScallopMm, job.Toolpath.ChordMm, job.Toolpath.ProgramsTip));
         Assert.Equal(new JobMirror(true, 1, 0.2), job.Compensation);
         Assert.True(job.Surface.OutsideIsUp);
     }
@@ -35,7 +39,9 @@ public sealed class FreeformJobTests
 
         Assert.Equal(JobStock.Default, job.Stock);
         Assert.Equal(("2", false), (job.Surface.Entity, job.Surface.OutsideIsUp));
-        Assert.Equal((68, null, CuttingStage.Finishing, true), (job.Measuring.Points, job.Measuring.PointsPerCurve, job.Measuring.After, job.Measuring.ReportsStylusCenter));
+        Assert.Equal(
+            (68, null, CuttingStage.Finishing, true),
+            (job.Measuring.Points, job.Measuring.PointsPerCurve, job.Measuring.After, job.Measuring.ReportsStylusCenter));
         Assert.Equal((false, true, true), (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ProgramsTip));
         Assert.Equal(new JobFit(FitMethod.ThroughCurveMesh, false, 0.001), job.Fit);
         Assert.Equal(new JobMirror(false, 0.5, 0.2), job.Compensation);
@@ -59,7 +65,8 @@ public sealed class FreeformJobTests
     public void What_no_machine_does_is_refused_with_its_limit(string old, string text, string code, string path, string expected)
     {
         Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
-        var problem = Assert.Single(Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+        var problem = Assert.Single(
+            Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
 
         Assert.Equal((code, path, expected), (problem.Code, problem.Path, problem.Expected));
         Assert.Contains(text.Split(' ')[1], problem.Found, StringComparison.Ordinal);
@@ -67,7 +74,11 @@ public sealed class FreeformJobTests
 
     [Theory]
     [InlineData("\"curves\": 7, \"pointsPerCurve\": 10,", "", "points-missing", "$.measuring")]
-    [InlineData("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"reconstructionErrorMm\": 0.001,", "points-twice", "$.measuring.reconstructionErrorMm")]
+    [InlineData(
+        "\"pointsPerCurve\": 10,",
+        "\"pointsPerCurve\": 10, \"reconstructionErrorMm\": 0.001,",
+        "points-twice",
+        "$.measuring.reconstructionErrorMm")]
     [InlineData("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"points\": 70,", "points-twice", "$.measuring.points")]
     [InlineData("\"pointsPerCurve\": 10,", "\"points\": 10,", "too-few-points", "$.measuring.points")]
     [InlineData("\"roughing\": 0.4", "\"roughing\": 0.1", "stock-grows", "$.stockMm.roughing")]
@@ -78,7 +89,8 @@ public sealed class FreeformJobTests
     public void What_is_wrong_is_named_by_its_path(string old, string text, string code, string path)
     {
         Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
-        var problem = Assert.Single(Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+        var problem = Assert.Single(
+            Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
 
         Assert.Equal((code, path), (problem.Code, problem.Path));
     }

@@ -40,7 +40,8 @@ public sealed class MeasuringOrderTests
         var order = MeasuringOrder.Of(points, [.. Enumerable.Range(0, count).Select(k => k / 10)]);
 
         Assert.Equal(Enumerable.Range(0, count), order.Order());
-        Assert.InRange(MeasuringOrder.Length(points, order), 0, (1 + longer) * LeastLength(points, MeasuringOrder.Length(points, order), 300));
+        Assert.InRange(
+            MeasuringOrder.Length(points, order), 0, (1 + longer) * LeastLength(points, MeasuringOrder.Length(points, order), 300));
         Assert.Equal(Enumerable.Range(0, 20), MeasuringOrder.Of(new Point2[20], new int[20]).Order());
     }
 
@@ -63,14 +64,18 @@ public sealed class MeasuringOrderTests
     {
         var plan = MeasuringPlanner.Plan(Surfaces.Flat, Surfaces.Measuring(2, 2), 0.2);
 
-        // Three sides of the rectangle across (63, 75, 63); at each point down and up from clearance to contact: 10 + 6 - 3 is where the center is 10 mm over the top, and 2 mm approach are in it.
+        // Three sides of the rectangle across (63, 75, 63); at each point down and up from clearance to contact: 10 + 6 - 3 is where the
+        // center is 10 mm over the top, and 2 mm approach are in it.
         Assert.Equal(63 + 75 + 63 + (4 * 2 * 10), plan.TravelMm, 1e-9);
     }
 
-    private static Point2[] Scattered(Random random, int count) => [.. Enumerable.Range(0, count).Select(_ => new Point2(random.NextDouble() * 75, random.NextDouble() * 63))];
+    private static Point2[] Scattered(Random random, int count) =>
+        [.. Enumerable.Range(0, count).Select(_ => new Point2(random.NextDouble() * 75, random.NextDouble() * 63))];
 
-    // No way through all points is shorter: Held and Karp, The traveling-salesman problem and minimum spanning trees, Operations Research 18 (1970), for open ways. Whatever weight each point has, a way has each joint's length and the weights of both
-    // its points, and is a tree; the weights are then counted twice at each point but at the ends once. They rise where the shortest tree has many joints, and fall where it has one.
+    // No way through all points is shorter: Held and Karp, The traveling-salesman problem and minimum spanning trees, Operations Research
+    // 18 (1970), for open ways. Whatever weight each point has, a way has each joint's length and the weights of both its points, and is a
+    // tree; the weights are then counted twice at each point but at the ends once.
+    // They rise where the shortest tree has many joints, and fall where it has one.
     private static double LeastLength(Point2[] points, double way, int steps)
     {
         var (least, weights) = (0.0, new double[points.Length]);

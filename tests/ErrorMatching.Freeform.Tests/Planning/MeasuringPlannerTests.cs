@@ -87,7 +87,8 @@ public sealed class MeasuringPlannerTests
     public void A_break_at_a_knot_gets_a_point_of_its_own_on_every_curve()
     {
         // Flat up to the knot, a parabola behind it: the curvature jumps.
-        var plan = MeasuringPlanner.Plan(Surfaces.Profile(KnotVector.Clamped(2, [0, 0.4, 1]), x => x < 40 ? 0 : -10), Surfaces.Measuring(4, 6));
+        var plan = MeasuringPlanner.Plan(
+            Surfaces.Profile(KnotVector.Clamped(2, [0, 0.4, 1]), x => x < 40 ? 0 : -10), Surfaces.Measuring(4, 6));
         Assert.Equal(0.4, Assert.Single(plan.BreaksU));
         Assert.Equal([0.4, 0.4, 0.4, 0.4], plan.Points.Where(p => p.Reason == PlanReason.Break).Select(p => p.U));
         Assert.Empty(plan.BreaksV);
@@ -104,7 +105,8 @@ public sealed class MeasuringPlannerTests
     [Fact]
     public void A_break_that_smooth_knots_spread_is_found_by_its_jump_of_curvature()
     {
-        // A cubic with 60 pieces over a plane that goes over into a parabola at x = 30: nowhere a jump, but most of the change within a fiftieth.
+        // A cubic with 60 pieces over a plane that goes over into a parabola at x = 30:
+        // nowhere a jump, but most of the change within a fiftieth.
         double[] breaks = [.. Enumerable.Range(0, 151).Select(i => i / 150.0)];
         var surface = Surfaces.Profile(KnotVector.Clamped(3, breaks), x => x < 30 ? 0 : -(x - 30) * (x - 30) / 100);
         var plan = MeasuringPlanner.Plan(surface, Surfaces.Measuring(4, 8));
@@ -115,14 +117,16 @@ public sealed class MeasuringPlannerTests
     public void Waves_are_no_breaks()
     {
         double[] breaks = [.. Enumerable.Range(0, 101).Select(i => i / 100.0)];
-        var plan = MeasuringPlanner.Plan(Surfaces.Profile(KnotVector.Clamped(3, breaks), x => Math.Sin(x / 75 * 6 * Math.PI)), Surfaces.Measuring(4, 8));
+        var plan = MeasuringPlanner.Plan(
+            Surfaces.Profile(KnotVector.Clamped(3, breaks), x => Math.Sin(x / 75 * 6 * Math.PI)), Surfaces.Measuring(4, 8));
         Assert.Empty(plan.BreaksU);
     }
 
     [Fact]
     public void Fewer_points_than_ends_and_breaks_are_refused_with_the_number_that_is_needed()
     {
-        var plan = MeasuringPlanner.Plan(Surfaces.Profile(KnotVector.Clamped(2, [0, 0.4, 1]), x => x < 40 ? 0 : -10), Surfaces.Measuring(4, 2));
+        var plan = MeasuringPlanner.Plan(
+            Surfaces.Profile(KnotVector.Clamped(2, [0, 0.4, 1]), x => x < 40 ? 0 : -10), Surfaces.Measuring(4, 2));
         var refusal = Assert.Single(plan.Refusals);
         Assert.Equal("too-few-points", refusal.Code);
         Assert.Contains("at least 3", refusal.Message, StringComparison.Ordinal);
@@ -139,7 +143,8 @@ public sealed class MeasuringPlannerTests
         Assert.Empty(plan.Refusals);
         Assert.True(plan.ReconstructionErrorMm <= wanted);
 
-        // The interpolation of a sine of amplitude A and wave number k by cubics of spacing h errs by A (k h)^4 3/128 at its top; the plan needs no more than twice the points that this asks for.
+        // The interpolation of a sine of amplitude A and wave number k by cubics of spacing h errs by A (k h)^4 3/128 at its top; the plan
+        // needs no more than twice the points that this asks for.
         var spacing = Math.Pow(wanted * 128 / (3 * 0.5), 0.25) / (4 * Math.PI / Surfaces.Width);
         Assert.InRange(plan.Points.Count(p => p.J == 0), 0.7 * Surfaces.Width / spacing, (2 * Surfaces.Width / spacing) + 4);
     }
@@ -155,7 +160,9 @@ public sealed class MeasuringPlannerTests
     public void Points_stay_inside_of_a_trimmed_region_and_off_its_edges()
     {
         // A circle of 25 mm about the middle.
-        Point2[] circle = [.. Enumerable.Range(0, 360).Select(d => new Point2(0.5 + (25 / Surfaces.Width * Math.Cos(d * Math.PI / 180)), 0.5 + (25 / Surfaces.Depth * Math.Sin(d * Math.PI / 180))))];
+        Point2[] circle = [
+            .. Enumerable.Range(0, 360).Select(d => new Point2(
+                0.5 + (25 / Surfaces.Width * Math.Cos(d * Math.PI / 180)), 0.5 + (25 / Surfaces.Depth * Math.Sin(d * Math.PI / 180))))];
         var plan = MeasuringPlanner.Plan(Surfaces.Flat with { Region = new([circle]) }, Surfaces.Measuring(5, 6));
         Assert.Empty(plan.Refusals);
         Assert.Equal(30, plan.Points.Count);
@@ -191,7 +198,9 @@ public sealed class MeasuringPlannerTests
     public void Normals_point_out_of_the_material()
     {
         Assert.All(MeasuringPlanner.Plan(Surfaces.One, Surfaces.Measuring(4, 4)).Points, p => Assert.True(p.Normal.Z > 0.3));
-        Assert.All(MeasuringPlanner.Plan(Surfaces.One with { Outside = -1 }, Surfaces.Measuring(4, 4)).Points, p => Assert.True(p.Normal.Z < -0.3));
+        Assert.All(
+            MeasuringPlanner.Plan(Surfaces.One with { Outside = -1 }, Surfaces.Measuring(4, 4)).Points,
+            p => Assert.True(p.Normal.Z < -0.3));
     }
 
     private static PartSurface Wave()

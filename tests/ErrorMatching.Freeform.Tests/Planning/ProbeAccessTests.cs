@@ -10,7 +10,12 @@ public sealed class ProbeAccessTests
         // z = (x - 37.5)²/4: the radius at the bottom is 2 mm, less than the ball's 3.
         var plan = MeasuringPlanner.Plan(Surfaces.Quadratic((x, _) => (x - 37.5) * (x - 37.5) / 4), Surfaces.Measuring(2, 5));
         var bottom = plan.Points.Where(p => p.I == 2).ToArray();
-        Assert.All(bottom, p => Assert.Contains(plan.Refusals, r => r.Code == "untouchable-point" && r.Message.StartsWith(FormattableString.Invariant($"point {p.Number} "), StringComparison.Ordinal)));
+        Assert.All(
+            bottom,
+            p => Assert.Contains(
+                plan.Refusals,
+                r => r.Code == "untouchable-point"
+                    && r.Message.StartsWith(FormattableString.Invariant($"point {p.Number} "), StringComparison.Ordinal)));
         Assert.Contains(plan.Refusals, r => r.Message.Contains("radius of 2 mm", StringComparison.Ordinal));
     }
 
@@ -39,7 +44,8 @@ public sealed class ProbeAccessTests
         var plan = MeasuringPlanner.Plan(surface, Surfaces.Measuring(2, 16));
         foreach (var point in plan.Points)
         {
-            var refused = plan.Refusals.Any(r => r.Message.StartsWith(FormattableString.Invariant($"point {point.Number} "), StringComparison.Ordinal));
+            var refused = plan.Refusals.Any(r => r.Message.StartsWith(
+                FormattableString.Invariant($"point {point.Number} "), StringComparison.Ordinal));
             if (point.Position.X < 37.5 - 5 || point.Position.X > 37.5 + 5)
             {
                 Assert.False(refused, $"{point.Position.X}");

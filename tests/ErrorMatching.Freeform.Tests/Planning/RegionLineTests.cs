@@ -12,7 +12,11 @@ public sealed class RegionLineTests
         var random = new Random(3);
         for (var trial = 0; trial < 50; trial++)
         {
-            var region = new SurfaceRegion([.. Enumerable.Range(0, 1 + (trial % 3)).Select(_ => (IReadOnlyList<Point2>)[.. Enumerable.Range(0, 9).Select(_ => new Point2(random.NextDouble(), random.NextDouble()))])]);
+            var region = new SurfaceRegion(
+                [
+                    .. Enumerable.Range(0, 1 + (trial % 3)).Select(
+                        _ => (IReadOnlyList<Point2>)[
+                            .. Enumerable.Range(0, 9).Select(_ => new Point2(random.NextDouble(), random.NextDouble()))])]);
             var at = random.NextDouble();
             var line = new RegionLine(region, alongU, at);
             for (var i = 0; i < 50; i++)

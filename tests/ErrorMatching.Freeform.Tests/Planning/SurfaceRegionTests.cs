@@ -4,7 +4,8 @@ namespace ErrorMatching.Freeform.Tests;
 
 public sealed class SurfaceRegionTests
 {
-    // By the winding number around the place, summed from angles: another rule than crossings, the same for loops that do not cross themselves.
+    // By the winding number around the place, summed from angles: another rule than crossings,
+    // the same for loops that do not cross themselves.
     [Theory]
     [InlineData(3, 1)]
     [InlineData(40, 2)]
@@ -12,7 +13,8 @@ public sealed class SurfaceRegionTests
     public void A_place_belongs_to_a_star_with_a_hole_where_it_is_wound_around_once(int corners, int seed)
     {
         var random = new Random(seed);
-        Point2[] Star(double least, double most) => [.. Enumerable.Range(0, corners).Select(i => At(2 * Math.PI * i / corners, least + ((most - least) * random.NextDouble())))];
+        Point2[] Star(double least, double most) =>
+            [.. Enumerable.Range(0, corners).Select(i => At(2 * Math.PI * i / corners, least + ((most - least) * random.NextDouble())))];
         Point2[][] loops = [Star(0.5, 1), Star(0.1, 0.4)];
         var region = new SurfaceRegion(loops);
         var inside = 0;

@@ -12,11 +12,13 @@ public sealed class MeasuredSurfaceReaderTests
     private static readonly MeasuringPlan Plan = Programs.Plan(Surfaces.Three);
 
     [Fact]
-    public void Centers_become_the_contacts_that_they_came_of_wherever_the_ball_touched() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(50), Prop.ForAll<int>(IsExact));
+    public void Centers_become_the_contacts_that_they_came_of_wherever_the_ball_touched() =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(50), Prop.ForAll<int>(IsExact));
 
     private static void IsExact(int seed)
     {
-        // The ball touches a surface that lies 0.2 mm and an error over the nominal one, up to half a millimeter aside of where it was sent.
+        // The ball touches a surface that lies 0.2 mm and an error over the nominal one,
+        // up to half a millimeter aside of where it was sent.
         var random = new Random(seed);
         var (centers, contacts) = (new Point3[Plan.Points.Count], new Point3[Plan.Points.Count]);
         for (var i = 0; i < centers.Length; i++)
@@ -35,7 +37,8 @@ public sealed class MeasuredSurfaceReaderTests
     [Fact]
     public void The_planned_normal_would_be_wrong_on_a_slope()
     {
-        // On a slope of 45 degrees that turns with a radius of 40 mm, a touch 0.5 mm aside makes 3 µm if the planned normal is taken: 0.5²/2 (1/40 - ...) - the contact found here has none of it.
+        // On a slope of 45 degrees that turns with a radius of 40 mm, a touch 0.5 mm aside makes 3 µm if the planned normal is taken:
+        // 0.5²/2 (1/40 - ...) - the contact found here has none of it.
         var plan = Programs.Plan(Surfaces.Quadratic((x, _) => -x * x / 80));
         var point = plan.Points.First(p => p.I == 2);
         var at = plan.Surface.Spline.At(point.U + (0.5 / 75), point.V);
@@ -52,7 +55,9 @@ public sealed class MeasuredSurfaceReaderTests
         var lines = Programs.Log(Plan, Plan.CenterOf).Split('\n');
         for (var i = 1; i < lines.Length; i++)
         {
-            lines[i] = lines[i].Replace("X", "X   ", StringComparison.Ordinal).Replace("Z-", "Z-  ", StringComparison.Ordinal).Replace("P", "P  ", StringComparison.Ordinal);
+            lines[i] = lines[i].Replace("X", "X   ", StringComparison.Ordinal)
+                .Replace("Z-", "Z-  ", StringComparison.Ordinal)
+                .Replace("P", "P  ", StringComparison.Ordinal);
         }
 
         var measured = Read("%_N_ERRORMATCH_MPF\r\n;$PATH=/_N_MPF_DIR\r\n" + string.Join("\r\n", lines) + "%\r\n");
@@ -71,7 +76,9 @@ public sealed class MeasuredSurfaceReaderTests
         var corner = Plan.Points.Single(p => p.I == 0 && p.J == 0);
         var contact = Plan.ContactOf(corner);
         log[corner.Number] = FormattableString.Invariant($"P{corner.Number} S X{written} Y{contact.Y:R} Z{contact.Z:R}");
-        Assert.Equal(contact with { X = read }, Read(string.Join('\n', log), Plan.Measuring with { ApproachMm = 10, OvertravelMm = 10 })[corner.Number]);
+        Assert.Equal(
+            contact with { X = read },
+            Read(string.Join('\n', log), Plan.Measuring with { ApproachMm = 10, OvertravelMm = 10 })[corner.Number]);
     }
 
     [Fact]
@@ -89,9 +96,14 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData('\t')]
     public void Tables_name_points_by_their_numbers_or_by_their_places(char delimiter)
     {
-        string Row(string first, PlanPoint p) => first + FormattableString.Invariant($",{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{Plan.ContactOf(p).Z:R}\n").Replace(',', delimiter);
-        var byNumber = $"point{delimiter}x{delimiter}y{delimiter}z\n" + string.Concat(Plan.Points.Select(p => Row(FormattableString.Invariant($"P{p.Number}"), p)));
-        var byPlace = $"j{delimiter}i{delimiter}x{delimiter}y{delimiter}z\n" + string.Concat(Plan.Points.Reverse().Select(p => Row(FormattableString.Invariant($"{p.J}{delimiter}{p.I}"), p)));
+        string Row(string first, PlanPoint p) =>
+            first
+                + FormattableString.Invariant(
+                    $",{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{Plan.ContactOf(p).Z:R}\n").Replace(',', delimiter);
+        var byNumber = $"point{delimiter}x{delimiter}y{delimiter}z\n"
+            + string.Concat(Plan.Points.Select(p => Row(FormattableString.Invariant($"P{p.Number}"), p)));
+        var byPlace = $"j{delimiter}i{delimiter}x{delimiter}y{delimiter}z\n"
+            + string.Concat(Plan.Points.Reverse().Select(p => Row(FormattableString.Invariant($"{p.J}{delimiter}{p.I}"), p)));
         foreach (var text in (string[])[byNumber, byPlace])
         {
             var measured = Read(text);
@@ -103,7 +115,9 @@ public sealed class MeasuredSurfaceReaderTests
     [Fact]
     public void Tables_hold_centers_where_the_job_says_so()
     {
-        var text = "point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.CenterOf(p).X:R},{Plan.CenterOf(p).Y:R},{Plan.CenterOf(p).Z:R}\n")));
+        var text = "point,x,y,z\n"
+            + string.Concat(Plan.Points.Select(p => FormattableString.Invariant(
+                $"{p.Number},{Plan.CenterOf(p).X:R},{Plan.CenterOf(p).Y:R},{Plan.CenterOf(p).Z:R}\n")));
         var measured = Read(text, Plan.Measuring with { ReportsStylusCenter = true });
         Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-9));
         Assert.Contains("stylus-center", Assert.Throws<FreeformException>(() => Read(text)).Message, StringComparison.Ordinal);
@@ -113,9 +127,19 @@ public sealed class MeasuredSurfaceReaderTests
     [Fact]
     public void Columns_that_contradict_each_other_are_refused()
     {
-        string Table(int off) => "point,i,j,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{p.I + (p.Number == 4 ? off : 0)},{p.J},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{Plan.ContactOf(p).Z:R}\n")));
+        string Table(int off) =>
+            "point,i,j,x,y,z\n"
+                + string.Concat(Plan.Points.Select(p => string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{p.Number},{p.I + (p.Number == 4 ? off : 0)},{p.J},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},"
+                        + $"{Plan.ContactOf(p).Z:R}\n")));
         Assert.Equal(20, Read(Table(0)).Points.Count);
-        Refused(Table(1), "contradictory-point", 5, $"found point 4 with i {Plan.Points[3].I + 1}, j {Plan.Points[3].J}; in the plan it is i {Plan.Points[3].I}, j {Plan.Points[3].J}.");
+        Refused(
+            Table(1),
+            "contradictory-point",
+            5,
+            $"found point 4 with i {Plan.Points[3].I + 1}, j {Plan.Points[3].J}; in the plan it is i {Plan.Points[3].I}, j "
+                + $"{Plan.Points[3].J}.");
     }
 
     [Theory]
@@ -129,34 +153,52 @@ public sealed class MeasuredSurfaceReaderTests
     }
 
     [Fact]
-    public void A_decimal_comma_between_commas_is_no_other_number() => Refused("point,x,y,z\n1,0,5000,0,2500,30,1000\n", "long-row", 2, "found a line of 7 cells; expected 4");
+    public void A_decimal_comma_between_commas_is_no_other_number() =>
+        Refused("point,x,y,z\n1,0,5000,0,2500,30,1000\n", "long-row", 2, "found a line of 7 cells; expected 4");
 
     [Fact]
     public void A_missing_point_is_named() => Refused(Without(3), "missing-point", null, "missing: 3.");
 
     [Fact]
-    public void A_doubled_point_is_named_with_both_lines() => Refused(Log() + Log().Split('\n')[4] + "\n", "doubled-point", 22, "point 4 is here a second time, the first is in line 5");
+    public void A_doubled_point_is_named_with_both_lines() =>
+        Refused(Log() + Log().Split('\n')[4] + "\n", "doubled-point", 22, "point 4 is here a second time, the first is in line 5");
 
     [Fact]
     public void A_point_that_the_plan_has_not_is_named() => Refused(Log() + "P21 C X0 Y0 Z0\n", "unknown-point", 22, "point 21");
 
     [Fact]
     public void A_far_off_point_is_named_with_its_distance() =>
-        Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + (p.Normal * 5) : Plan.CenterOf(p)), "far-off-point", 7, "point 6 is 5 mm from where it is expected (5 mm along the normal");
+        Refused(
+            Programs.Log(Plan, p => p.Number == 6 ? Plan.CenterOf(p) + (p.Normal * 5) : Plan.CenterOf(p)),
+            "far-off-point",
+            7,
+            "point 6 is 5 mm from where it is expected (5 mm along the normal");
 
     [Fact]
     public void A_point_beyond_all_machines_is_named_in_few_digits() =>
-        Refused("point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))), "far-off-point", 7, "point 6 is more than 1E+150 mm from where it is expected");
+        Refused(
+            "point,x,y,z\n"
+                + string.Concat(Plan.Points.Select(p => string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{p.Number},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))),
+            "far-off-point",
+            7,
+            "point 6 is more than 1E+150 mm from where it is expected");
 
     [Fact]
-    public void A_touch_that_found_nothing_is_far_off() => Refused(Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");
+    public void A_touch_that_found_nothing_is_far_off() => Refused(
+        Programs.Log(Plan, p => p.Number == 6 ? Plan.OvertravelOf(p) : Plan.CenterOf(p)), "far-off-point", 7, "(-2 mm along the normal");
 
     [Theory]
     [InlineData(1, "reaches less than 1.995 mm. Measure it again.")]
     [InlineData(2, "reaches less than 1.995 mm. 1 other point is beyond that, too. Measure it again.")]
     [InlineData(4, "reaches less than 1.995 mm. 3 other points are beyond that, too. Measure it again.")]
     public void As_many_others_are_named_as_there_are(int count, string said) =>
-        Refused(Programs.Log(Plan, p => p.Number <= count ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)), "far-off-point", 2, said);
+        Refused(
+            Programs.Log(Plan, p => p.Number <= count ? Plan.CenterOf(p) + new Vector3(0, 0, 5) : Plan.CenterOf(p)),
+            "far-off-point",
+            2,
+            said);
 
     [Fact]
     public void Points_out_of_order_are_a_warning()
@@ -169,7 +211,8 @@ public sealed class MeasuredSurfaceReaderTests
     }
 
     [Fact]
-    public void A_log_of_another_plan_is_refused() => Refused(Programs.Log(Programs.Plan(Surfaces.Two), Plan.CenterOf), "other-plan", 1, "belongs to the plan");
+    public void A_log_of_another_plan_is_refused() =>
+        Refused(Programs.Log(Programs.Plan(Surfaces.Two), Plan.CenterOf), "other-plan", 1, "belongs to the plan");
 
     [Fact]
     public void A_log_may_say_that_it_is_whole_and_then_says_no_more()
@@ -189,21 +232,46 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("x,y,z\n1,2,3\n", "missing-column", 1, null, "the columns \"x\", \"y\", \"z\"", "expected point, or i and j")]
     [InlineData("point,x,y\n1,2,3\n", "missing-column", 1, null, "the columns \"point\", \"x\", \"y\"", "expected z among them")]
     [InlineData("point,x,y,z\n1,2,3\n", "short-row", 2, null, "a line of 3 cells", "expected 4 as in the header")]
-    [InlineData("point,x,y,z\n1,2,3,4,5\n", "long-row", 2, null, "a line of 5 cells", "expected 4 as in the header, and numbers with a decimal point")]
+    [InlineData(
+        "point,x,y,z\n1,2,3,4,5\n",
+        "long-row",
+        2,
+        null,
+        "a line of 5 cells",
+        "expected 4 as in the header, and numbers with a decimal point")]
     [InlineData("point,x,y,z\n1,2,3,NaN\n", "bad-number", 2, 4, "found \"NaN\"", "expected a coordinate in millimetres")]
     [InlineData("point,x,y,z\none,2,3,4\n", "bad-number", 2, 1, "found \"one\"", "expected the number of a point of the plan")]
     [InlineData("i,j,x,y,z\n0,0.5,2,3,4\n", "bad-number", 2, 2, "found \"0.5\"", "expected a whole number as in plan.csv")]
     [InlineData("point,x,x,y,z\n1,2,3,4,5\n", "duplicate-column", 1, null, "two columns for x", "expected it once")]
-    [InlineData("feature,item,nominal,actual,deviation\nA,X,1,1,0\nA,Y,1,1,0\nA,Z,1,1,0\n", "bad-number", 2, null, "the feature \"A\"", "expected the number of a point of the plan")]
-    [InlineData("feature,item,nominal,actual,deviation\nP1,X,1,1,0\nP1,Y,1,1,0\n", "missing-coordinate", 2, null, "no Z of the feature \"P1\"", "expected X, Y and Z")]
-    [InlineData("ERRORMATCH PROBE\n", "bad-log", 1, null, "found \"ERRORMATCH PROBE\"", "expected ERRORMATCH PROBE PLAN, the plan's number, and MM")]
+    [InlineData(
+        "feature,item,nominal,actual,deviation\nA,X,1,1,0\nA,Y,1,1,0\nA,Z,1,1,0\n",
+        "bad-number",
+        2,
+        null,
+        "the feature \"A\"",
+        "expected the number of a point of the plan")]
+    [InlineData(
+        "feature,item,nominal,actual,deviation\nP1,X,1,1,0\nP1,Y,1,1,0\n",
+        "missing-coordinate",
+        2,
+        null,
+        "no Z of the feature \"P1\"",
+        "expected X, Y and Z")]
+    [InlineData(
+        "ERRORMATCH PROBE\n",
+        "bad-log",
+        1,
+        null,
+        "found \"ERRORMATCH PROBE\"",
+        "expected ERRORMATCH PROBE PLAN, the plan's number, and MM")]
     [InlineData("ERRORMATCH PROBE PLAN 0 INCH\n", "bad-log", 1, null, "the unit \"INCH\"", "expected MM")]
     [InlineData("i,j,x,y,z\n99,0,2,3,4\n", "unknown-point", 2, null, "the point i 99, j 0", "the plan has i from 0 to 4 and j from 0 to 3")]
     [InlineData("point,x,y,z\n\0", "binary-file", null, null, "a NUL character", "expected text")]
     [InlineData("point,x,y,z\n\u00ff", "invalid-encoding", null, null, "bytes that are no UTF-8 text", "expected UTF-8")]
     public void What_is_no_measurement_is_refused(string text, string code, int? line, int? column, string found, string expected)
     {
-        var error = Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(Encoding.Latin1.GetBytes(text), "measured.csv", Plan, Plan.Measuring));
+        var error = Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+            Encoding.Latin1.GetBytes(text), "measured.csv", Plan, Plan.Measuring));
         Assert.Equal((code, "measured.csv", line, column), (error.Code, error.File, error.Line, error.Column));
         Assert.Contains(found, error.Message, StringComparison.Ordinal);
         Assert.Contains(expected, error.Message, StringComparison.Ordinal);
@@ -211,7 +279,10 @@ public sealed class MeasuredSurfaceReaderTests
 
     [Fact]
     public void A_file_larger_than_any_measurement_is_refused() =>
-        Assert.Equal("file-too-large", Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(new byte[MeasuredSurfaceReader.MaxBytes + 1], "measured.csv", Plan, Plan.Measuring)).Code);
+        Assert.Equal(
+            "file-too-large",
+            Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+                new byte[MeasuredSurfaceReader.MaxBytes + 1], "measured.csv", Plan, Plan.Measuring)).Code);
 
     [Theory]
     [InlineData("P1 C X1 Y2")]
@@ -219,10 +290,12 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("P1 C X1 Y2 Z3 Q4")]
     [InlineData("P1.5 C X1 Y2 Z3")]
     [InlineData("P1 C X1 Y2 Z1.2.3")]
-    public void A_line_of_a_log_that_is_no_point_is_refused_with_its_line(string line) => Refused(Log().Split('\n')[0] + "\n" + line, "bad-log", 2, "expected a point such as");
+    public void A_line_of_a_log_that_is_no_point_is_refused_with_its_line(string line) =>
+        Refused(Log().Split('\n')[0] + "\n" + line, "bad-log", 2, "expected a point such as");
 
     [Fact]
-    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() => Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(bytes => { Survives(bytes); }));
+    public void Whatever_bytes_come_nothing_but_the_library_s_errors_does() =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(200), Prop.ForAll<byte[]>(bytes => { Survives(bytes); }));
 
     [Theory]
     [InlineData("log")]
@@ -230,7 +303,15 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("gauge")]
     public void A_damaged_file_is_read_or_refused(string kind)
     {
-        var good = Encoding.UTF8.GetBytes(kind == "log" ? Log() + "END\n" : kind == "gauge" ? GaugeTable() : "point,x,y,z\n" + string.Concat(Plan.Points.Select(p => FormattableString.Invariant($"{p.Number},{Plan.ContactOf(p).X:0.0000},{Plan.ContactOf(p).Y:0.0000},{Plan.ContactOf(p).Z:0.0000}\n"))));
+        var good = Encoding.UTF8.GetBytes(
+            kind == "log"
+                ? Log() + "END\n"
+                : kind == "gauge"
+                ? GaugeTable()
+                : "point,x,y,z\n"
+                    + string.Concat(Plan.Points.Select(p => string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{p.Number},{Plan.ContactOf(p).X:0.0000},{Plan.ContactOf(p).Y:0.0000},{Plan.ContactOf(p).Z:0.0000}\n"))));
         Assert.True(Survives(good));
         var random = new Random(1);
         var read = Enumerable.Range(0, 400).Count(_ => Survives(Damaged.Of(good, random)));
@@ -256,7 +337,8 @@ public sealed class MeasuredSurfaceReaderTests
         }
     }
 
-    private static string GaugeTable() => "feature,item,nominal,actual,deviation\n" + string.Concat(Plan.Points.SelectMany(p => "XYZ".Select(axis =>
+    private static string GaugeTable() =>
+        "feature,item,nominal,actual,deviation\n" + string.Concat(Plan.Points.SelectMany(p => "XYZ".Select(axis =>
         {
             var value = Math.Round(axis == 'X' ? Plan.ContactOf(p).X : axis == 'Y' ? Plan.ContactOf(p).Y : Plan.ContactOf(p).Z, 4);
             return FormattableString.Invariant($"P{p.Number},{axis},{value:0.0000},{value:0.0000},0\n");
@@ -266,7 +348,8 @@ public sealed class MeasuredSurfaceReaderTests
 
     private static string Without(int number) => string.Join('\n', Log().Split('\n').Where((_, i) => i != number));
 
-    private static MeasuredPoints Read(string text, JobMeasuring? measuring = null) => MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(text), "measured.csv", Plan, measuring ?? Plan.Measuring);
+    private static MeasuredPoints Read(string text, JobMeasuring? measuring = null) =>
+        MeasuredSurfaceReader.Read(Encoding.UTF8.GetBytes(text), "measured.csv", Plan, measuring ?? Plan.Measuring);
 
     private static void Refused(string text, string code, int? line, string reason)
     {

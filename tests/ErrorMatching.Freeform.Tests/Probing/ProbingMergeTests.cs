@@ -7,8 +7,11 @@ public sealed class ProbingMergeTests
 {
     private static readonly string[] SemiFinishing =
     [
-        "siemens-840d", "; semi-finishing\r\nDEF REAL _DEPTH=1\r\nG54 G17 G90 G710\r\nM3 S10000\r\nG0 X0 Y0 Z30\r\nG1 Z5 F1200\r\nX75\r\nG0 Z30\r\nM5 M9 M30\r\n",
-        "fanuc", "%\nO0001(SEMI)\nG54 G17 G90 G21\nM3 S10000\nG0 X0. Y0. Z30.\nG1 Z5. F1200.\nX75.\nG0 Z30.\nM98 P2\nM30\nO0002\nG0 Z40.\nM99\n%\n",
+        "siemens-840d",
+        "; semi-finishing\r\nDEF REAL _DEPTH=1\r\nG54 G17 G90 G710\r\nM3 S10000\r\nG0 X0 Y0 Z30\r\nG1 Z5 F1200\r\nX75\r\nG0 Z30\r\nM5 M9 "
+            + "M30\r\n",
+        "fanuc",
+        "%\nO0001(SEMI)\nG54 G17 G90 G21\nM3 S10000\nG0 X0. Y0. Z30.\nG1 Z5. F1200.\nX75.\nG0 Z30.\nM98 P2\nM30\nO0002\nG0 Z40.\nM99\n%\n",
         "linuxcnc", "G54 G17 G90 G21\nM3 S10000\nG0 X0 Y0 Z30\nG1 Z5 F1200\nX75\nG0 Z30\nM2\n",
         "fanuc-p98xx", "%\nO0001(SEMI)\nG54 G17 G90 G21\nM3 S10000\nG0 X0. Y0. Z30.\nG1 Z5. F1200.\nX75.\nG0 Z30.\nM5\nM30\n%\n",
     ];
@@ -34,13 +37,16 @@ public sealed class ProbingMergeTests
 
         // The last stop comes behind the last touch: it waits for the finishing program.
         var text = Encoding.UTF8.GetString(merged.Span);
-        Assert.True(text.LastIndexOf("M0", StringComparison.Ordinal) > Math.Max(text.LastIndexOf("[P20", StringComparison.Ordinal), text.LastIndexOf("P20 C", StringComparison.Ordinal)));
+        Assert.True(
+            text.LastIndexOf("M0", StringComparison.Ordinal) > Math.Max(
+                text.LastIndexOf("[P20", StringComparison.Ordinal), text.LastIndexOf("P20 C", StringComparison.Ordinal)));
     }
 
     [Fact]
     public void Definitions_go_before_the_first_block_that_does_something()
     {
-        var text = Encoding.UTF8.GetString(Programs.Of("siemens-840d").MergeAfter(Encoding.UTF8.GetBytes(SemiFinishing[1]), "semi.nc").Span);
+        var text = Encoding.UTF8.GetString(
+            Programs.Of("siemens-840d").MergeAfter(Encoding.UTF8.GetBytes(SemiFinishing[1]), "semi.nc").Span);
         Assert.StartsWith("; semi-finishing\r\nDEF REAL _DEPTH=1\r\nDEF INT _EM_ERR\r\nG54 ", text, StringComparison.Ordinal);
         Assert.DoesNotContain("\n", text.Replace("\r\n", "", StringComparison.Ordinal), StringComparison.Ordinal);
     }
@@ -74,7 +80,9 @@ public sealed class ProbingMergeTests
     [Fact]
     public void A_program_for_another_control_is_refused_by_its_block_and_both_are_named()
     {
-        var error = Assert.Throws<FreeformException>(() => Programs.Of("linuxcnc").MergeAfter("; semi-finishing\nG54 G17 G90\nG710\nG0 X0 Y0 Z30\nM30\n"u8.ToArray(), "semi.nc", "siemens-840d"));
+        var error = Assert.Throws<FreeformException>(
+            () => Programs.Of("linuxcnc").MergeAfter(
+                "; semi-finishing\nG54 G17 G90\nG710\nG0 X0 Y0 Z30\nM30\n"u8.ToArray(), "semi.nc", "siemens-840d"));
         Assert.Equal(("not-mergeable", "semi.nc"), (error.Code, error.File));
         Assert.Contains("line 3", error.Message, StringComparison.Ordinal);
         Assert.Contains("G710", error.Message, StringComparison.Ordinal);

@@ -49,7 +49,8 @@ public sealed class ProbingProgramTests
         foreach (var motion in path.Motions.Where(m => m.Kind != MotionKind.Probe))
         {
             Assert.True(motion.End.Z >= lowest);
-            var across = (motion.UnknownStart & (AxisSet.X | AxisSet.Y)) == AxisSet.None && (motion.Start.X != motion.End.X || motion.Start.Y != motion.End.Y);
+            var across = (motion.UnknownStart & (AxisSet.X | AxisSet.Y)) == AxisSet.None
+                && (motion.Start.X != motion.End.X || motion.Start.Y != motion.End.Y);
             if (motion.Kind == MotionKind.Rapid && across)
             {
                 Assert.True(motion.Start.Z >= program.Plan.ClearanceZ - 1e-9 && motion.End.Z == motion.Start.Z);
@@ -80,7 +81,8 @@ public sealed class ProbingProgramTests
     [InlineData("siemens-840d", "SETAL(65000,\"point 7 was not touched\")")]
     [InlineData("fanuc", "THEN #3000=1(POINT 7 NOT TOUCHED)")]
     [InlineData("linuxcnc", "(MSG, point 7: i ")]
-    public void A_missed_touch_stops_with_a_message_that_names_the_point(string template, string message) => Assert.Contains(message, TextOf(Programs.Of(template)), StringComparison.Ordinal);
+    public void A_missed_touch_stops_with_a_message_that_names_the_point(string template, string message) =>
+        Assert.Contains(message, TextOf(Programs.Of(template)), StringComparison.Ordinal);
 
     [Fact]
     public void The_probe_maker_s_cycle_measures_where_the_move_is_along_an_axis()
@@ -115,7 +117,16 @@ public sealed class ProbingProgramTests
     [InlineData("approach.mm", "approachMm")]
     public void A_value_that_would_round_to_zero_is_not_written(string place, string key)
     {
-        var plan = Programs.Plan() with { Measuring = Surfaces.Measuring(4, 5) with { FeedMmPerMin = 0.00004, StylusDiameterMm = 0.0004, OvertravelMm = 0.0004, ApproachMm = 0.0004 } };
+        var plan = Programs.Plan() with
+        {
+            Measuring = Surfaces.Measuring(4, 5) with
+            {
+                FeedMmPerMin = 0.00004,
+                StylusDiameterMm = 0.0004,
+                OvertravelMm = 0.0004,
+                ApproachMm = 0.0004
+            }
+        };
         var template = ProbingTemplate.Parse(Encoding.UTF8.GetBytes($"@body\nG0 Z{{{place}}}\nM30\n"), "own.txt");
         var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(plan, "", NcDialects.FanucMill, template));
         Assert.Equal(("rounds-to-zero", "own.txt"), (error.Code, error.File));
@@ -142,8 +153,15 @@ public sealed class ProbingProgramTests
     public void The_template_that_the_documentation_shows_measures_each_point_and_writes_a_log()
     {
         var page = File.ReadAllLines(Repository.PathTo("docs", "probe-a-surface.md"));
-        var example = page.SkipWhile(l => l != "### A template of your own").SkipWhile(l => !l.StartsWith("    @", StringComparison.Ordinal)).TakeWhile(l => l.StartsWith("    ", StringComparison.Ordinal)).Select(l => l[4..]);
-        var program = ProbingProgram.Of(Programs.Plan(), "Surface one", NcDialects.FanucMill, ProbingTemplate.Parse(Encoding.UTF8.GetBytes(string.Join('\n', example) + "\n"), "probe.txt"));
+        var example = page.SkipWhile(l => l != "### A template of your own")
+            .SkipWhile(l => !l.StartsWith("    @", StringComparison.Ordinal))
+            .TakeWhile(l => l.StartsWith("    ", StringComparison.Ordinal))
+            .Select(l => l[4..]);
+        var program = ProbingProgram.Of(
+            Programs.Plan(),
+            "Surface one",
+            NcDialects.FanucMill,
+            ProbingTemplate.Parse(Encoding.UTF8.GetBytes(string.Join('\n', example) + "\n"), "probe.txt"));
         var lines = TextOf(program).Split('\n');
         Assert.Equal(20, lines.Count(l => l.StartsWith("G31 X", StringComparison.Ordinal)));
         Assert.Equal(20, lines.Count(l => l.StartsWith("DPRNT[P", StringComparison.Ordinal)));

@@ -49,7 +49,8 @@ public sealed class ProbingTemplateTests
     {
         foreach (var name in (string[])["siemens-840d", "fanuc", "linuxcnc"])
         {
-            var own = NcDialects.Parse(Encoding.UTF8.GetBytes($$"""{ "name": "ours", "description": "Ours.", "like": "{{name}}" }"""), "ours.json");
+            var own = NcDialects.Parse(
+                Encoding.UTF8.GetBytes($$"""{ "name": "ours", "description": "Ours.", "like": "{{name}}" }"""), "ours.json");
             Assert.Equal(name, ProbingTemplate.For(own).File);
         }
 
@@ -57,5 +58,6 @@ public sealed class ProbingTemplateTests
     }
 
     [Fact]
-    public void Every_built_in_template_says_what_it_is_for() => Assert.All(ProbingTemplate.Names, n => Assert.NotEmpty(ProbingTemplate.Named(n).About));
+    public void Every_built_in_template_says_what_it_is_for() =>
+        Assert.All(ProbingTemplate.Names, n => Assert.NotEmpty(ProbingTemplate.Named(n).About));
 }

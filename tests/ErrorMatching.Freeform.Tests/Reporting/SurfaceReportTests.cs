@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform.Tests;
 
 public sealed class SurfaceReportTests
 {
-    private static readonly MeasuredDesign Piece = new(PaperDesign.Two, "\"scallopMm\": 0.001, \"chordMm\": 0.001", "\"scallopMm\": 0.1, \"chordMm\": 0.02");
+    private static readonly MeasuredDesign Piece = new(
+        PaperDesign.Two, "\"scallopMm\": 0.001, \"chordMm\": 0.001", "\"scallopMm\": 0.1, \"chordMm\": 0.02");
     private static readonly CompensationReport Report = Make("Surface <two> & co.");
 
     [Fact]
@@ -23,7 +24,15 @@ public sealed class SurfaceReportTests
         Assert.Equal(70, root.GetProperty("points").GetArrayLength());
         Assert.Equal(1000 * Report.Result.Samples[3].ErrorMm, root.GetProperty("points")[3].GetProperty("errorUm").GetDouble(), 6);
         Assert.InRange(root.GetProperty("toolpath").GetProperty("scallopUm").GetDouble(), 50, 100);
-        Assert.True(root.GetProperty("predicted").GetProperty("toolRadius").GetProperty("standardDeviationUm").GetDouble() > root.GetProperty("predicted").GetProperty("mirror").GetProperty("standardDeviationUm").GetDouble());
+        Assert.True(
+            root.GetProperty("predicted")
+                .GetProperty("toolRadius")
+                .GetProperty("standardDeviationUm")
+                .GetDouble() > root
+                .GetProperty("predicted")
+                .GetProperty("mirror")
+                .GetProperty("standardDeviationUm")
+                .GetDouble());
     }
 
     [Fact]
@@ -39,7 +48,8 @@ public sealed class SurfaceReportTests
         {
             var (u, v, n) = (Along(spline.KnotsU, i, countU), Along(spline.KnotsV, j, countV), (i * countV) + j);
             var place = spline.PointAt(u, v);
-            Assert.Equal((place.X, place.Y), (x[n], y[n]), (a, b) => Math.Abs(a.Item1 - b.Item1) < 1e-8 && Math.Abs(a.Item2 - b.Item2) < 1e-8);
+            Assert.Equal(
+                (place.X, place.Y), (x[n], y[n]), (a, b) => Math.Abs(a.Item1 - b.Item1) < 1e-8 && Math.Abs(a.Item2 - b.Item2) < 1e-8);
             Assert.Equal(1000 * result.Systematic.At(u, v), error[n], 6);
             Assert.Equal(error[n] - (1000 * result.Before.MeanMm), radius[n], 6);
         }
@@ -75,7 +85,9 @@ public sealed class SurfaceReportTests
         var page = Encoding.UTF8.GetString(CompensationReportHtml.Write(Report));
         Assert.DoesNotContain("p 0.", page, StringComparison.Ordinal);
         Assert.Contains("checked against the whole surface, nowhere does the ball cut deeper into it than", page, StringComparison.Ordinal);
-        Assert.Equal(Report.ToolPath.Certificate.ChordMm > 0.01, page.Contains("None beyond the chord, by which a straight cut may lie up to", StringComparison.Ordinal));
+        Assert.Equal(
+            Report.ToolPath.Certificate.ChordMm > 0.01,
+            page.Contains("None beyond the chord, by which a straight cut may lie up to", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -84,7 +96,8 @@ public sealed class SurfaceReportTests
         var surface = Piece.Surface;
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
         double middle = (u.Start + u.End) / 2;
-        var net = SurfaceNet.Of(surface with { Region = new([[new(middle, v.Start), new(u.End, v.Start), new(u.End, v.End), new(middle, v.End)]]) });
+        var net = SurfaceNet.Of(
+            surface with { Region = new([[new(middle, v.Start), new(u.End, v.Start), new(u.End, v.End), new(middle, v.End)]]) });
         var cells = (net.CountU - 1) * (net.CountV - 1);
         Assert.Equal(Enumerable.Range(0, cells / 2), net.Outside);
     }
@@ -161,9 +174,16 @@ public sealed class SurfaceReportTests
     [Fact]
     public void Pieces_compensated_by_tool_radius_stand_beside_the_mirrored_ones()
     {
-        SurfaceEvaluation Of(int piece, Func<double, double, double> error) => SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [piece == 0 ? Piece.Over(0, error) : Piece.With(error)]);
+        SurfaceEvaluation Of(int piece, Func<double, double, double> error) =>
+            SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [piece == 0 ? Piece.Over(0, error) : Piece.With(error)]);
         var report = new EvaluationReport(
-            Report.Job, [], Piece.Surface, Of(0, (u, v) => 0.001 * (u - v)), Of(1, (u, v) => 0.015 + (0.02 * u)), Of(0, (u, v) => 0.02 * (u - 0.5)), Of(1, (u, v) => 0.015 + (0.02 * u)));
+            Report.Job,
+            [],
+            Piece.Surface,
+            Of(0, (u, v) => 0.001 * (u - v)),
+            Of(1, (u, v) => 0.015 + (0.02 * u)),
+            Of(0, (u, v) => 0.02 * (u - 0.5)),
+            Of(1, (u, v) => 0.015 + (0.02 * u)));
         using var json = JsonDocument.Parse(EvaluationReportJson.Write(report));
         var radius = json.RootElement.GetProperty("toolRadius");
 
@@ -175,26 +195,37 @@ public sealed class SurfaceReportTests
 
         // Four maps, and before and after by point for either way.
         Assert.Equal(6, page.Descendants("svg").Count());
-        Assert.Contains("Compensated by tool radius instead: Standard deviation smaller by 0 %, profile smaller by 71 %.", page.Root!.Value, StringComparison.Ordinal);
+        Assert.Contains(
+            "Compensated by tool radius instead: Standard deviation smaller by 0 %, profile smaller by 71 %.",
+            page.Root!.Value,
+            StringComparison.Ordinal);
     }
 
     [Fact]
     public void Pieces_of_two_stages_are_no_replicas()
     {
-        var evaluation = SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
+        var evaluation = SurfaceEvaluation.Of(
+            Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
         Assert.Empty(evaluation.Pieces[0].Warnings);
         Assert.Contains("after finishing and", Assert.Single(evaluation.Pieces[1].Warnings), StringComparison.Ordinal);
     }
 
     private static string[] Colors => [.. Enumerable.Range(0, DivergingColors.Count).Select(DivergingColors.Hex)];
 
-    private static XDocument Page(byte[] html) => XDocument.Parse(Encoding.UTF8.GetString(html).Replace("<!DOCTYPE html>", "", StringComparison.Ordinal));
+    private static XDocument Page(byte[] html) =>
+        XDocument.Parse(Encoding.UTF8.GetString(html).Replace("<!DOCTYPE html>", "", StringComparison.Ordinal));
 
     private static CompensationReport Make(string name)
     {
         var result = Piece.Compensate(Piece.With((u, v) => 0.009 + (0.016 * u))).Result!;
         var dialect = NcDialects.Named("siemens-840d");
         var path = ToolPathPlanner.Plan(result.Surface, Piece.Job.Tool, Piece.Job.Toolpath, 0, dialect).Path!;
-        return new(new(name, null, "job.json", new string('0', 64)), [new("measured", "m.csv", new string('1', 64))], result, path, new("finishing", "out/finishing.nc", new string('2', 64)), 0.1);
+        return new(
+            new(name, null, "job.json", new string('0', 64)),
+            [new("measured", "m.csv", new string('1', 64))],
+            result,
+            path,
+            new("finishing", "out/finishing.nc", new string('2', 64)),
+            0.1);
     }
 }

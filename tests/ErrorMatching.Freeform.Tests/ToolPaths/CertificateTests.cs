@@ -90,5 +90,6 @@ public sealed class CertificateTests
         Assert.Equal(path.Moves(), Plans.Path(Shapes.Three, Plans.Passes(0.02, 0.01)).Moves());
     }
 
-    private static (Point3 Place, Vector3 Normal) On(PartSurface surface, double u, double v) => (surface.Spline.PointAt(u, v), surface.NormalAt(u, v));
+    private static (Point3 Place, Vector3 Normal) On(PartSurface surface, double u, double v) =>
+        (surface.Spline.PointAt(u, v), surface.NormalAt(u, v));
 }

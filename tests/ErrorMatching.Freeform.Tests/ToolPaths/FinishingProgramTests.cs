@@ -32,7 +32,8 @@ public sealed class FinishingProgramTests
         }
     }
 
-    // One way, so that each pass has its own: in beside or above its first point, out beside or above its last one, and across only in the air.
+    // One way, so that each pass has its own: in beside or above its first point, out beside or above its last one,
+    // and across only in the air.
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
@@ -56,7 +57,9 @@ public sealed class FinishingProgramTests
             for (var k = 0; k <= 10; k++)
             {
                 var nearest = surface.Spline.ClosestPoint(from + ((to - from) * (k / 10.0))).Distance;
-                Assert.True(nearest > 3 - 0.001 && (k is 0 or 10 || !moves[i].IsRapid || nearest > 3.1), $"{i}: {nearest} mm at {k} tenths from {from} to {to}");
+                Assert.True(
+                    nearest > 3 - 0.001 && (k is 0 or 10 || !moves[i].IsRapid || nearest > 3.1),
+                    $"{i}: {nearest} mm at {k} tenths from {from} to {to}");
             }
         }
     }
@@ -66,7 +69,8 @@ public sealed class FinishingProgramTests
     {
         var (center, tip) = (Plans.Passes(0.02, 0.01), Plans.Passes(0.02, 0.01, tip: true));
         var path = Plans.Path(Shapes.One, tip);
-        var program = NcInterpreter.Run(NcProgram.Read(FinishingProgram.Write(path, Plans.Job(tip, "linuxcnc"), NcDialects.LinuxCnc)), NcDialects.LinuxCnc);
+        var program = NcInterpreter.Run(
+            NcProgram.Read(FinishingProgram.Write(path, Plans.Job(tip, "linuxcnc"), NcDialects.LinuxCnc)), NcDialects.LinuxCnc);
 
         var moves = path.Moves().ToList();
         Assert.Equal(moves[5].Center.Z - 3, program.Motions[6].End.Z, 1e-9);
@@ -77,9 +81,13 @@ public sealed class FinishingProgramTests
     public void Words_are_written_where_they_change()
     {
         var toolpath = Plans.Passes(0.05, 0.01);
-        var text = Encoding.ASCII.GetString(FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1, 2), toolpath), Plans.Job(toolpath, "linuxcnc"), NcDialects.LinuxCnc));
+        var text = Encoding.ASCII.GetString(FinishingProgram.Write(
+            Plans.Path(Shapes.Plane(10, 1, 2), toolpath), Plans.Job(toolpath, "linuxcnc"), NcDialects.LinuxCnc));
 
-        Assert.Contains("S10000 M3\nG0 Z15.0000\nX0.0000 Y0.0000\nZ8.0000\nG1Z5.0000 F1200\nX".Replace("G1Z", "G1 Z", StringComparison.Ordinal), text, StringComparison.Ordinal);
+        Assert.Contains(
+            "S10000 M3\nG0 Z15.0000\nX0.0000 Y0.0000\nZ8.0000\nG1Z5.0000 F1200\nX".Replace("G1Z", "G1 Z", StringComparison.Ordinal),
+            text,
+            StringComparison.Ordinal);
         Assert.EndsWith("\nG0 Z15.0000\nM5\nM2\n", text, StringComparison.Ordinal);
     }
 
@@ -104,7 +112,11 @@ public sealed class FinishingProgramTests
     {
         var toolpath = Plans.Passes(0.05, 0.01);
         var dialect = NcDialects.FanucMill;
-        var bytes = FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect), Plans.Job(toolpath, "fanuc", "Wing) G0 X1000 (\\n%"), dialect, CuttingStage.Roughing);
+        var bytes = FinishingProgram.Write(
+            Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect),
+            Plans.Job(toolpath, "fanuc", "Wing) G0 X1000 (\\n%"),
+            dialect,
+            CuttingStage.Roughing);
 
         var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
         Assert.Empty(read.Problems);
@@ -120,13 +132,15 @@ public sealed class FinishingProgramTests
     {
         var toolpath = Plans.Passes(0.05, 0.01);
         var job = Plans.Job(toolpath, "linuxcnc") with { Tool = new(6, 2, speed, feed) };
-        var error = Assert.Throws<FreeformException>(() => FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), toolpath), job, NcDialects.LinuxCnc));
+        var error = Assert.Throws<FreeformException>(() => FinishingProgram.Write(
+            Plans.Path(Shapes.Plane(10, 1), toolpath), job, NcDialects.LinuxCnc));
         Assert.Equal(("rounds-to-zero", "job.json", problem), (error.Code, error.File, error.Problem));
     }
 
     [Fact]
     public void A_control_with_another_increment_than_planned_for_is_an_error() => Assert.Throws<ArgumentException>(() =>
-        FinishingProgram.Write(Plans.Path(Shapes.Plane(10, 1), Plans.Passes(0.05, 0.01)), Plans.Job(Plans.Passes(), "fanuc"), NcDialects.FanucMill));
+        FinishingProgram.Write(
+            Plans.Path(Shapes.Plane(10, 1), Plans.Passes(0.05, 0.01)), Plans.Job(Plans.Passes(), "fanuc"), NcDialects.FanucMill));
 
     [Theory]
     [InlineData("siemens-840d", 0)]
@@ -137,7 +151,8 @@ public sealed class FinishingProgramTests
     public void A_program_that_follows_a_measurement_says_so_where_its_control_still_finds_what_it_looks_for(string name, int line)
     {
         var (dialect, toolpath) = (NcDialects.Named(name), Plans.Passes(0.05, 0.01));
-        var (path, job, marker) = (Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect), Plans.Job(toolpath, name), new Marker(new('a', 64), new('b', 64)));
+        var (path, job, marker) = (
+            Plans.Path(Shapes.Plane(10, 1), toolpath, dialect: dialect), Plans.Job(toolpath, name), new Marker(new('a', 64), new('b', 64)));
         var bytes = FinishingProgram.Write(path, job, dialect, marker: marker);
         var program = NcProgram.Read(bytes, dialect.Syntax);
         Assert.Equal([(line, marker)], Marker.Find(program));

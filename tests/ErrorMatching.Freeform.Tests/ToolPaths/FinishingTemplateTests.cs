@@ -49,7 +49,8 @@ public sealed class FinishingTemplateTests
     {
         var template = FinishingTemplate.Parse(Encoding.UTF8.GetBytes(Own), "own.txt");
         var (own, ours) = (Written(template, new(7, null, 2)), Written(null, new(7, null, 2)));
-        Assert.StartsWith("; Surface one 1200\nG17 G90 G94 G710 G40\nG54\nT7 D2\nM6\nS10000 M3 M8\nG0 Z15.000\nX", own, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "; Surface one 1200\nG17 G90 G94 G710 G40\nG54\nT7 D2\nM6\nS10000 M3 M8\nG0 Z15.000\nX", own, StringComparison.Ordinal);
         Assert.EndsWith("M9 M5\nM30\n", own, StringComparison.Ordinal);
         Assert.Equal(Moves(ours), Moves(own));
         Assert.True(template.CallsTool(Job(new(7, null, 2))));
@@ -61,7 +62,10 @@ public sealed class FinishingTemplateTests
         Assert.True(fix.CallsTool(Job(null)));
         Assert.Contains("the job names a tool (toolpath.tool)", Refused(fix, new(7, null, 2)), StringComparison.Ordinal);
 
-        string Moves(string text) => text[text.IndexOf("\nX", StringComparison.Ordinal)..text.LastIndexOf("\nM", text.LastIndexOf("M30", StringComparison.Ordinal) - 2, StringComparison.Ordinal)];
+        string Moves(string text) =>
+            text[
+                text.IndexOf("\nX", StringComparison.Ordinal)..text.LastIndexOf(
+                    "\nM", text.LastIndexOf("M30", StringComparison.Ordinal) - 2, StringComparison.Ordinal)];
     }
 
     // Behind what a shop writes the moves must be those of the path: rapid, absolute, in millimeters, from the height of travel.
@@ -113,13 +117,19 @@ public sealed class FinishingTemplateTests
     {
         Assert.Equal(NcDialects.Names.Order(StringComparer.Ordinal), FinishingTemplate.Names.Order(StringComparer.Ordinal));
         Assert.All(FinishingTemplate.Names, n => Assert.NotEmpty(FinishingTemplate.Named(n).About));
-        Assert.All(FinishingTemplate.Names, n => Assert.Equal(FinishingTemplate.Named(n).About, FinishingTemplate.Parse(Encoding.UTF8.GetBytes(FinishingTemplate.TextOf(n)), "x").About));
+        Assert.All(
+            FinishingTemplate.Names,
+            n => Assert.Equal(
+                FinishingTemplate.Named(n).About, FinishingTemplate.Parse(Encoding.UTF8.GetBytes(FinishingTemplate.TextOf(n)), "x").About));
         Assert.Equal("unknown-template", Assert.Throws<FreeformException>(() => FinishingTemplate.Named("heidenhain")).Code);
         var large = Assert.Throws<FreeformException>(() => FinishingTemplate.Parse(new byte[ProgramTemplate.MaxBytes + 1], "own.txt"));
         Assert.Equal("bad-template", large.Code);
     }
 
-    private static FreeformJob Job(ToolCall? tool) => Plans.Job(Plans.Passes(), "siemens-840d") is var job ? job with { Toolpath = job.Toolpath with { Tool = tool } } : throw new InvalidOperationException();
+    private static FreeformJob Job(ToolCall? tool) =>
+        Plans.Job(Plans.Passes(), "siemens-840d") is var job
+            ? job with { Toolpath = job.Toolpath with { Tool = tool } }
+            : throw new InvalidOperationException();
 
     private static string Written(FinishingTemplate? template, ToolCall? tool)
     {

@@ -28,8 +28,9 @@ public sealed class GougeTests
         Assert.Equal(0, path.Certificate.RaisedPoints);
     }
 
-    // A hollow quarter of a cylinder whose radius is smaller than the ball's 3 mm by e: the ball that touches one edge comes within sqrt((3 - e)^2 + e^2)
-    // of the other. Twice the chordal error of 0.01 mm may be missing: 0.0189 mm are for e = 0.019, 0.0212 mm for e = 0.0213.
+    // A hollow quarter of a cylinder whose radius is smaller than the ball's 3 mm by e:
+    // the ball that touches one edge comes within sqrt((3 - e)^2 + e^2) of the other. Twice the chordal error of 0.01 mm may be missing:
+    // 0.0189 mm are for e = 0.019, 0.0212 mm for e = 0.0213.
     [Theory]
     [InlineData(0.019, true)]
     [InlineData(0.0213, false)]
@@ -65,7 +66,14 @@ public sealed class GougeTests
         var knots = KnotVector.Clamped(1, [0, 0.5, 1]);
         Point3[] poles = [new(0, 0, 0), new(0, 5, 0), new(10, 0, 0), new(10, 5, 0), new(10.5, 0, 6), new(10.5, 5, 6)];
         var crease = new PartSurface("wall", new(knots, KnotVector.Clamped(1, [0, 1]), poles), SurfaceRegion.Whole, 1);
-        var rounded = new PartSurface("wall", new(KnotVector.Clamped(2, [0, 0.5, 1]), KnotVector.Clamped(1, [0, 1]), [.. poles[..4], new(10.2, 0, 0.2), new(10.2, 5, 0.2), .. poles[4..]]), SurfaceRegion.Whole, 1);
+        var rounded = new PartSurface(
+            "wall",
+            new(
+                KnotVector.Clamped(2, [0, 0.5, 1]),
+                KnotVector.Clamped(1, [0, 1]),
+                [.. poles[..4], new(10.2, 0, 0.2), new(10.2, 5, 0.2), .. poles[4..]]),
+            SurfaceRegion.Whole,
+            1);
 
         Assert.Equal("edge-in-surface", Plans.Of(crease, Plans.Passes(0.01, 0.01)).Refusal?.Code);
         Assert.Equal("ball-does-not-fit", Plans.Of(rounded, Plans.Passes(0.01, 0.01)).Refusal?.Code);
@@ -81,7 +89,9 @@ public sealed class GougeTests
 
     [Fact]
     public void An_increment_coarser_than_a_tolerance_is_refused() =>
-        Assert.Equal("increment-too-coarse", Plans.Of(Shapes.Plane(10, 10), Plans.Passes(0.0005, 0.001), dialect: Nc.NcDialects.Siemens840D).Refusal?.Code);
+        Assert.Equal(
+            "increment-too-coarse",
+            Plans.Of(Shapes.Plane(10, 10), Plans.Passes(0.0005, 0.001), dialect: Nc.NcDialects.Siemens840D).Refusal?.Code);
 
     [Fact]
     public void No_center_comes_nearer_to_any_quadratic_surface_than_its_radius()

@@ -15,7 +15,8 @@ internal static class Graphs
     /// <summary>Distance of a point from a design over its rectangle.</summary>
     public static double DistanceTo(int design, Point3 p) => DistanceTo((x, y) => Height(design, x, y), 75, 63, p);
 
-    /// <summary>Distance of a point from a graph over a rectangle: the best place of a grid, then a search with smaller and smaller steps.</summary>
+    /// <summary>Distance of a point from a graph over a rectangle: the best place of a grid,
+    /// then a search with smaller and smaller steps.</summary>
     public static double DistanceTo(Func<double, double, double> z, double width, double height, Point3 p)
     {
         var (x, y, best) = (0.0, 0.0, double.PositiveInfinity);

@@ -7,18 +7,21 @@ internal static class Plans
 {
     public static JobTool Ball(double diameter) => new(diameter, 2, 10_000, 1200);
 
-    public static JobToolpath Passes(double scallop = 0.001, double chord = 0.001, bool alongU = true, bool zigzag = true, bool tip = false) => new()
-    {
-        AlongU = alongU,
-        Zigzag = zigzag,
-        ScallopMm = scallop,
-        ChordMm = chord,
-        ClearanceMm = 10,
-        ProgramsTip = tip,
-        Dialect = "linuxcnc",
-    };
+    public static JobToolpath Passes(
+        double scallop = 0.001, double chord = 0.001, bool alongU = true, bool zigzag = true, bool tip = false) =>
+        new()
+        {
+            AlongU = alongU,
+            Zigzag = zigzag,
+            ScallopMm = scallop,
+            ChordMm = chord,
+            ClearanceMm = 10,
+            ProgramsTip = tip,
+            Dialect = "linuxcnc",
+        };
 
-    public static ToolPathResult Of(PartSurface surface, JobToolpath toolpath, double diameter = 6, double stock = 0, NcDialect? dialect = null) =>
+    public static ToolPathResult Of(
+        PartSurface surface, JobToolpath toolpath, double diameter = 6, double stock = 0, NcDialect? dialect = null) =>
         ToolPathPlanner.Plan(surface, Ball(diameter), toolpath, stock, dialect ?? NcDialects.LinuxCnc);
 
     public static ToolPath Path(PartSurface surface, JobToolpath toolpath, double diameter = 6, double stock = 0, NcDialect? dialect = null)

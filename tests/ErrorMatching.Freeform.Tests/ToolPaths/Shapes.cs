@@ -10,7 +10,8 @@ internal static class Shapes
 
     public static PartSurface Two => Graph((x, y) => 24 + (0.004 * (y - 31.5) * (y - 31.5) * ((2 * x / 75) - 1)), 75, 63);
 
-    public static PartSurface Three => Graph((x, y) => 24 + (0.004 * (((y - 31.5) * (y - 31.5) * ((2 * x / 75) - 1)) + ((x - 37.5) * (x - 37.5) * ((2 * y / 63) - 1)))), 75, 63);
+    public static PartSurface Three => Graph(
+        (x, y) => 24 + (0.004 * (((y - 31.5) * (y - 31.5) * ((2 * x / 75) - 1)) + ((x - 37.5) * (x - 37.5) * ((2 * y / 63) - 1)))), 75, 63);
 
     /// <summary>The design of a number, 1 to 3.</summary>
     public static PartSurface Design(int number) => number switch { 1 => One, 2 => Two, _ => Three };
@@ -33,15 +34,27 @@ internal static class Shapes
         return new("graph", new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(2, [0, 1]), poles), SurfaceRegion.Whole, 1);
     }
 
-    /// <summary>Part of a cylinder along y, exactly: radius and center height, over 90 degrees around the upper (or lower, if hollow) line.</summary>
+    /// <summary>Part of a cylinder along y, exactly: radius and center height, over 90 degrees around the upper (or lower,
+    /// if hollow) line.</summary>
     public static PartSurface Cylinder(double radius, double length, bool hollow = false)
     {
         var (side, weight) = (radius / Math.Sqrt(2), 1 / Math.Sqrt(2));
         var sign = hollow ? -1 : 1;
-        Point3[] poles = [new(-side, 0, sign * side), new(-side, length, sign * side), new(0, 0, sign * radius * Math.Sqrt(2)), new(0, length, sign * radius * Math.Sqrt(2)), new(side, 0, sign * side), new(side, length, sign * side)];
-        return new("cylinder", new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles, [1, 1, weight, weight, 1, 1]), SurfaceRegion.Whole, 1);
+        Point3[] poles = [
+            new(-side, 0, sign * side),
+            new(-side, length, sign * side),
+            new(0, 0, sign * radius * Math.Sqrt(2)),
+            new(0, length, sign * radius * Math.Sqrt(2)),
+            new(side, 0, sign * side),
+            new(side, length, sign * side)];
+        return new(
+            "cylinder",
+            new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles, [1, 1, weight, weight, 1, 1]),
+            SurfaceRegion.Whole,
+            1);
     }
 
     // The pole of a quadratic Bezier polynomial from its values at 0, 1/2 and 1.
-    private static double Pole(int number, Func<int, double> value) => number == 1 ? (2 * value(1)) - ((value(0) + value(2)) / 2) : value(number);
+    private static double Pole(int number, Func<int, double> value) =>
+        number == 1 ? (2 * value(1)) - ((value(0) + value(2)) / 2) : value(number);
 }

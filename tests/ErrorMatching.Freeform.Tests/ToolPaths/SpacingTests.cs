@@ -28,7 +28,8 @@ public sealed class SpacingTests
         const double Scallop = 0.002;
         var path = Plans.Path(Shapes.Cylinder(radius, 10, hollow), Plans.Passes(Scallop, alongU: false));
 
-        // The ridge stands where two balls of radius 3 meet whose centers lie on a circle of radius r + 3 (r - 3 in a hollow), an angle apart: the law of cosines.
+        // The ridge stands where two balls of radius 3 meet whose centers lie on a circle of radius r + 3 (r - 3 in a hollow),
+        // an angle apart: the law of cosines.
         var (orbit, top) = hollow ? (radius - 3, radius - Scallop) : (radius + 3, radius + Scallop);
         var half = Math.Acos(((orbit * orbit) + (top * top) - 9) / (2 * orbit * top));
         var fewest = (Math.PI / 2 / (2 * half)) + 1;

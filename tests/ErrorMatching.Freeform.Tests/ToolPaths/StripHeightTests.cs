@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform.Tests;
 
-/// <summary>The highest ridge of a strip, found by four places at once where that is enough, against every place looked at closely and against every piece of the polylines.</summary>
+/// <summary>The highest ridge of a strip, found by four places at once where that is enough, against every place looked at closely and
+/// against every piece of the polylines.</summary>
 public sealed class StripHeightTests
 {
     private const double Micrometer = 0.001;
@@ -29,7 +30,8 @@ public sealed class StripHeightTests
                 var (wanted, _) = new StripHeight(closely, [], Micrometer).Measure(first, v, second, v + width);
                 var (found, _) = new StripHeight(offset, [], Micrometer).Measure(first, v, second, v + width);
 
-                // Above the truth, or the first place that is too high. Below looking closely by 5 nm at one place of design 3: its polyline bends inwards, the normal meets two pieces, and looking closely takes the second one.
+                // Above the truth, or the first place that is too high. Below looking closely by 5 nm at one place of design 3: its
+                // polyline bends inwards, the normal meets two pieces, and looking closely takes the second one.
                 var truth = Highest(offset, first[0], v, second[0], v + width);
                 Assert.InRange(found, Math.Min(truth, Micrometer) - 1e-9, wanted + 1e-12);
             }
@@ -99,16 +101,28 @@ public sealed class StripHeightTests
         var foot = (off + (normal * t)).Dot(axis);
         var body = foot >= 0 && foot <= length ? t : double.PositiveInfinity;
         var toEnd = place - to;
-        return Math.Min(body, Math.Min(Root(1, normal.Dot(off), off.Dot(off) - (radius * radius)), Root(1, normal.Dot(toEnd), toEnd.Dot(toEnd) - (radius * radius))));
+        return Math.Min(
+            body,
+            Math.Min(
+                Root(1, normal.Dot(off), off.Dot(off) - (radius * radius)),
+                Root(1, normal.Dot(toEnd), toEnd.Dot(toEnd) - (radius * radius))));
 
         // The lower root of a t^2 + 2 b t + c.
-        static double Root(double a, double b, double c) => (b * b) - (a * c) is var square && square >= 0 ? (-b - Math.Sqrt(square)) / a : double.PositiveInfinity;
+        static double Root(double a, double b, double c) =>
+            (b * b) - (a * c) is var square && square >= 0 ? (-b - Math.Sqrt(square)) / a : double.PositiveInfinity;
     }
 
     // The paper's designs, one over skewed parameters, and one with weights.
     private static PartSurface Surface(int number) => number switch
     {
-        4 => new("skewed", new(KnotVector.Clamped(1, [0, 1]), KnotVector.Clamped(1, [0, 1]), [new(0, 0, 0), new(40, 40, 0), new(50, 0, 1), new(90, 40, 3)]), SurfaceRegion.Whole, 1),
+        4 => new(
+            "skewed",
+            new(
+                KnotVector.Clamped(1, [0, 1]),
+                KnotVector.Clamped(1, [0, 1]),
+                [new(0, 0, 0), new(40, 40, 0), new(50, 0, 1), new(90, 40, 3)]),
+            SurfaceRegion.Whole,
+            1),
         5 => Shapes.Cylinder(25, 40),
         _ => Shapes.Design(number),
     };

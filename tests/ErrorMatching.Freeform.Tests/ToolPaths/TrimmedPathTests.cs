@@ -6,10 +6,15 @@ namespace ErrorMatching.Freeform.Tests;
 public sealed class TrimmedPathTests
 {
     // 20 x 10 mm with a round hole of radius 2.5 in the middle; parameters are shares of the sides.
-    private static PartSurface WithHole() => Shapes.Plane(20, 10) with { Region = new([[new(0.05, 0.1), new(0.95, 0.1), new(0.95, 0.9), new(0.05, 0.9)], Circle(0.5, 0.5, 2.5)]) };
+    private static PartSurface WithHole() => Shapes.Plane(20, 10) with
+    {
+        Region = new([[new(0.05, 0.1), new(0.95, 0.1), new(0.95, 0.9), new(0.05, 0.9)], Circle(0.5, 0.5, 2.5)])
+    };
 
     private static Point2[] Circle(double u, double v, double radius) =>
-        [.. Enumerable.Range(0, 90).Select(i => new Point2(u + (radius / 20 * Math.Cos(i * Math.PI / 45)), v + (radius / 10 * Math.Sin(i * Math.PI / 45))))];
+        [
+            .. Enumerable.Range(0, 90).Select(i => new Point2(
+                u + (radius / 20 * Math.Cos(i * Math.PI / 45)), v + (radius / 10 * Math.Sin(i * Math.PI / 45))))];
 
     [Theory]
     [InlineData(true)]

@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform.Tests;
 
-/// <summary>What a ball cuts that goes along straight lines: nothing but spheres, laid densely along each. Shares no code with the planner.</summary>
+/// <summary>What a ball cuts that goes along straight lines: nothing but spheres, laid densely along each.
+/// Shares no code with the planner.</summary>
 internal sealed class VirtualBall
 {
     private const double Cell = 0.5;
@@ -25,7 +26,8 @@ internal sealed class VirtualBall
         }
     }
 
-    /// <summary>How high above a place, along a unit normal, the first sphere begins: the material that is left there, negative where it was cut deeper.</summary>
+    /// <summary>How high above a place, along a unit normal, the first sphere begins:
+    /// the material that is left there, negative where it was cut deeper.</summary>
     public double Left(Point3 place, Vector3 normal)
     {
         var lowest = double.PositiveInfinity;

@@ -67,14 +67,18 @@ public class AlignmentTests
 
             // Every angle of a fine grid (or none), each with the best free translation: the mean of what is left along the free axes.
             var angles = freedom.HasFlag(AlignmentFreedom.Rotation)
-                ? Enumerable.Range(0, 720).Select(i => Angle.FromDegrees(i / 2.0)).Append(alignment.Transform.Rotation + Angle.FromRadians(1e-4)).Append(alignment.Transform.Rotation - Angle.FromRadians(1e-4))
+                ? Enumerable.Range(0, 720)
+                    .Select(i => Angle.FromDegrees(i / 2.0))
+                    .Append(alignment.Transform.Rotation + Angle.FromRadians(1e-4))
+                    .Append(alignment.Transform.Rotation - Angle.FromRadians(1e-4))
                 : [default];
             return angles.All(a =>
             {
                 var turned = actual.Select(new RigidTransform2(Mirror.None, a, default).Apply).ToArray();
                 var dx = freedom.HasFlag(AlignmentFreedom.X) ? Theoretical.Zip(turned, (t, q) => t.X - q.X).Average() : 0;
                 var dy = freedom.HasFlag(AlignmentFreedom.Y) ? Theoretical.Zip(turned, (t, q) => t.Y - q.Y).Average() : 0;
-                return turned.Zip(Theoretical, (q, t) => Math.Pow(q.X + dx - t.X, 2) + Math.Pow(q.Y + dy - t.Y, 2)).Sum() >= best - (1e-9 * (1 + best));
+                return turned.Zip(
+                    Theoretical, (q, t) => Math.Pow(q.X + dx - t.X, 2) + Math.Pow(q.Y + dy - t.Y, 2)).Sum() >= best - (1e-9 * (1 + best));
             });
         }, 60);
 
@@ -86,7 +90,10 @@ public class AlignmentTests
         Draw.Law(Draw.Angle.Zip(Draw.Coordinate), p =>
         {
             var (angle, by) = p;
-            var undo = new RigidTransform2(Mirror.None, angle, freedom.HasFlag(AlignmentFreedom.X) ? new(by, 0) : freedom.HasFlag(AlignmentFreedom.Y) ? new(0, by) : default);
+            var undo = new RigidTransform2(
+                Mirror.None,
+                angle,
+                freedom.HasFlag(AlignmentFreedom.X) ? new(by, 0) : freedom.HasFlag(AlignmentFreedom.Y) ? new(0, by) : default);
             var alignment = Alignment.BestFit([.. Theoretical.Select(undo.Inverse().Apply)], Theoretical, freedom);
             return alignment.Max < 1e-9 && Math.Abs((alignment.Transform.Rotation - angle).Normalized.Degrees) < 1e-9;
         }, 300);
@@ -108,7 +115,9 @@ public class AlignmentTests
         Refused.With(GeometryError.TooFewPoints, () => Alignment.BestFit([], [], AlignmentFreedom.X));
         Refused.With(GeometryError.CoincidentPoints, () => Alignment.BestFit([new(1, 1), new(1, 1)], [new(1, 1), new(2, 2)]));
         Refused.With(GeometryError.CoincidentPoints, () => Alignment.BestFit([new(1, 1), new(2, 2)], [new(1, 1), new(1, 1)]));
-        Refused.With(GeometryError.RankDeficient, () => Alignment.BestFit([new(1, 0), new(0, 1), new(-1, 0), new(0, -1)], [new(1, 0), new(-1, 0), new(1, 0), new(-1, 0)]));
+        Refused.With(
+            GeometryError.RankDeficient,
+            () => Alignment.BestFit([new(1, 0), new(0, 1), new(-1, 0), new(0, -1)], [new(1, 0), new(-1, 0), new(1, 0), new(-1, 0)]));
         Refused.With(GeometryError.NotFinite, () => Alignment.None([new(double.NaN, 1)], [new(1, 1)]));
         Refused.With(GeometryError.NotFinite, () => Alignment.None([new(1, 1)], [new(1, double.NegativeInfinity)]));
         Refused.With(GeometryError.CoincidentPoints, () => Alignment.Datum(new(new(1, 1), new(1, 1)), new(new(0, 0), new(1, 0)), [], []));

@@ -13,11 +13,16 @@ public class CertifiedPolynomialTests
         var fit = PolynomialFit.Fit(set.X, set.Y, new() { Degree = set.Coefficients.Count - 1 });
         for (var k = 0; k <= fit.Degree; k++)
         {
-            Assert.True(NistSet.Digits(fit.Coefficients[k], set.Coefficients[k]) >= 14, $"B{k}: {fit.Coefficients[k]:R}, certified {set.Coefficients[k]:R}");
-            Assert.True(NistSet.Digits(fit.StandardErrors[k], set.StandardErrors[k]) >= 14, $"error of B{k}: {fit.StandardErrors[k]:R}, certified {set.StandardErrors[k]:R}");
+            Assert.True(
+                NistSet.Digits(fit.Coefficients[k], set.Coefficients[k]) >= 14,
+                $"B{k}: {fit.Coefficients[k]:R}, certified {set.Coefficients[k]:R}");
+            Assert.True(
+                NistSet.Digits(fit.StandardErrors[k], set.StandardErrors[k]) >= 14,
+                $"error of B{k}: {fit.StandardErrors[k]:R}, certified {set.StandardErrors[k]:R}");
         }
 
-        Assert.True(NistSet.Digits(fit.ResidualStandardDeviation, set.ResidualStandardDeviation) >= 14, $"{fit.ResidualStandardDeviation:R}");
+        Assert.True(
+            NistSet.Digits(fit.ResidualStandardDeviation, set.ResidualStandardDeviation) >= 14, $"{fit.ResidualStandardDeviation:R}");
     }
 
     [Fact]

@@ -7,7 +7,8 @@ public class CircleFitTests
     [Fact]
     public void Published_geometric_fit_is_reproduced()
     {
-        // Gander, Golub and Strebel, "Least-squares fitting of circles and ellipses", BIT 34 (1994), section 1: six points and their geometric fit.
+        // Gander, Golub and Strebel, "Least-squares fitting of circles and ellipses", BIT 34 (1994), section 1:
+        // six points and their geometric fit.
         var fit = CircleFit.Fit([new(1, 7), new(2, 6), new(5, 8), new(7, 7), new(9, 5), new(3, 7)]);
         Assert.Equal(4.7398, fit.Circle.Center.X, 4);
         Assert.Equal(2.9835, fit.Circle.Center.Y, 4);
@@ -20,7 +21,8 @@ public class CircleFitTests
     public void Even_points_all_around_have_the_errors_of_the_closed_form()
     {
         // For n points evenly around, the linearized design has the Gram matrix diag(n/2, n/2, n).
-        var fit = CircleFit.Fit([.. Enumerable.Range(0, 8).Select(i => new Circle2(new(10, -20), 30).At(Angle.FromDegrees(45 * i)))], 0.004);
+        var fit = CircleFit.Fit(
+            [.. Enumerable.Range(0, 8).Select(i => new Circle2(new(10, -20), 30).At(Angle.FromDegrees(45 * i)))], 0.004);
         Assert.Equal(0.002, fit.CenterStandardError.X, 12);
         Assert.Equal(0.002, fit.CenterStandardError.Y, 12);
         Assert.Equal(0.004 / Math.Sqrt(8), fit.RadiusStandardError, 12);
@@ -33,7 +35,9 @@ public class CircleFitTests
         {
             var ((circle, start), sweep) = p;
             var fit = CircleFit.Fit([.. Enumerable.Range(0, 9).Select(i => circle.At(start + Angle.FromDegrees(sweep * i / 8.0)))]);
-            return fit.Circle.Center.DistanceTo(circle.Center) < 1e-9 && Math.Abs(fit.Circle.Radius - circle.Radius) < 1e-9 && fit.ResidualStandardDeviation < 1e-10;
+            return fit.Circle.Center.DistanceTo(circle.Center) < 1e-9
+                && Math.Abs(fit.Circle.Radius - circle.Radius) < 1e-9
+                && fit.ResidualStandardDeviation < 1e-10;
         });
 
     [Fact]
@@ -42,7 +46,8 @@ public class CircleFitTests
         {
             var ((circle, transform), seed) = p;
             var noise = Draw.Noise(seed, 12);
-            Point2[] points = [.. noise.Select((e, i) => new Circle2(circle.Center, circle.Radius * (1 + (0.01 * e))).At(Angle.FromDegrees(20 * i)))];
+            Point2[] points = [
+                .. noise.Select((e, i) => new Circle2(circle.Center, circle.Radius * (1 + (0.01 * e))).At(Angle.FromDegrees(20 * i)))];
             var (fit, moved) = (CircleFit.Fit(points), CircleFit.Fit([.. points.Select(transform.Apply)]));
             return moved.Circle.Center.DistanceTo(transform.Apply(fit.Circle.Center)) < 1e-8
                 && Math.Abs(moved.Circle.Radius - fit.Circle.Radius) < 1e-8
@@ -54,7 +59,8 @@ public class CircleFitTests
     {
         Point2[] points = [new(1, 7), new(2, 6), new(5, 8), new(7, 7), new(9, 5), new(3, 7)];
         var (circle, best) = (CircleFit.Fit(points).Circle, CircleFit.Fit(points).Residuals.Sum(r => r * r));
-        foreach (var (dx, dy, dr) in ((double, double, double)[])[(1e-3, 0, 0), (-1e-3, 0, 0), (0, 1e-3, 0), (0, -1e-3, 0), (0, 0, 1e-3), (0, 0, -1e-3), (1e-3, 1e-3, -1e-3)])
+        foreach (var (dx, dy, dr) in ((double, double, double)[])[
+            (1e-3, 0, 0), (-1e-3, 0, 0), (0, 1e-3, 0), (0, -1e-3, 0), (0, 0, 1e-3), (0, 0, -1e-3), (1e-3, 1e-3, -1e-3)])
         {
             var other = new Circle2(circle.Center + new Vector2(dx, dy), circle.Radius + dr);
             Assert.True(points.Sum(q => Math.Pow(other.SignedDistance(q), 2)) > best);

@@ -12,7 +12,8 @@ public class CurveFitTests
             double[] places = [-10, -7, -2, 0, 3, 8, 10];
             var fit = CurveFit.Fit([.. places.Select(x => t.Apply(new Point2(x, ((x * x) - 100) / 50)))]);
             return fit.Polynomial.Degree == 2 && fit.ResidualStandardDeviation < 1e-12
-                && Enumerable.Range(0, 21).All(i => fit.At(i / 20.0).DistanceTo(t.Apply(new Point2(i - 10, ((i - 10) * (i - 10) - 100) / 50.0))) < 1e-9)
+                && Enumerable.Range(0, 21).All(
+                    i => fit.At(i / 20.0).DistanceTo(t.Apply(new Point2(i - 10, ((i - 10) * (i - 10) - 100) / 50.0))) < 1e-9)
                 && (fit.TangentAt(0.75) - t.Apply(new Vector2(1, 0.2).Normalize())).Length < 1e-9;
         }, 200);
 

@@ -21,7 +21,9 @@ public class ExtremeCircleTests
     [Fact]
     public void An_oval_lies_between_its_half_axes()
     {
-        Point2[] oval = [.. Enumerable.Range(0, 16).Select(i => new Point2(5 + (10.02 * Math.Cos(i * Math.PI / 8)), 3 + (9.99 * Math.Sin(i * Math.PI / 8))))];
+        Point2[] oval = [
+            .. Enumerable.Range(0, 16).Select(i => new Point2(
+                5 + (10.02 * Math.Cos(i * Math.PI / 8)), 3 + (9.99 * Math.Sin(i * Math.PI / 8))))];
         var around = ExtremeCircle.Circumscribed(oval, 0.002);
         Assert.Equal(10.02, around.Circle.Radius, 12);
         Assert.Equal([0, 8], around.Contacts);
@@ -36,7 +38,8 @@ public class ExtremeCircleTests
     public void Even_contacts_have_the_errors_of_the_closed_form()
     {
         // Three rays at 120 degrees: the radius is the mean of three distances, and the design has the Gram matrix diag(3/2, 3/2, 3).
-        var fit = ExtremeCircle.Inscribed([.. Enumerable.Range(0, 3).Select(i => new Circle2(new(1, 2), 7).At(Angle.FromDegrees(120 * i)))], 0.003);
+        var fit = ExtremeCircle.Inscribed(
+            [.. Enumerable.Range(0, 3).Select(i => new Circle2(new(1, 2), 7).At(Angle.FromDegrees(120 * i)))], 0.003);
         Assert.Equal(7, fit.Circle.Radius, 12);
         Assert.Equal(0.003 / Math.Sqrt(1.5), fit.CenterStandardError.X, 12);
         Assert.Equal(0.003 / Math.Sqrt(1.5), fit.CenterStandardError.Y, 12);
@@ -50,7 +53,9 @@ public class ExtremeCircleTests
         {
             var points = Ring(seed);
             var (found, brute) = (ExtremeCircle.Inscribed(points), Brute(points, -1));
-            Assert.True(Math.Abs(found.Circle.Radius - brute.Radius) < 1e-9 && found.Circle.Center.DistanceTo(brute.Center) < 1e-7, $"ring {seed}: {found.Circle} is not {brute}");
+            Assert.True(
+                Math.Abs(found.Circle.Radius - brute.Radius) < 1e-9 && found.Circle.Center.DistanceTo(brute.Center) < 1e-7,
+                $"ring {seed}: {found.Circle} is not {brute}");
             Assert.True(found.Residuals.Min() > -1e-9, $"ring {seed}");
             Assert.All(found.Contacts, i => Assert.Equal(0, found.Residuals[i], 9));
         }
@@ -63,7 +68,9 @@ public class ExtremeCircleTests
         {
             var points = Ring(seed);
             var (found, brute) = (ExtremeCircle.Circumscribed(points), Brute(points, 1));
-            Assert.True(Math.Abs(found.Circle.Radius - brute.Radius) < 1e-9 && found.Circle.Center.DistanceTo(brute.Center) < 1e-7, $"ring {seed}: {found.Circle} is not {brute}");
+            Assert.True(
+                Math.Abs(found.Circle.Radius - brute.Radius) < 1e-9 && found.Circle.Center.DistanceTo(brute.Center) < 1e-7,
+                $"ring {seed}: {found.Circle} is not {brute}");
         }
     }
 
@@ -71,24 +78,36 @@ public class ExtremeCircleTests
     public void Points_that_leave_half_a_turn_open_have_no_largest_circle_inside()
     {
         var circle = new Circle2(new(3, 4), 10);
-        var e = Assert.Throws<GeometryException>(() => ExtremeCircle.Inscribed([.. Enumerable.Range(0, 7).Select(i => circle.At(Angle.FromDegrees(25 * i)))]));
+        var e = Assert.Throws<GeometryException>(() => ExtremeCircle.Inscribed(
+            [.. Enumerable.Range(0, 7).Select(i => circle.At(Angle.FromDegrees(25 * i)))]));
         Assert.Equal((GeometryError.NotAround, true), (e.Error, e.Message.Contains("210 degrees", StringComparison.Ordinal)));
-        Assert.Equal(10, ExtremeCircle.Inscribed([.. Enumerable.Range(0, 8).Select(i => circle.At(Angle.FromDegrees(26 * i)))]).Circle.Radius, 9);
-        Assert.Equal(178, ExtremeCircle.LargestGap(circle.Center, [.. Enumerable.Range(0, 8).Select(i => circle.At(Angle.FromDegrees(26 * i)))]).Degrees, 9);
+        Assert.Equal(
+            10, ExtremeCircle.Inscribed([.. Enumerable.Range(0, 8).Select(i => circle.At(Angle.FromDegrees(26 * i)))]).Circle.Radius, 9);
+        Assert.Equal(
+            178,
+            ExtremeCircle.LargestGap(circle.Center, [.. Enumerable.Range(0, 8).Select(i => circle.At(Angle.FromDegrees(26 * i)))]).Degrees,
+            9);
     }
 
     [Fact]
     public void Points_on_one_place_have_no_circle_around() =>
-        Assert.Equal(GeometryError.CoincidentPoints, Assert.Throws<GeometryException>(() => ExtremeCircle.Circumscribed([new(1, 1), new(1, 1), new(1, 1)])).Error);
+        Assert.Equal(
+            GeometryError.CoincidentPoints,
+            Assert.Throws<GeometryException>(() => ExtremeCircle.Circumscribed([new(1, 1), new(1, 1), new(1, 1)])).Error);
 
     // Rough rings of 3 to 14 points in any order, no gap of half a turn.
     private static Point2[] Ring(int seed)
     {
         var random = new Random(seed);
         var count = random.Next(3, 15);
-        var (center, radius, rough) = (new Point2(100 * random.NextDouble(), 100 * random.NextDouble()), 1 + (30 * random.NextDouble()), Math.Pow(10, -1 - (4 * random.NextDouble())));
+        var (center, radius, rough) = (
+            new Point2(100 * random.NextDouble(), 100 * random.NextDouble()),
+            1 + (30 * random.NextDouble()),
+            Math.Pow(10, -1 - (4 * random.NextDouble())));
         Point2[] points = [.. Enumerable.Range(0, count).Select(i => center
-            + (Vector2.FromDirection(Angle.FromDegrees((360.0 / count * i) + (25 * random.NextDouble()))) * (radius * (1 + (rough * random.NextDouble())))))];
+            + (
+                Vector2.FromDirection(Angle.FromDegrees(
+                    (360.0 / count * i) + (25 * random.NextDouble()))) * (radius * (1 + (rough * random.NextDouble())))))];
         random.Shuffle(points);
         return points;
     }

@@ -32,7 +32,8 @@ public class LineFitTests
     [Fact]
     public void Errors_of_the_equation_are_those_of_position_and_direction_seen_across_the_line()
     {
-        // sigma = 2 and Sxx = 5: the slope is known to 2 / sqrt 5, the direction to that times cos^2 = 1 / 1.36, the height at the centroid to 1, across the line to 1 / sqrt 1.36.
+        // sigma = 2 and Sxx = 5: the slope is known to 2 / sqrt 5, the direction to that times cos^2 = 1 / 1.36, the height at the centroid
+        // to 1, across the line to 1 / sqrt 1.36.
         var fit = LineFit.Ordinary(Staircase, 2);
         Assert.Equal(2 / Math.Sqrt(5), fit.Equation!.Value.SlopeStandardError, 14);
         Assert.Equal(2 * Math.Sqrt(0.25 + (2.25 / 5)), fit.Equation.Value.InterceptStandardError, 14);

@@ -110,11 +110,13 @@ public class PolynomialFitTests
             var ((shift, scale), seed) = p;
             var y = Draw.Noise(seed, Places.Length);
             var options = new PolynomialFitOptions { Degree = 4, Ridge = 0.001 };
-            var (fit, moved) = (PolynomialFit.Fit(Places, y, options), PolynomialFit.Fit([.. Places.Select(x => shift + (scale * x))], y, options));
+            var (fit, moved) = (
+                PolynomialFit.Fit(Places, y, options), PolynomialFit.Fit([.. Places.Select(x => shift + (scale * x))], y, options));
             return Places.All(x => Math.Abs(fit.Evaluate(x) - moved.Evaluate(shift + (scale * x))) < 1e-10
                 && Math.Abs(fit.Derivative(x) - (scale * moved.Derivative(shift + (scale * x)))) < 1e-8
                 && Math.Abs(fit.StandardErrorAt(x) - moved.StandardErrorAt(shift + (scale * x))) < 1e-10)
-                && Math.Abs(fit.LeaveOneOutRms!.Value - moved.LeaveOneOutRms!.Value) < 1e-10 && Math.Abs(fit.Condition - moved.Condition) < 1e-6;
+                && Math.Abs(fit.LeaveOneOutRms!.Value - moved.LeaveOneOutRms!.Value) < 1e-10
+                    && Math.Abs(fit.Condition - moved.Condition) < 1e-6;
         }, 200);
 
     [Fact]
@@ -124,7 +126,9 @@ public class PolynomialFitTests
             var y = Draw.Noise(seed, Places.Length);
             var options = new PolynomialFitOptions { Ridge = null };
             var (fit, scaled) = (PolynomialFit.Fit(Places, y, options), PolynomialFit.Fit(Places, [.. y.Select(v => 1024 * v)], options));
-            return fit.Degree == scaled.Degree && fit.Ridge == scaled.Ridge && fit.Coefficients.Select(c => 1024 * c).SequenceEqual(scaled.Coefficients);
+            return fit.Degree == scaled.Degree
+                && fit.Ridge == scaled.Ridge
+                && fit.Coefficients.Select(c => 1024 * c).SequenceEqual(scaled.Coefficients);
         }, 200);
 
     [Fact]
@@ -148,7 +152,10 @@ public class PolynomialFitTests
             Assert.Equal(Math.Sqrt(v * covariance * v), fit.StandardErrorAt(x), 10);
         }
 
-        Assert.Equal([.. Enumerable.Range(0, 3).Select(k => Math.Sqrt(covariance[k, k]))], fit.StandardErrors.ToArray(), (a, b) => Math.Abs(a - b) < 1e-12);
+        Assert.Equal(
+            [.. Enumerable.Range(0, 3).Select(k => Math.Sqrt(covariance[k, k]))],
+            fit.StandardErrors.ToArray(),
+            (a, b) => Math.Abs(a - b) < 1e-12);
     }
 
     [Fact]
@@ -198,7 +205,8 @@ public class PolynomialFitTests
     }
 
     /// <summary>
-    /// An independent fit: the penalty matrix made from an orthonormal basis by QR over all points, then the normal equations over the points that are kept, by a dense solver.
+    /// An independent fit: the penalty matrix made from an orthonormal basis by QR over all points, then the normal equations over the
+    /// points that are kept, by a dense solver.
     /// </summary>
     private static Func<double, double> Penalized(double[] x, double[] y, int degree, double ridge, int leftOut)
     {

@@ -32,7 +32,9 @@ public class WedgeTests
     public void Included_angle_is_recovered_anywhere(double degrees) =>
         Draw.Law(Draw.Transform, t =>
         {
-            var wedge = Wedge.Fit([.. new[] { 2.0, 7 }.Select(r => t.Apply(Direction(0, r)))], [.. new[] { 3.0, 8 }.Select(r => t.Apply(Direction(degrees, r)))]);
+            var wedge = Wedge.Fit(
+                [.. new[] { 2.0, 7 }.Select(r => t.Apply(Direction(0, r)))],
+                [.. new[] { 3.0, 8 }.Select(r => t.Apply(Direction(degrees, r)))]);
             return Math.Abs(wedge.IncludedAngle.Degrees - degrees) < 1e-9 && wedge.Apex.DistanceTo(t.Apply(new Point2(0, 0))) < 1e-9
                 && Math.Abs(wedge.FirstLength - 7) < 1e-9 && Math.Abs(wedge.SecondLength - 8) < 1e-9;
         }, 100);
@@ -40,7 +42,8 @@ public class WedgeTests
     [Fact]
     public void Uncertainty_of_apex_and_angle_is_what_repeated_measuring_shows()
     {
-        // Flanks from the origin at 20 and 95 degrees, each by two points with a known uncertainty: the apex of 20000 such wedges scatters as one of them claims.
+        // Flanks from the origin at 20 and 95 degrees, each by two points with a known uncertainty:
+        // the apex of 20000 such wedges scatters as one of them claims.
         const double sigma = 0.002;
         const int count = 20_000;
         var nominal = Flanks(new double[4]);
@@ -76,9 +79,15 @@ public class WedgeTests
     [InlineData(179.6)]
     public void Near_parallel_flanks_are_refused_with_their_angle(double degrees)
     {
-        var refusal = Refused.With(GeometryError.NearParallel, () => Wedge.Fit([Direction(0, 1), Direction(0, 5)], [Direction(degrees, 2), Direction(degrees, 6)]));
-        Assert.Contains((degrees > 90 ? 0.4 : degrees).ToString("0.#", System.Globalization.CultureInfo.InvariantCulture) + " degrees", refusal.Message, StringComparison.Ordinal);
+        var refusal = Refused.With(
+            GeometryError.NearParallel,
+            () => Wedge.Fit([Direction(0, 1), Direction(0, 5)], [Direction(degrees, 2), Direction(degrees, 6)]));
+        Assert.Contains(
+            (degrees > 90 ? 0.4 : degrees).ToString("0.#", System.Globalization.CultureInfo.InvariantCulture) + " degrees",
+            refusal.Message,
+            StringComparison.Ordinal);
     }
 
-    private static Point2 Direction(double degrees, double length) => Point2.Origin + (Vector2.FromDirection(Angle.FromDegrees(degrees)) * length);
+    private static Point2 Direction(double degrees, double length) =>
+        Point2.Origin + (Vector2.FromDirection(Angle.FromDegrees(degrees)) * length);
 }

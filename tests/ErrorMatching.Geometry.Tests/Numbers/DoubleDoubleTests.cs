@@ -5,7 +5,8 @@ using FsCheck.Fluent;
 
 namespace ErrorMatching.Geometry.Tests.Numbers;
 
-/// <summary>The judge is exact: every operand is a fraction of integers, and every result is compared with the fraction it should be.</summary>
+/// <summary>The judge is exact: every operand is a fraction of integers, and every result is compared with the fraction it should
+/// be.</summary>
 public class DoubleDoubleTests
 {
     private static readonly double UnitSquared = Math.ScaleB(1, -106);
@@ -32,11 +33,16 @@ public class DoubleDoubleTests
 
     [Fact]
     public void Quotients_are_right_to_the_proved_bound() =>
-        Draw.Law(Number.Two(), p => p.Item2 == 0 || Error(p.Item1 / p.Item2, Exact(p.Item1) * Exact(p.Item2).Inverse()) <= 15 * UnitSquared);
+        Draw.Law(
+            Number.Two(), p => p.Item2 == 0 || Error(p.Item1 / p.Item2, Exact(p.Item1) * Exact(p.Item2).Inverse()) <= 15 * UnitSquared);
 
     [Fact]
     public void Root_squared_is_the_number() =>
-        Draw.Law(Number, n => Error(DoubleDouble.Sqrt(DoubleDouble.Abs(n)) * DoubleDouble.Sqrt(DoubleDouble.Abs(n)), Exact(DoubleDouble.Abs(n))) <= 20 * UnitSquared);
+        Draw.Law(
+            Number,
+            n => Error(
+                DoubleDouble.Sqrt(DoubleDouble.Abs(n)) * DoubleDouble.Sqrt(DoubleDouble.Abs(n)),
+                Exact(DoubleDouble.Abs(n))) <= 20 * UnitSquared);
 
     [Fact]
     public void Root_of_two_has_its_published_digits() =>
@@ -105,7 +111,8 @@ public class DoubleDoubleTests
         Draw.Law(Gen.Choose(-2_000_000_000, 2_000_000_000).Zip(Gen.Choose(0, 9_999_999)), n =>
         {
             var text = string.Create(CultureInfo.InvariantCulture, $"{n.Item1}.{n.Item2:0000000}");
-            return DoubleDouble.Parse(text) == DoubleDouble.Parse(text + "e0") && Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
+            return DoubleDouble.Parse(text) == DoubleDouble.Parse(text + "e0")
+                && Error(DoubleDouble.Parse(text), Decimal(text)) <= UnitSquared;
         });
 
     [Theory]
@@ -149,7 +156,8 @@ public class DoubleDoubleTests
     {
         var parts = text.TrimStart('+').Split('e', 'E');
         var point = (parts[0] + ".").IndexOf('.', StringComparison.Ordinal);
-        var exponent = (parts.Length > 1 ? int.Parse(parts[1], CultureInfo.InvariantCulture) : 0) - Math.Max(0, parts[0].Length - point - 1);
+        var exponent = (
+            parts.Length > 1 ? int.Parse(parts[1], CultureInfo.InvariantCulture) : 0) - Math.Max(0, parts[0].Length - point - 1);
         var digits = BigInteger.Parse(parts[0].Replace(".", "", StringComparison.Ordinal), CultureInfo.InvariantCulture);
         return exponent >= 0 ? new(digits * BigInteger.Pow(10, exponent), 1) : new(digits, BigInteger.Pow(10, -exponent));
     }
@@ -159,12 +167,15 @@ public class DoubleDoubleTests
     {
         var difference = Exact(actual) + (exact * new Fraction(-1, 1));
         var relative = exact.Numerator.IsZero ? difference : difference * exact.Inverse();
-        return relative.Numerator.IsZero ? 0 : Math.Exp(BigInteger.Log(BigInteger.Abs(relative.Numerator)) - BigInteger.Log(BigInteger.Abs(relative.Denominator)));
+        return relative.Numerator.IsZero
+            ? 0
+            : Math.Exp(BigInteger.Log(BigInteger.Abs(relative.Numerator)) - BigInteger.Log(BigInteger.Abs(relative.Denominator)));
     }
 
     private sealed record Fraction(BigInteger Numerator, BigInteger Denominator)
     {
-        public static Fraction operator +(Fraction a, Fraction b) => new((a.Numerator * b.Denominator) + (b.Numerator * a.Denominator), a.Denominator * b.Denominator);
+        public static Fraction operator +(Fraction a, Fraction b) =>
+            new((a.Numerator * b.Denominator) + (b.Numerator * a.Denominator), a.Denominator * b.Denominator);
 
         public static Fraction operator *(Fraction a, Fraction b) => new(a.Numerator * b.Numerator, a.Denominator * b.Denominator);
 

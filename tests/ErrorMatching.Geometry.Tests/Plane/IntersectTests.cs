@@ -33,7 +33,9 @@ public class IntersectTests
 
     [Fact]
     public void Segment_that_ends_on_a_line_meets_it() =>
-        Assert.Equal(new Intersection2(IntersectionKind.Crossing, new(2, 0), default, 1), Intersect.Lines(XAxis, new Segment2(new(2, 5), new(2, 0))));
+        Assert.Equal(
+            new Intersection2(IntersectionKind.Crossing, new(2, 0), default, 1),
+            Intersect.Lines(XAxis, new Segment2(new(2, 5), new(2, 0))));
 
     [Fact]
     public void Overlapping_segments_share_the_common_stretch() =>
@@ -53,7 +55,8 @@ public class IntersectTests
 
     [Fact]
     public void Segments_side_by_side_are_parallel() =>
-        Assert.Equal(IntersectionKind.Parallel, Intersect.Lines(new Segment2(new(0, 0), new(5, 0)), new Segment2(new(0, 1), new(5, 1))).Kind);
+        Assert.Equal(
+            IntersectionKind.Parallel, Intersect.Lines(new Segment2(new(0, 0), new(5, 0)), new Segment2(new(0, 1), new(5, 1))).Kind);
 
     [Fact]
     public void Segments_whose_lines_cross_beyond_an_end_do_not_meet() =>
@@ -87,7 +90,9 @@ public class IntersectTests
 
     [Fact]
     public void Line_beyond_the_radius_misses() =>
-        Assert.Equal(Intersection2.Nowhere(IntersectionKind.None), Intersect.LineCircle(new Line2(new(0, 5.00001), new(1, 0)), new Circle2(new(0, 0), 5)));
+        Assert.Equal(
+            Intersection2.Nowhere(IntersectionKind.None),
+            Intersect.LineCircle(new Line2(new(0, 5.00001), new(1, 0)), new Circle2(new(0, 0), 5)));
 
     [Fact]
     public void Segment_that_starts_inside_a_circle_leaves_it_once() =>
@@ -188,7 +193,9 @@ public class IntersectTests
         var arc = new Arc2(new(0, 0), 5, Angle.FromDegrees(90), Angle.FromDegrees(-90));
         Assert.Equal(new Intersection2(IntersectionKind.Coincident, arc.End, arc.Start, 2), Intersect.Circles(circle, arc));
         Assert.Equal(new Intersection2(IntersectionKind.Coincident, arc.Start, arc.End, 2), Intersect.Circles(arc, circle));
-        Assert.Equal(Intersection2.Nowhere(IntersectionKind.Coincident), Intersect.Circles(circle, new Arc2(new(0, 0), 5, default, Angle.FromDegrees(360))));
+        Assert.Equal(
+            Intersection2.Nowhere(IntersectionKind.Coincident),
+            Intersect.Circles(circle, new Arc2(new(0, 0), 5, default, Angle.FromDegrees(360))));
     }
 
     [Fact]

@@ -22,7 +22,8 @@ public class PlaneTests
 
     [Fact]
     public void Mirror_comes_before_rotation_and_rotation_before_translation() =>
-        Assert.Equal(0, new RigidTransform2(Mirror.X, Angle.FromDegrees(90), new(10, 0)).Apply(new Point2(2, 1)).DistanceTo(new(9, -2)), 14);
+        Assert.Equal(
+            0, new RigidTransform2(Mirror.X, Angle.FromDegrees(90), new(10, 0)).Apply(new Point2(2, 1)).DistanceTo(new(9, -2)), 14);
 
     [Fact]
     public void Rotation_about_a_point_keeps_it_and_turns_counter_clockwise()
@@ -72,11 +73,15 @@ public class PlaneTests
 
     [Fact]
     public void Nearest_point_of_an_arc_is_nearer_than_any_sample() =>
-        Draw.Law(Draw.Arc.Zip(Draw.Point), p => Enumerable.Range(0, 50).All(i => p.Item1.DistanceTo(p.Item2) <= p.Item2.DistanceTo(p.Item1.At(i / 49.0)) + 1e-10));
+        Draw.Law(
+            Draw.Arc.Zip(Draw.Point),
+            p => Enumerable.Range(0, 50).All(i => p.Item1.DistanceTo(p.Item2) <= p.Item2.DistanceTo(p.Item1.At(i / 49.0)) + 1e-10));
 
     [Fact]
     public void Nearest_point_of_a_segment_is_nearer_than_any_sample() =>
-        Draw.Law(Draw.Segment.Zip(Draw.Point), p => Enumerable.Range(0, 50).All(i => p.Item1.DistanceTo(p.Item2) <= p.Item2.DistanceTo(p.Item1.At(i / 49.0)) + 1e-10));
+        Draw.Law(
+            Draw.Segment.Zip(Draw.Point),
+            p => Enumerable.Range(0, 50).All(i => p.Item1.DistanceTo(p.Item2) <= p.Item2.DistanceTo(p.Item1.At(i / 49.0)) + 1e-10));
 
     [Fact]
     public void Circle_through_three_points_meets_them() =>

@@ -7,7 +7,8 @@ public sealed class CurveClosestPointTests
 {
     private static readonly Gen<Point3> Near = Draw.Coordinate.Three().Select(c => new Point3(c.Item1, c.Item2, c.Item3));
 
-    private static readonly SplineCurve QuarterCircle = new(new(2, [0, 0, 0, 1, 1, 1]), [new(20, 0, 0), new(20, 20, 0), new(0, 20, 0)], [1, Math.Sqrt(0.5), 1]);
+    private static readonly SplineCurve QuarterCircle = new(
+        new(2, [0, 0, 0, 1, 1, 1]), [new(20, 0, 0), new(20, 20, 0), new(0, 20, 0)], [1, Math.Sqrt(0.5), 1]);
 
     [Fact]
     public void Distance_from_a_quarter_circle_is_that_of_its_closed_form() => Draw.Law(Near, p =>
@@ -28,7 +29,10 @@ public sealed class CurveClosestPointTests
             var foot = curve.ClosestPoint(p);
             var near = curve.ClosestPoint(p, curve.Knots.Start, 1e-7);
             var least = Enumerable.Range(0, 2001).Min(i => (curve.PointAt(DrawSpline.Inside(curve.Knots, (i / 1000.0) - 1)) - p).Length);
-            return foot.Distance <= least + 1e-10 && Math.Abs(near.Distance - foot.Distance) <= 1e-7 && (curve.PointAt(foot.T) - foot.Position).Length < 1e-9 && foot.Accuracy <= 1e-7;
+            return foot.Distance <= least + 1e-10
+                && Math.Abs(near.Distance - foot.Distance) <= 1e-7
+                && (curve.PointAt(foot.T) - foot.Position).Length < 1e-9
+                && foot.Accuracy <= 1e-7;
         },
         200);
 

@@ -3,12 +3,14 @@ using FsCheck.Fluent;
 
 namespace ErrorMatching.Geometry.Tests;
 
-/// <summary>Random B-splines of the size of a workpiece: degrees 1 to 5, knots repeated up to the degree, uneven, clamped or not, rational or not.</summary>
+/// <summary>Random B-splines of the size of a workpiece: degrees 1 to 5, knots repeated up to the degree, uneven, clamped or not,
+/// rational or not.</summary>
 internal static class DrawSpline
 {
     public static Gen<KnotVector> Knots { get; } = Gen.Choose(1, 5).Zip(Gen.Choose(0, 1_000_000)).Select(p => KnotsOf(p.Item1, p.Item2));
 
-    public static Gen<SplineCurve> Curve { get; } = Knots.Zip(Gen.Choose(0, 1_000_000)).Select(p => new SplineCurve(p.Item1, Poles(p.Item1.PoleCount, p.Item2), Weights(p.Item1.PoleCount, p.Item2)));
+    public static Gen<SplineCurve> Curve { get; } = Knots.Zip(Gen.Choose(0, 1_000_000)).Select(
+        p => new SplineCurve(p.Item1, Poles(p.Item1.PoleCount, p.Item2), Weights(p.Item1.PoleCount, p.Item2)));
 
     public static Gen<SplineSurface> Surface { get; } = Knots.Zip(Knots).Zip(Gen.Choose(0, 1_000_000)).Select(p =>
     {
@@ -52,7 +54,8 @@ internal static class DrawSpline
     private static Point3[] Poles(int count, int seed)
     {
         var noise = Draw.Noise(seed + 7, 3 * count);
-        return [.. Enumerable.Range(0, count).Select(i => new Point3(100 * noise[3 * i], 100 * noise[(3 * i) + 1], 100 * noise[(3 * i) + 2]))];
+        return [
+            .. Enumerable.Range(0, count).Select(i => new Point3(100 * noise[3 * i], 100 * noise[(3 * i) + 1], 100 * noise[(3 * i) + 2]))];
     }
 
     private static double[] Weights(int count, int seed) => seed % 2 == 0 ? [] : [.. Draw.Noise(seed + 9, count).Select(x => 1.2 + x)];

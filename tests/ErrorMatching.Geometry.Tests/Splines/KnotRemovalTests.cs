@@ -5,7 +5,8 @@ namespace ErrorMatching.Geometry.Tests;
 
 public sealed class KnotRemovalTests
 {
-    private static readonly Gen<(SplineCurve Curve, double A)> Cases = DrawSpline.Curve.Zip(Gen.Choose(-999, 999)).Select(p => (p.Item1, p.Item2 / 1000.0));
+    private static readonly Gen<(SplineCurve Curve, double A)> Cases = DrawSpline.Curve.Zip(Gen.Choose(-999, 999)).Select(
+        p => (p.Item1, p.Item2 / 1000.0));
 
     [Fact]
     public void Removal_takes_an_inserted_knot_out_again() => Draw.Law(Cases, c =>
@@ -42,12 +43,18 @@ public sealed class KnotRemovalTests
             return true;
         }
 
-        var worst = Enumerable.Range(0, 101).Max(i => (before.PointAt(DrawSpline.Inside(before.Knots, (i / 50.0) - 1)) - after.PointAt(DrawSpline.Inside(before.Knots, (i / 50.0) - 1))).Length);
-        return worst <= bound + 1e-9 && (after.Poles[0] - before.Poles[0]).Length < 1e-9 && (after.Poles[^1] - before.Poles[^1]).Length < 1e-9;
+        var worst = Enumerable.Range(0, 101).Max(
+            i => (
+                before.PointAt(DrawSpline.Inside(before.Knots, (i / 50.0) - 1))
+                    - after.PointAt(DrawSpline.Inside(before.Knots, (i / 50.0) - 1))).Length);
+        return worst <= bound + 1e-9
+            && (after.Poles[0] - before.Poles[0]).Length < 1e-9
+            && (after.Poles[^1] - before.Poles[^1]).Length < 1e-9;
     });
 
     [Fact]
-    public void No_other_poles_are_nearer_to_the_old_ones() => Draw.Law(Cases.Where(c => !c.Curve.IsRational && c.Curve.Knots.Degree > 1).Zip(Gen.Choose(0, 1_000_000)), c =>
+    public void No_other_poles_are_nearer_to_the_old_ones() =>
+        Draw.Law(Cases.Where(c => !c.Curve.IsRational && c.Curve.Knots.Degree > 1).Zip(Gen.Choose(0, 1_000_000)), c =>
     {
         var before = c.Item1.Curve.Clamp();
         var inner = before.Knots.Breaks.Skip(1).First();
@@ -98,7 +105,11 @@ public sealed class KnotRemovalTests
                 worst = Math.Max(worst, (before.Poles[i] - after.Poles[i]).Length);
             }
 
-            return after.KnotsU.Equals(before.KnotsU) && after.KnotsV.Equals(before.KnotsV) && movedU < 1e-9 && movedV < 1e-9 && worst < 1e-7;
+            return after.KnotsU.Equals(before.KnotsU)
+                && after.KnotsV.Equals(before.KnotsV)
+                && movedU < 1e-9
+                && movedV < 1e-9
+                && worst < 1e-7;
         },
         200);
 

@@ -10,12 +10,14 @@ public sealed class RollingBallTests
     [Theory]
     [InlineData(0.5)]
     [InlineData(3)]
-    public void It_rolls_in_a_cylinder_that_is_three_times_as_wide(double radius) => Assert.NotNull(new RollingBall(Shapes.Cylinder(10, 40), radius).FreeAround(0.5, 0.5));
+    public void It_rolls_in_a_cylinder_that_is_three_times_as_wide(double radius) =>
+        Assert.NotNull(new RollingBall(Shapes.Cylinder(10, 40), radius).FreeAround(0.5, 0.5));
 
     [Theory]
     [InlineData(10.001)]
     [InlineData(12)]
-    public void It_does_not_roll_in_a_cylinder_that_is_narrower(double radius) => Assert.Null(new RollingBall(Shapes.Cylinder(10, 40), radius).FreeAround(0.5, 0.5));
+    public void It_does_not_roll_in_a_cylinder_that_is_narrower(double radius) =>
+        Assert.Null(new RollingBall(Shapes.Cylinder(10, 40), radius).FreeAround(0.5, 0.5));
 
     [Fact]
     public void It_rolls_all_over_a_plane()
@@ -40,7 +42,10 @@ public sealed class RollingBallTests
     public void It_does_not_roll_over_an_edge()
     {
         var knots = new KnotVector(1, [0, 0, 0.5, 1, 1]);
-        var roof = new SplineSurface(knots, KnotVector.Clamped(1, [0, 1]), [new(0, 0, 0), new(0, 10, 0), new(10, 0, 4), new(10, 10, 4), new(20, 0, 0), new(20, 10, 0)]);
+        var roof = new SplineSurface(
+            knots,
+            KnotVector.Clamped(1, [0, 1]),
+            [new(0, 0, 0), new(0, 10, 0), new(10, 0, 4), new(10, 10, 4), new(20, 0, 0), new(20, 10, 0)]);
 
         Assert.Null(new RollingBall(roof, 1).FreeAround(0.499, 0.5));
     }
@@ -56,7 +61,8 @@ public sealed class RollingBallTests
                 var ((seed, height), tenth) = c;
                 var noise = Draw.Noise(seed, 100);
                 var knots = KnotVector.Clamped(3, [0, 0.3, 0.4, 1]);
-                var poles = Enumerable.Range(0, 36).Select(i => new Point3((8 * (i / 6)) + noise[i], (6 * (i % 6)) + noise[i + 36], 0.1 * height * noise[(i * 2) % 97]));
+                var poles = Enumerable.Range(0, 36).Select(i => new Point3(
+                    (8 * (i / 6)) + noise[i], (6 * (i % 6)) + noise[i + 36], 0.1 * height * noise[(i * 2) % 97]));
                 var surface = new SplineSurface(knots, knots, [.. poles]);
                 var radius = 0.25 * tenth;
                 var ball = new RollingBall(surface, radius);
@@ -73,7 +79,8 @@ public sealed class RollingBallTests
 
                         free++;
                         if (at.U < part.From.X || at.V < part.From.Y || at.U > part.To.X || at.V > part.To.Y
-                            || surface.ClosestPoint(at.Position + (at.Normal * radius)).Distance < radius - 1e-6 || surface.ClosestPoint(at.Position + (at.Normal * -radius)).Distance < radius - 1e-6)
+                            || surface.ClosestPoint(at.Position + (at.Normal * radius)).Distance < radius - 1e-6
+                                || surface.ClosestPoint(at.Position + (at.Normal * -radius)).Distance < radius - 1e-6)
                         {
                             return false;
                         }

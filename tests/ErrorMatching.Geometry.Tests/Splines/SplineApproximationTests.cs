@@ -24,7 +24,8 @@ public sealed class SplineApproximationTests
         }
 
         // Normals are once less smooth than the surface, so its knots count twice.
-        var found = SplineApproximation.Of(Offset, KnotVector.Clamped(3, [.. waves.KnotsU.Breaks], 2), KnotVector.Clamped(3, [.. waves.KnotsV.Breaks], 2), 1e-4);
+        var found = SplineApproximation.Of(
+            Offset, KnotVector.Clamped(3, [.. waves.KnotsU.Breaks], 2), KnotVector.Clamped(3, [.. waves.KnotsV.Breaks], 2), 1e-4);
         var worst = 0.0;
         for (var i = 0; i <= 150; i++)
         {
@@ -66,7 +67,9 @@ public sealed class SplineApproximationTests
     {
         var (u, v) = (KnotVector.Clamped(4, [0, 1, 1.5, 4], 2), KnotVector.Clamped(2, [0, 2, 3]));
         var noise = Draw.Noise(3, u.PoleCount * v.PoleCount * 3);
-        var points = Enumerable.Range(0, u.PoleCount * v.PoleCount).Select(i => new Point3(noise[3 * i], noise[(3 * i) + 1], noise[(3 * i) + 2])).ToArray();
+        var points = Enumerable.Range(0, u.PoleCount * v.PoleCount)
+            .Select(i => new Point3(noise[3 * i], noise[(3 * i) + 1], noise[(3 * i) + 2]))
+            .ToArray();
         var surface = SplineSurface.AtGreville(u, v, points);
         for (var i = 0; i < points.Length; i++)
         {

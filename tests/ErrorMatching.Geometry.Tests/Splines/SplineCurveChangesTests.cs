@@ -83,7 +83,9 @@ public sealed class SplineCurveChangesTests
     {
         var knots = c.Curve.Knots;
         var other = c.Curve.Reparametrize(-3, 40);
-        return other.Knots.Start == -3 && other.Knots.End == 40 && Apart(c.Curve, other, x => -3 + (43 * (x - knots.Start) / (knots.End - knots.Start))) < 1e-8;
+        return other.Knots.Start == -3
+            && other.Knots.End == 40
+            && Apart(c.Curve, other, x => -3 + (43 * (x - knots.Start) / (knots.End - knots.Start))) < 1e-8;
     });
 
     [Fact]
@@ -95,13 +97,19 @@ public sealed class SplineCurveChangesTests
         return common.All(k => k.Knots.Equals(common[0].Knots))
             && common[0].Knots.Degree == curves.Max(k => k.Knots.Degree)
             && (common[0].Knots.Start, common[0].Knots.End) == (first.Start, first.End)
-            && curves.Zip(common).All(p => Apart(p.First, p.Second, x => first.Start + ((first.End - first.Start) * (x - p.First.Knots.Start) / (p.First.Knots.End - p.First.Knots.Start))) < 1e-7);
+            && curves.Zip(common).All(
+                p => Apart(
+                    p.First,
+                    p.Second,
+                    x => first.Start + ((first.End - first.Start) * (x - p.First.Knots.Start) / (p.First.Knots.End - p.First.Knots.Start)))
+                    < 1e-7);
     });
 
     [Fact]
     public void Knots_apart_by_rounding_fall_together()
     {
-        var third = new SplineCurve(KnotVector.Clamped(3, [0, 1.0 / 3, 1]), [new(0, 0, 0), new(1, 1, 0), new(2, 1, 0), new(3, 1, 0), new(4, 0, 0)]);
+        var third = new SplineCurve(
+            KnotVector.Clamped(3, [0, 1.0 / 3, 1]), [new(0, 0, 0), new(1, 1, 0), new(2, 1, 0), new(3, 1, 0), new(4, 0, 0)]);
         var almost = new SplineCurve(KnotVector.Clamped(3, [0, Math.BitIncrement(1.0 / 3), 1]), third.Poles);
         Assert.NotEqual(third.Knots, almost.Knots);
         var common = SplineCurve.Compatible([third, almost]);

@@ -8,7 +8,9 @@ public sealed class SplineEvaluationTests
     private static readonly SplineSurface Quadratic = new(
         new(2, [0, 0, 0, 1, 1, 1]),
         new(2, [0, 0, 0, 1, 1, 1]),
-        [new(0, 0, 0), new(0, 4, 0), new(0, 8, 1), new(5, 0, 0), new(5, 4, -0.5), new(5, 8, 0), new(10, 0, 3), new(10, 4, 2), new(10, 8, 2)]);
+        [
+            new(0, 0, 0), new(0, 4, 0), new(0, 8, 1), new(5, 0, 0), new(5, 4, -0.5), new(5, 8, 0), new(10, 0, 3), new(10, 4, 2),
+            new(10, 8, 2)]);
 
     [Theory]
     [InlineData(0, 0)]
@@ -57,7 +59,8 @@ public sealed class SplineEvaluationTests
     }
 
     [Fact]
-    public void Second_derivatives_of_the_fast_way_are_those_of_the_general_one() => Draw.Law(DrawSpline.Surface.Zip(Gen.Choose(-999, 999).Two()), c =>
+    public void Second_derivatives_of_the_fast_way_are_those_of_the_general_one() =>
+        Draw.Law(DrawSpline.Surface.Zip(Gen.Choose(-999, 999).Two()), c =>
     {
         var surface = c.Item1;
         var (u, v) = (DrawSpline.Inside(surface.KnotsU, c.Item2.Item1 / 1000.0), DrawSpline.Inside(surface.KnotsV, c.Item2.Item2 / 1000.0));

@@ -14,7 +14,10 @@ public sealed class SplineSurfaceChangesTests
     [Fact]
     public void Inserted_knots_do_not_move_the_surface() => Draw.Law(
         Cases,
-        c => Apart(c.Surface, c.Surface.InsertKnotU(DrawSpline.Inside(c.Surface.KnotsU, c.A)).InsertKnotV(DrawSpline.Inside(c.Surface.KnotsV, c.B))) < Rounding,
+        c => Apart(
+            c.Surface,
+            c.Surface.InsertKnotU(DrawSpline.Inside(c.Surface.KnotsU, c.A)).InsertKnotV(DrawSpline.Inside(c.Surface.KnotsV, c.B)))
+            < Rounding,
         Few);
 
     [Fact]
@@ -23,7 +26,8 @@ public sealed class SplineSurfaceChangesTests
         c =>
         {
             var raised = c.Surface.ElevateTo(c.Surface.KnotsU.Degree + 1, c.Surface.KnotsV.Degree + 2);
-            return (raised.KnotsU.Degree, raised.KnotsV.Degree) == (c.Surface.KnotsU.Degree + 1, c.Surface.KnotsV.Degree + 2) && Apart(c.Surface, raised) < Rounding;
+            return (raised.KnotsU.Degree, raised.KnotsV.Degree) == (c.Surface.KnotsU.Degree + 1, c.Surface.KnotsV.Degree + 2)
+                && Apart(c.Surface, raised) < Rounding;
         },
         Few);
 
@@ -35,7 +39,8 @@ public sealed class SplineSurfaceChangesTests
             var (u, v) = (DrawSpline.Inside(c.Surface.KnotsU, c.A), DrawSpline.Inside(c.Surface.KnotsV, c.B));
             var (before, after) = c.Surface.SplitU(u);
             var (left, right) = after.SplitV(v);
-            return new[] { before, after, left, right }.All(s => Apart(s, c.Surface) < Rounding) && (right.KnotsU.Start, right.KnotsV.Start) == (u, v);
+            return new[] { before, after, left, right }.All(s => Apart(s, c.Surface) < Rounding)
+                && (right.KnotsU.Start, right.KnotsV.Start) == (u, v);
         },
         Few);
 
@@ -89,7 +94,8 @@ public sealed class SplineSurfaceChangesTests
         DrawSpline.Surface.Where(s => !s.IsRational).Two(),
         c =>
         {
-            var (a, b) = (c.Item1, c.Item2.Reparametrize(c.Item1.KnotsU.Start, c.Item1.KnotsU.End, c.Item1.KnotsV.Start, c.Item1.KnotsV.End));
+            var (a, b) = (
+                c.Item1, c.Item2.Reparametrize(c.Item1.KnotsU.Start, c.Item1.KnotsU.End, c.Item1.KnotsV.Start, c.Item1.KnotsV.End));
             var both = SplineSurface.Compatible([a, b]);
             var poles = new Point3[both[0].Poles.Length];
             for (var i = 0; i < poles.Length; i++)
@@ -99,14 +105,17 @@ public sealed class SplineSurfaceChangesTests
 
             var sum = new SplineSurface(both[0].KnotsU, both[0].KnotsV, poles);
             var (u, v) = (DrawSpline.Inside(a.KnotsU, 0.37), DrawSpline.Inside(a.KnotsV, -0.21));
-            return (sum.PointAt(u, v) - default(Point3) - (a.PointAt(u, v) - default(Point3)) - (b.PointAt(u, v) - default(Point3))).Length < 1e-7;
+            return (
+                sum.PointAt(u, v) - default(Point3) - (a.PointAt(u, v) - default(Point3)) - (b.PointAt(u, v) - default(Point3)))
+                .Length < 1e-7;
         },
         Few);
 
     [Fact]
     public void The_box_of_the_poles_holds_the_surface() => Draw.Law(
         Cases,
-        c => c.Surface.Box().DistanceTo(c.Surface.PointAt(DrawSpline.Inside(c.Surface.KnotsU, c.A), DrawSpline.Inside(c.Surface.KnotsV, c.B))) < Rounding,
+        c => c.Surface.Box().DistanceTo(c.Surface.PointAt(
+            DrawSpline.Inside(c.Surface.KnotsU, c.A), DrawSpline.Inside(c.Surface.KnotsV, c.B))) < Rounding,
         Few);
 
     private static double Apart(SplineSurface a, SplineSurface b)

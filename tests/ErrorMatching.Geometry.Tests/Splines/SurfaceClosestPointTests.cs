@@ -63,7 +63,10 @@ public sealed class SurfaceClosestPointTests
         var (u, v, height) = (75 * c.Item1.Item1 / 1000.0, 63 * c.Item1.Item2 / 1000.0, c.Item2 / 1000.0);
         var at = Waves.At(u, v);
         var foot = Waves.ClosestPoint(at.Position + (at.Normal * height));
-        return Math.Abs(foot.Height - height) < 1e-11 && foot.OffNormal < 1e-7 && Math.Abs(foot.At.U - u) < 1e-9 && Math.Abs(foot.At.V - v) < 1e-9;
+        return Math.Abs(foot.Height - height) < 1e-11
+            && foot.OffNormal < 1e-7
+            && Math.Abs(foot.At.U - u) < 1e-9
+            && Math.Abs(foot.At.V - v) < 1e-9;
     });
 
     [Fact]
@@ -78,11 +81,18 @@ public sealed class SurfaceClosestPointTests
             {
                 for (var j = 0; j <= 60; j++)
                 {
-                    least = Math.Min(least, (surface.PointAt(DrawSpline.Inside(surface.KnotsU, (i / 30.0) - 1), DrawSpline.Inside(surface.KnotsV, (j / 30.0) - 1)) - p).Length);
+                    least = Math.Min(
+                        least,
+                        (
+                            surface.PointAt(
+                                DrawSpline.Inside(surface.KnotsU, (i / 30.0) - 1), DrawSpline.Inside(surface.KnotsV, (j / 30.0) - 1)) - p)
+                            .Length);
                 }
             }
 
-            return foot.Distance <= least + 1e-10 && (surface.PointAt(foot.At.U, foot.At.V) - foot.At.Position).Length < 1e-9 && foot.Accuracy <= Tolerance;
+            return foot.Distance <= least + 1e-10
+                && (surface.PointAt(foot.At.U, foot.At.V) - foot.At.Position).Length < 1e-9
+                && foot.Accuracy <= Tolerance;
         },
         60);
 
@@ -115,7 +125,10 @@ public sealed class SurfaceClosestPointTests
     public void Crease_is_found()
     {
         // A roof: degree 1 with its ridge at x = 10.
-        var roof = new SplineSurface(KnotVector.Clamped(1, [0, 10, 20]), KnotVector.Clamped(1, [0, 30]), [new(0, 0, 0), new(0, 30, 0), new(10, 0, 5), new(10, 30, 5), new(20, 0, 0), new(20, 30, 0)]);
+        var roof = new SplineSurface(
+            KnotVector.Clamped(1, [0, 10, 20]),
+            KnotVector.Clamped(1, [0, 30]),
+            [new(0, 0, 0), new(0, 30, 0), new(10, 0, 5), new(10, 30, 5), new(20, 0, 0), new(20, 30, 0)]);
         var foot = roof.ClosestPoint(new(10.5, 12, 9));
         Assert.Equal(new Point3(10, 12, 5), foot.At.Position);
         Assert.True(foot.Accuracy <= Tolerance);
@@ -129,8 +142,10 @@ public sealed class SurfaceClosestPointTests
     [InlineData(1e-12, 1e-10)]
     public void Corner_is_found_from_beside_it_also_where_parameters_are_oblique(double besideU, double besideV)
     {
-        // The lines of the parameters cross at 26 degrees: in the corner the distance falls along both, but Newton's step goes back along v.
-        var oblique = new SplineSurface(KnotVector.Clamped(1, [0, 1]), KnotVector.Clamped(1, [0, 1]), [new(0, 0, 0), new(90, 44, 0), new(100, 0, 0), new(190, 44, 0)]);
+        // The lines of the parameters cross at 26 degrees: in the corner the distance falls along both,
+        // but Newton's step goes back along v.
+        var oblique = new SplineSurface(
+            KnotVector.Clamped(1, [0, 1]), KnotVector.Clamped(1, [0, 1]), [new(0, 0, 0), new(90, 44, 0), new(100, 0, 0), new(190, 44, 0)]);
         var corner = new Point3(190, 44, 0);
         var p = corner + (new Vector3(0.5, -0.9, 0) * 40) + new Vector3(0, 0, 30);
         Assert.True((p - corner).Dot(new(100, 0, 0)) > 0 && (p - corner).Dot(new(90, 44, 0)) > 0);

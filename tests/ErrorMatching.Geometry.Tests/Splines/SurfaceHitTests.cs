@@ -5,7 +5,10 @@ namespace ErrorMatching.Geometry.Tests;
 
 public sealed class SurfaceHitTests
 {
-    private static readonly Gen<Vector3> Direction = Gen.Choose(-1000, 1000).Three().Where(c => c.Item1 != 0 || c.Item2 != 0 || c.Item3 != 0).Select(c => new Vector3(c.Item1, c.Item2, c.Item3).Normalize());
+    private static readonly Gen<Vector3> Direction = Gen.Choose(-1000, 1000)
+        .Three()
+        .Where(c => c.Item1 != 0 || c.Item2 != 0 || c.Item3 != 0)
+        .Select(c => new Vector3(c.Item1, c.Item2, c.Item3).Normalize());
 
     private static readonly SplineSurface Sphere = Shapes.Sphere(40);
     private static readonly SplineSurface Waves = Shapes.Waves();

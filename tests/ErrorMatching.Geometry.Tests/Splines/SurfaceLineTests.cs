@@ -12,7 +12,9 @@ public sealed class SurfaceLineTests
         var line = new SurfaceLine(new(
             new(2, [0, 0, 0, 1, 1, 1]),
             new(2, [0, 0, 0, 1, 1, 1]),
-            [new(0, 0, 0), new(0, 4, 0), new(0, 8, 1), new(5, 0, 0), new(5, 4, -0.5), new(5, 8, 0), new(10, 0, 3), new(10, 4, 2), new(10, 8, 2)]));
+            [
+                new(0, 0, 0), new(0, 4, 0), new(0, 8, 1), new(5, 0, 0), new(5, 4, -0.5), new(5, 8, 0), new(10, 0, 3), new(10, 4, 2),
+                new(10, 8, 2)]));
         foreach (var (u, v) in new[] { (0.3, 0.8), (0.5, 0.8), (0.5, 0.1), (0, 0), (1, 1), (1.2, -0.1) })
         {
             line.At(u, v, out var position, out var du, out var dv);
@@ -26,7 +28,8 @@ public sealed class SurfaceLineTests
     }
 
     [Fact]
-    public void Line_says_the_same_as_the_surface_in_any_order_of_places() => FsCheck.Check.QuickThrowOnFailure(Prop.ForAll(DrawSpline.Surface.Zip(Gen.Choose(0, 1_000_000)).ToArbitrary(), drawn =>
+    public void Line_says_the_same_as_the_surface_in_any_order_of_places() =>
+        FsCheck.Check.QuickThrowOnFailure(Prop.ForAll(DrawSpline.Surface.Zip(Gen.Choose(0, 1_000_000)).ToArbitrary(), drawn =>
     {
         var (surface, seed) = drawn;
         var line = new SurfaceLine(surface);
@@ -53,7 +56,8 @@ public sealed class SurfaceLineTests
     }));
 
     [Fact]
-    public void Four_places_come_out_as_one_by_one() => FsCheck.Check.QuickThrowOnFailure(Prop.ForAll(DrawSpline.Surface.Zip(Gen.Choose(0, 1_000_000)).ToArbitrary(), drawn =>
+    public void Four_places_come_out_as_one_by_one() =>
+        FsCheck.Check.QuickThrowOnFailure(Prop.ForAll(DrawSpline.Surface.Zip(Gen.Choose(0, 1_000_000)).ToArbitrary(), drawn =>
     {
         var (surface, seed) = drawn;
         var (line, other) = (new SurfaceLine(surface), new SurfaceLine(surface));
@@ -81,7 +85,10 @@ public sealed class SurfaceLineTests
     public void High_degrees_are_evaluated_by_the_surface_itself()
     {
         var knots = KnotVector.Clamped(12, [0, 1]);
-        var surface = new SplineSurface(knots, KnotVector.Clamped(1, [0, 1]), [.. from i in Enumerable.Range(0, 13) from j in Enumerable.Range(0, 2) select new Point3(i, j, i * j)]);
+        var surface = new SplineSurface(
+            knots,
+            KnotVector.Clamped(1, [0, 1]),
+            [.. from i in Enumerable.Range(0, 13) from j in Enumerable.Range(0, 2) select new Point3(i, j, i * j)]);
         var line = new SurfaceLine(surface);
         line.At(0.25, 0.5, out var position, out var du, out var dv);
         Near(new(3, 0.5, 1.5), position, 1e-13);
@@ -96,5 +103,6 @@ public sealed class SurfaceLineTests
         Near(new(0, 0, 12), duv, 1e-11);
     }
 
-    private static void Near(Vector3 expected, Vector3 actual, double tolerance) => Assert.True((expected - actual).Length <= tolerance, $"{actual}, {expected} expected");
+    private static void Near(Vector3 expected, Vector3 actual, double tolerance) =>
+        Assert.True((expected - actual).Length <= tolerance, $"{actual}, {expected} expected");
 }

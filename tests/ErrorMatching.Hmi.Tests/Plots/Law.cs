@@ -11,7 +11,11 @@ internal static class Law
 
     public static Gen<Point2> Point { get; } = Coordinate.Two().Select(p => new Point2(p.Item1, p.Item2));
 
-    public static Gen<PlotView> View { get; } = Gen.Choose(1, 1000).Two().Zip(Point).Select(p => new PlotView(p.Item1.Item1 / 10.0, p.Item1.Item2 / 10.0, p.Item2, 800, 600));
+    public static Gen<PlotView> View { get; } = Gen.Choose(1, 1000)
+        .Two()
+        .Zip(Point)
+        .Select(p => new PlotView(p.Item1.Item1 / 10.0, p.Item1.Item2 / 10.0, p.Item2, 800, 600));
 
-    public static void Holds<T>(Gen<T> gen, Func<T, bool> law, int cases = 500) => Check.One(Config.QuickThrowOnFailure.WithMaxTest(cases), Prop.ForAll(gen.ToArbitrary(), law));
+    public static void Holds<T>(Gen<T> gen, Func<T, bool> law, int cases = 500) =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(cases), Prop.ForAll(gen.ToArbitrary(), law));
 }

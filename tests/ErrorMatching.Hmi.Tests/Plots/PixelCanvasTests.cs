@@ -38,6 +38,10 @@ public sealed class PixelCanvasTests
         canvas.Line(0, 0, 20, 20, Cut, 3, isDashed: false);
         canvas.Clear(width, height);
         draw(canvas);
-        return string.Join('|', canvas.Pixels.ToArray().Chunk(width).Select(r => string.Concat(r.Select(p => p == 0 ? "." : p.ToString(System.Globalization.CultureInfo.InvariantCulture)))));
+        return string.Join(
+            '|',
+            canvas.Pixels.ToArray()
+                .Chunk(width)
+                .Select(r => string.Concat(r.Select(p => p == 0 ? "." : p.ToString(System.Globalization.CultureInfo.InvariantCulture)))));
     }
 }

@@ -6,7 +6,8 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What a pointer, fingers and keys do to a plot. The gap is drawn between two lines from (0, 0) to (100, 0) and 1 above.</summary>
+/// <summary>What a pointer, fingers and keys do to a plot. The gap is drawn between two lines from (0, 0) to (100,
+/// 0) and 1 above.</summary>
 public sealed class PlotAreaTests
 {
     private const double Small = 1e-6;
@@ -124,7 +125,15 @@ public sealed class PlotAreaTests
     {
         // Up, down and up again: each point has a line at one of its sides, where the box would lie.
         (Geometry.Point2 A, Geometry.Point2 B, Geometry.Point2 C, Geometry.Point2 D) = (new(0, 0), new(30, 60), new(60, 0), new(90, 60));
-        plot.Drawing = new([[A, B, C, D]], [[A, B, C, D]], [("A", A, A, 0.1, 0, false), ("B", B, B, 0.1, 0, false), ("C", C, C, 0.1, 0, false), ("D", D, D, 0.1, 0, false)], new(0, 0, 90, 60), 1, 0.1, IsLong: false, IsTurned: false);
+        plot.Drawing = new(
+            [[A, B, C, D]],
+            [[A, B, C, D]],
+            [("A", A, A, 0.1, 0, false), ("B", B, B, 0.1, 0, false), ("C", C, C, 0.1, 0, false), ("D", D, D, 0.1, 0, false)],
+            new(0, 0, 90, 60),
+            1,
+            0.1,
+            IsLong: false,
+            IsTurned: false);
         Assert.True(plot.Focus());
         foreach (var name in new[] { "A", "B", "C", "D" })
         {
@@ -132,12 +141,15 @@ public sealed class PlotAreaTests
             Assert.StartsWith(name + ":", plot.Values, StringComparison.Ordinal);
             var room = plot.ValuesRoom;
             Assert.True(new Avalonia.Rect(plot.Bounds.Size).Contains(room), $"{name} leaves the plot.");
-            Assert.False(room.Intersects(Place(Button(plot, "nearer"))) || room.Intersects(Place(Button(plot, "all"))), $"{name} lies over a button.");
+            Assert.False(
+                room.Intersects(Place(Button(plot, "nearer"))) || room.Intersects(Place(Button(plot, "all"))),
+                $"{name} lies over a button.");
             var (low, high) = (plot.View.ToPlot(new(room.Left, room.Bottom)), plot.View.ToPlot(new(room.Right, room.Top)));
             Assert.False(new PlotBox(low.X, low.Y, high.X, high.Y).IsCrossedBy([A, B, C, D]), $"{name} hides a line.");
         }
 
-        Avalonia.Rect Place(Button button) => new(Avalonia.VisualExtensions.TranslatePoint(button, default, plot)!.Value, button.Bounds.Size);
+        Avalonia.Rect Place(Button button) =>
+            new(Avalonia.VisualExtensions.TranslatePoint(button, default, plot)!.Value, button.Bounds.Size);
     });
 
     [Fact]
@@ -151,10 +163,18 @@ public sealed class PlotAreaTests
 
     private static bool Shows(PlotArea plot) => plot.View.Seen is var seen && seen.Contains(new(0, 0)) && seen.Contains(new(100, 1));
 
-    private static Button Button(PlotArea plot, string part) => plot.GetVisualDescendants().OfType<Button>().Single(b => AutomationProperties.GetAutomationId(b) == "gap-" + part);
+    private static Button Button(PlotArea plot, string part) =>
+        plot.GetVisualDescendants().OfType<Button>().Single(b => AutomationProperties.GetAutomationId(b) == "gap-" + part);
 
     private static GapDrawing Gap(double from = 0) => new(
-        [[new(from, 0), new(from + 100, 1)]], [[new(from, 1), new(from + 100, 0)]], [("A", new(from, 0), new(from, 1), 0.0005, 0.01, false), ("B", new(from + 100, 1), new(from + 100, 0), -0.0125, 0.02, false)], new(from, 0, from + 100, 1), 1, 0.0125, IsLong: true, IsTurned: false);
+        [[new(from, 0), new(from + 100, 1)]],
+        [[new(from, 1), new(from + 100, 0)]],
+        [("A", new(from, 0), new(from, 1), 0.0005, 0.01, false), ("B", new(from + 100, 1), new(from + 100, 0), -0.0125, 0.02, false)],
+        new(from, 0, from + 100, 1),
+        1,
+        0.0125,
+        IsLong: true,
+        IsTurned: false);
 
     private static Task At(Action<GapPlot, ScreenUser, Window> test) => Drawing.Needed().RunAsync(() =>
     {

@@ -17,7 +17,9 @@ public sealed class PlotLabelsTests
 
         Assert.True(new PlotLabels([], [place], Dot, All).Place(text, place, Away)!.Value.Corner.X > 100);
         Assert.True(new PlotLabels([[place, new(200, 100)]], [place], Dot, All).Place(text, place, Away)!.Value.Corner.X < 100);
-        Assert.True(new PlotLabels([[new(0, 100), place, new(200, 100)]], [place], Dot, All).Place(text, place, Away)!.Value.Corner.Y + text.Height <= 100 - Away);
+        Assert.True(
+            new PlotLabels([[new(0, 100), place, new(200, 100)]], [place], Dot, All).Place(text, place, Away)!.Value.Corner.Y
+                + text.Height <= 100 - Away);
         return Task.CompletedTask;
     });
 
@@ -30,7 +32,10 @@ public sealed class PlotLabelsTests
             var random = new Random(seed);
             Point[] places = [.. Enumerable.Range(0, 40).Select(_ => new Point(200 * random.NextDouble(), 100 * random.NextDouble()))];
             var labels = new PlotLabels([places], places, Dot, new(0, 0, 200, 100));
-            var rooms = places.Select(p => labels.Place(text, p, Away)).OfType<LabelRoom>().Select(r => new Rect(r.Corner, new Size(text.Width, text.Height))).ToArray();
+            var rooms = places.Select(p => labels.Place(text, p, Away))
+                .OfType<LabelRoom>()
+                .Select(r => new Rect(r.Corner, new Size(text.Width, text.Height)))
+                .ToArray();
 
             Assert.InRange(rooms.Length, 10, 39);
             Assert.All(rooms, r => Assert.DoesNotContain(rooms, o => o != r && o.Intersects(r)));
@@ -59,7 +64,9 @@ public sealed class PlotLabelsTests
             }
             else
             {
-                Assert.All(places.Where(p => p != place), p => Assert.True(DistanceOf(room, p) > 1.45 * DistanceOf(room, place), $"It may be taken for {p}."));
+                Assert.All(
+                    places.Where(p => p != place),
+                    p => Assert.True(DistanceOf(room, p) > 1.45 * DistanceOf(room, place), $"It may be taken for {p}."));
             }
         }
 
@@ -67,7 +74,8 @@ public sealed class PlotLabelsTests
 
         return Task.CompletedTask;
 
-        static double DistanceOf(Rect room, Point at) => Point.Distance(at, new(Math.Clamp(at.X, room.Left, room.Right), Math.Clamp(at.Y, room.Top, room.Bottom)));
+        static double DistanceOf(Rect room, Point at) =>
+            Point.Distance(at, new(Math.Clamp(at.X, room.Left, room.Right), Math.Clamp(at.Y, room.Top, room.Bottom)));
     });
 
     [Fact]
@@ -88,9 +96,11 @@ public sealed class PlotLabelsTests
         var (text, place) = (Text("12"), new Point(100, 100));
         Point[][] sides = [[new(112, 95), new(112, 105)], [new(88, 95), new(88, 105)]];
         Assert.Null(new PlotLabels(sides, [place], Dot, All).Place(text, place, Away, isSpare: true));
-        Assert.Equal(100 - (text.Height / 2), new PlotLabels(sides[..1], [place], Dot, All).Place(text, place, Away, isSpare: true)!.Value.Corner.Y);
+        Assert.Equal(
+            100 - (text.Height / 2), new PlotLabels(sides[..1], [place], Dot, All).Place(text, place, Away, isSpare: true)!.Value.Corner.Y);
         return Task.CompletedTask;
     });
 
-    private static FormattedText Text(string words) => new(words, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, 14, Brushes.Black);
+    private static FormattedText Text(string words) =>
+        new(words, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, 14, Brushes.Black);
 }

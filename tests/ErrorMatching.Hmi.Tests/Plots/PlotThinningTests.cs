@@ -12,8 +12,11 @@ public sealed class PlotThinningTests
     {
         // All of the line is seen, a unit a column.
         var view = new PlotView(1, 1, new(0, 0), 400, 400);
-        var thin = PlotThinning.Of([.. line], view).GroupBy(p => Math.Floor(p.At.X)).ToDictionary(g => g.Key, g => (g.Min(p => p.At.Y), g.Max(p => p.At.Y)));
-        return line.Distinct().Count() == 1 || line.Select(view.ToScreen).GroupBy(p => Math.Floor(p.X)).All(g => thin[g.Key] == (g.Min(p => p.Y), g.Max(p => p.Y)));
+        var thin = PlotThinning.Of([.. line], view)
+            .GroupBy(p => Math.Floor(p.At.X))
+            .ToDictionary(g => g.Key, g => (g.Min(p => p.At.Y), g.Max(p => p.At.Y)));
+        return line.Distinct().Count() == 1
+            || line.Select(view.ToScreen).GroupBy(p => Math.Floor(p.X)).All(g => thin[g.Key] == (g.Min(p => p.Y), g.Max(p => p.Y)));
     });
 
     [Fact]
@@ -37,5 +40,6 @@ public sealed class PlotThinningTests
     [Fact]
     public void What_is_no_number_interrupts_the_line() => Assert.Equal(
         [true, false, true, false],
-        PlotThinning.Of([new(0, 0), new(5, 0), new(double.NaN, 0), new(10, 0), new(15, 0)], new(1, 1, new(0, 0), 100, 100)).Select(p => p.Begins));
+        PlotThinning.Of(
+            [new(0, 0), new(5, 0), new(double.NaN, 0), new(10, 0), new(15, 0)], new(1, 1, new(0, 0), 100, 100)).Select(p => p.Begins));
 }

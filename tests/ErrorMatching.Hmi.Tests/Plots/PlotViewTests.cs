@@ -8,14 +8,16 @@ public sealed class PlotViewTests
     private const double Small = 1e-6;
 
     [Fact]
-    public void The_screen_and_back_is_the_same_place() => Law.Holds(Law.View.Zip(Law.Point), p => p.Item1.ToPlot(p.Item1.ToScreen(p.Item2)).DistanceTo(p.Item2) < Small);
+    public void The_screen_and_back_is_the_same_place() =>
+        Law.Holds(Law.View.Zip(Law.Point), p => p.Item1.ToPlot(p.Item1.ToScreen(p.Item2)).DistanceTo(p.Item2) < Small);
 
     [Fact]
     public void Zooming_about_a_point_keeps_what_is_under_it() => Law.Holds(Law.View.Zip(Law.Point).Zip(Gen.Choose(1, 100)), p =>
     {
         var ((view, about), tenths) = p;
         var zoomed = view.Zoom(tenths / 10.0, about);
-        return zoomed.ToPlot(about).DistanceTo(view.ToPlot(about)) < Small && Math.Abs((zoomed.ScaleX / view.ScaleX) - (tenths / 10.0)) < Small;
+        return zoomed.ToPlot(about).DistanceTo(view.ToPlot(about)) < Small
+            && Math.Abs((zoomed.ScaleX / view.ScaleX) - (tenths / 10.0)) < Small;
     });
 
     [Fact]
@@ -27,18 +29,21 @@ public sealed class PlotViewTests
     });
 
     [Fact]
-    public void Fitting_shows_everything_inside_of_the_room_around_it() => Law.Holds(Gen.NonEmptyListOf(Law.Point).Zip(Gen.Elements(true, false)), p =>
+    public void Fitting_shows_everything_inside_of_the_room_around_it() =>
+        Law.Holds(Gen.NonEmptyListOf(Law.Point).Zip(Gen.Elements(true, false)), p =>
     {
         var (points, isTrue) = p;
         var view = PlotView.Fit(PlotBox.Of(points), 800, 600, 30, isTrue);
-        return points.Select(view.ToScreen).All(s => s.X >= 30 - Small && s.X <= 770 + Small && s.Y >= 30 - Small && s.Y <= 570 + Small) && (!isTrue || view.ScaleX == view.ScaleY);
+        return points.Select(view.ToScreen).All(s => s.X >= 30 - Small && s.X <= 770 + Small && s.Y >= 30 - Small && s.Y <= 570 + Small)
+            && (!isTrue || view.ScaleX == view.ScaleY);
     });
 
     [Fact]
     public void Fitting_fills_at_least_one_direction() => Law.Holds(Gen.ListOf(Law.Point).Where(l => l.Distinct().Count() > 1), points =>
     {
         var screen = points.Select(PlotView.Fit(PlotBox.Of(points), 800, 600, 30, isTrue: true).ToScreen).ToArray();
-        return Math.Abs(screen.Max(s => s.X) - screen.Min(s => s.X) - 740) < Small || Math.Abs(screen.Max(s => s.Y) - screen.Min(s => s.Y) - 540) < Small;
+        return Math.Abs(screen.Max(s => s.X) - screen.Min(s => s.X) - 740) < Small
+            || Math.Abs(screen.Max(s => s.Y) - screen.Min(s => s.Y) - 540) < Small;
     });
 
     [Fact]

@@ -14,9 +14,16 @@ public sealed class SeriesPlotTests
     public Task Places_are_named_in_even_steps(int count, int step) => Drawing.Needed().RunAsync(() =>
     {
         var names = Words(new(
-            [.. Enumerable.Range(1, count).Select(i => i.ToString(CultureInfo.InvariantCulture))], [.. Enumerable.Repeat("", count)], [new(SeriesKind.Before, "line", [.. Enumerable.Range(0, count).Select(i => (double?)(i % 3))])], [], [], "µm"));
+            [.. Enumerable.Range(1, count).Select(i => i.ToString(CultureInfo.InvariantCulture))],
+            [.. Enumerable.Repeat("", count)],
+            [new(SeriesKind.Before, "line", [.. Enumerable.Range(0, count).Select(i => (double?)(i % 3))])],
+            [],
+            [],
+            "µm"));
         Assert.Contains("µm", names);
-        Assert.Equal(Enumerable.Range(1, count / step).Select(i => (step * i).ToString(CultureInfo.InvariantCulture)), names.Where(n => n.All(char.IsAsciiDigit) && n != "0").OrderBy(n => int.Parse(n, CultureInfo.InvariantCulture)));
+        Assert.Equal(
+            Enumerable.Range(1, count / step).Select(i => (step * i).ToString(CultureInfo.InvariantCulture)),
+            names.Where(n => n.All(char.IsAsciiDigit) && n != "0").OrderBy(n => int.Parse(n, CultureInfo.InvariantCulture)));
     });
 
     [Fact]
@@ -32,7 +39,11 @@ public sealed class SeriesPlotTests
     public void What_lies_outside_with_compensation_is_ringed()
     {
         var drawing = new SeriesDrawing(
-            ["A", "B", "C", "D", "E"], ["", "", "", "", ""], [new(SeriesKind.Before, "before", [9, 9, 9, 9, 9]), new(SeriesKind.After, "after", [-0.21, -0.2, null, 0.2, 0.31])], [new(0, 2, -0.2, 0.2), new(3, 3, -0.1, 0.1)], []);
+            ["A", "B", "C", "D", "E"],
+            ["", "", "", "", ""],
+            [new(SeriesKind.Before, "before", [9, 9, 9, 9, 9]), new(SeriesKind.After, "after", [-0.21, -0.2, null, 0.2, 0.31])],
+            [new(0, 2, -0.2, 0.2), new(3, 3, -0.1, 0.1)],
+            []);
         Assert.Equal([(0, -0.21), (3, 0.2)], drawing.Outside);
     }
 

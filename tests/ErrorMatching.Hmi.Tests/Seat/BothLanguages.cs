@@ -2,7 +2,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What a seat shows at a moment, in both languages and themes: measured, and two pictures for people in artifacts/screenshots.</summary>
+/// <summary>What a seat shows at a moment, in both languages and themes:
+/// measured, and two pictures for people in artifacts/screenshots.</summary>
 internal static class BothLanguages
 {
     /// <summary>Looks at what is shown now.</summary>

@@ -6,7 +6,8 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>The application without a screen, one for all tests of the process.</summary>
 internal static class Drawing
 {
-    /// <summary>Skips the current test where the libraries that draw are not installed, or fails it where ERRORMATCH_PEERS=required demands them.</summary>
+    /// <summary>Skips the current test where the libraries that draw are not installed,
+    /// or fails it where ERRORMATCH_PEERS=required demands them.</summary>
     public static OffScreenSession Needed()
     {
         var missing = NativeLibraries.MissingForDrawing;

@@ -3,7 +3,8 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Another program on the same X server, with a connection and a thread of its own: copies and pastes as a spreadsheet does. It ends with the process.</summary>
+/// <summary>Another program on the same X server, with a connection and a thread of its own: copies and pastes as a spreadsheet does.
+/// It ends with the process.</summary>
 internal sealed unsafe class ForeignProgram
 {
     private readonly nint _display;
@@ -32,8 +33,15 @@ internal sealed unsafe class ForeignProgram
             return null;
         }
 
-        _ = Xlib.XGetWindowProperty(_display, _window, _property, 0, 1 << 24, 1, 0, out _, out var format, out var items, out _, out var data);
-        var text = format == 8 ? Encoding.UTF8.GetString(data, (int)items) : string.Join(' ', Enumerable.Range(0, (int)items).Select(i => ((nint*)data)[i]).Select(a => a == Atom("UTF8_STRING") ? "UTF8_STRING" : a == Atom("TARGETS") ? "TARGETS" : "other"));
+        _ = Xlib.XGetWindowProperty(
+            _display, _window, _property, 0, 1 << 24, 1, 0, out _, out var format, out var items, out _, out var data);
+        var text = format == 8
+            ? Encoding.UTF8.GetString(data, (int)items)
+            : string.Join(
+                ' ',
+                Enumerable.Range(0, (int)items)
+                    .Select(i => ((nint*)data)[i])
+                    .Select(a => a == Atom("UTF8_STRING") ? "UTF8_STRING" : a == Atom("TARGETS") ? "TARGETS" : "other"));
         _ = Xlib.XFree(data);
         return text;
     });
@@ -66,7 +74,14 @@ internal sealed unsafe class ForeignProgram
             Put(request, text);
         }
 
-        var answer = new XEvent { Type = Xlib.SelectionNotify, Window = request.Requestor, AnswerSelection = request.Selection, AnswerTarget = request.Target, AnswerProperty = isRefused ? 0 : request.Property };
+        var answer = new XEvent
+        {
+            Type = Xlib.SelectionNotify,
+            Window = request.Requestor,
+            AnswerSelection = request.Selection,
+            AnswerTarget = request.Target,
+            AnswerProperty = isRefused ? 0 : request.Property
+        };
         _ = Xlib.XSendEvent(_display, request.Requestor, 0, 0, ref answer);
         _ = Xlib.XFlush(_display);
         if (isRefused || piece >= text.Length)

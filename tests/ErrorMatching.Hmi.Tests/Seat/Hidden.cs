@@ -12,26 +12,35 @@ internal static class Hidden
     private const double Slack = 1;
 
     /// <summary>All of it.</summary>
-    public static IEnumerable<string> Problems(Window window) => [.. MissingGlyphs(window), .. Clipped(window), .. Slits(window), .. LowFields(window), .. CutLines(window)];
+    public static IEnumerable<string> Problems(Window window) =>
+        [.. MissingGlyphs(window), .. Clipped(window), .. Slits(window), .. LowFields(window), .. CutLines(window)];
 
     // Characters that the font, and whatever takes its place, has no picture for: a box is drawn instead.
-    private static IEnumerable<string> MissingGlyphs(Window window) => window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && LayoutsOf(c).Any(IsMissing))
+    private static IEnumerable<string> MissingGlyphs(Window window) =>
+        window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && LayoutsOf(c).Any(IsMissing))
         .Select(c => $"{Layout.Name(c)} has a character without a glyph");
 
     private static IEnumerable<TextLayout> LayoutsOf(Control control) => control switch
     {
         TextBlock text => [text.TextLayout],
         TextPresenter typed => [typed.TextLayout],
-        IDrawnWords drawn => drawn.DrawnWords.SelectMany(d => d.Words.Split('\n').Select(l => new TextLayout(l, d.Typeface, 14, Brushes.Black))),
+        IDrawnWords drawn =>
+            drawn.DrawnWords.SelectMany(d => d.Words.Split('\n').Select(l => new TextLayout(l, d.Typeface, 14, Brushes.Black))),
         _ => [],
     };
 
-    private static bool IsMissing(TextLayout layout) => layout.TextLines.SelectMany(l => l.TextRuns).OfType<ShapedTextRun>().Any(r => r.ShapedBuffer.Any(g => g.GlyphIndex == 0));
+    private static bool IsMissing(TextLayout layout) =>
+        layout.TextLines.SelectMany(l => l.TextRuns).OfType<ShapedTextRun>().Any(r => r.ShapedBuffer.Any(g => g.GlyphIndex == 0));
 
     // What is touched, drawn or scrolled in, and is partly behind the border of something that clips it and does not scroll to it.
     private static IEnumerable<string> Clipped(Window window)
     {
-        foreach (var control in window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (Layout.IsTouched(c) || c is PlotArea or ColorLegend or ScrollContentPresenter) && !Layout.IsPart(c)))
+        foreach (var control in window.GetVisualDescendants()
+            .OfType<Control>()
+            .Where(
+                c => c.IsEffectivelyVisible
+                    && (Layout.IsTouched(c) || c is PlotArea or ColorLegend or ScrollContentPresenter)
+                    && !Layout.IsPart(c)))
         {
             var place = Layout.In(control, window);
             if (control.GetVisualAncestors().OfType<Control>().TakeWhile(a => a is not ScrollContentPresenter)
@@ -40,7 +49,9 @@ internal static class Hidden
                 yield return $"{Layout.Name(control)} is clipped by {above.GetType().Name}";
             }
 
-            if (control.FindAncestorOfType<ScrollContentPresenter>() is { CanHorizontallyScroll: false } scrolled && Layout.In(scrolled, window).Inflate(Slack) is var seen && (place.Left < seen.Left || place.Right > seen.Right))
+            if (control.FindAncestorOfType<ScrollContentPresenter>() is { CanHorizontallyScroll: false } scrolled
+                && Layout.In(scrolled, window).Inflate(Slack) is var seen
+                && (place.Left < seen.Left || place.Right > seen.Right))
             {
                 yield return $"{Layout.Name(control)} is clipped at the side";
             }
@@ -60,10 +71,15 @@ internal static class Hidden
     {
         foreach (var field in window.GetVisualDescendants().OfType<TextBox>().Where(f => f.IsEffectivelyVisible && !f.AcceptsReturn))
         {
-            foreach (var line in field.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && c is TextPresenter { Text.Length: > 0 } or TextBlock { Text.Length: > 0 }))
+            foreach (var line in field.GetVisualDescendants()
+                .OfType<Control>()
+                .Where(c => c.IsEffectivelyVisible && c is TextPresenter { Text.Length: > 0 } or TextBlock { Text.Length: > 0 }))
             {
                 var height = (line as TextPresenter)?.TextLayout.Height ?? ((TextBlock)line).TextLayout.Height;
-                var seen = line.GetVisualAncestors().OfType<Control>().TakeWhile(a => a != field.GetVisualParent()).Where(a => a.ClipToBounds || a == field || a is ScrollContentPresenter)
+                var seen = line.GetVisualAncestors()
+                    .OfType<Control>()
+                    .TakeWhile(a => a != field.GetVisualParent())
+                    .Where(a => a.ClipToBounds || a == field || a is ScrollContentPresenter)
                     .Aggregate(Layout.In(line, window), (place, above) => place.Intersect(Layout.In(above, window)));
                 if (seen.Height < height - Slack)
                 {

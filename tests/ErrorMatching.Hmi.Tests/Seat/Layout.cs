@@ -8,7 +8,8 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What is wrong with a layout, measured from it: text that is cut off, things that lie over each other, targets that a gloved finger misses or that a screen reader has no words for.</summary>
+/// <summary>What is wrong with a layout, measured from it: text that is cut off, things that lie over each other, targets that a gloved
+/// finger misses or that a screen reader has no words for.</summary>
 internal static class Layout
 {
     private const double Slack = 1;
@@ -16,13 +17,22 @@ internal static class Layout
 
     public static IReadOnlyList<string> Problems(Window window)
     {
-        var texts = window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible && !string.IsNullOrEmpty(t.Text ?? t.Inlines?.Text)).ToArray();
+        var texts = window.GetVisualDescendants()
+            .OfType<TextBlock>()
+            .Where(t => t.IsEffectivelyVisible && !string.IsNullOrEmpty(t.Text ?? t.Inlines?.Text))
+            .ToArray();
         var touched = window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && IsTouched(c)).ToArray();
-        return [.. texts.SelectMany(t => CutOff(t, window)), .. touched.SelectMany(c => TooSmall(c, window)), .. Nameless(window), .. Overlaps([.. texts, .. touched.Where(c => !IsPart(c))], window), .. Hidden.Problems(window)];
+        return [
+            .. texts.SelectMany(t => CutOff(t, window)),
+            .. touched.SelectMany(c => TooSmall(c, window)),
+            .. Nameless(window),
+            .. Overlaps([.. texts, .. touched.Where(c => !IsPart(c))], window),
+            .. Hidden.Problems(window)];
     }
 
     public static bool IsTouched(Control control) =>
-        control is Button or TextBox or ComboBox or TabItem || (control is ListBoxItem item && item.FindAncestorOfType<ListBox>() is { } list && !list.Classes.Contains("figures"));
+        control is Button or TextBox or ComboBox or TabItem
+            || (control is ListBoxItem item && item.FindAncestorOfType<ListBox>() is { } list && !list.Classes.Contains("figures"));
 
     private static IEnumerable<string> CutOff(TextBlock text, Window window)
     {
@@ -47,7 +57,8 @@ internal static class Layout
             }
         }
 
-        if (text.FindAncestorOfType<ScrollContentPresenter>() is { } scrolled && (place.Left < In(scrolled, window).Left - Slack || place.Right > In(scrolled, window).Right + Slack))
+        if (text.FindAncestorOfType<ScrollContentPresenter>() is { } scrolled
+            && (place.Left < In(scrolled, window).Left - Slack || place.Right > In(scrolled, window).Right + Slack))
         {
             yield return $"\"{Words(text)}\" is cut off at the side";
         }
@@ -71,10 +82,17 @@ internal static class Layout
     // What a screen reader says of what is touched, and of each row; a name of a type is none.
     private static IEnumerable<string> Nameless(Window window)
     {
-        foreach (var control in window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && (IsTouched(c) || c is ListBoxItem or PlotArea or ProgramText or ColorLegend) && !IsPart(c)))
+        foreach (var control in window.GetVisualDescendants()
+            .OfType<Control>()
+            .Where(
+                c => c.IsEffectivelyVisible && (IsTouched(c) || c is ListBoxItem or PlotArea or ProgramText or ColorLegend) && !IsPart(c)))
         {
             var peer = ControlAutomationPeer.CreatePeerForElement(control);
-            if (peer.GetName() is not { } name || string.IsNullOrWhiteSpace(name) || name.Contains("Avalonia.", StringComparison.Ordinal) || name.Contains(" { ", StringComparison.Ordinal) || name.StartsWith("ErrorMatching.", StringComparison.Ordinal))
+            if (peer.GetName() is not { } name
+                || string.IsNullOrWhiteSpace(name)
+                || name.Contains("Avalonia.", StringComparison.Ordinal)
+                || name.Contains(" { ", StringComparison.Ordinal)
+                || name.StartsWith("ErrorMatching.", StringComparison.Ordinal))
             {
                 yield return $"{control.GetType().Name} {AutomationProperties.GetAutomationId(control)} is called \"{peer.GetName()}\"";
             }
@@ -87,7 +105,10 @@ internal static class Layout
     }
 
     // The buttons inside of a field or of a scroll bar.
-    public static bool IsPart(Control control) => control.FindAncestorOfType<TextBox>() is not null || control.FindAncestorOfType<ScrollBar>() is not null || control.FindAncestorOfType<ComboBox>() is not null;
+    public static bool IsPart(Control control) =>
+        control.FindAncestorOfType<TextBox>() is not null
+            || control.FindAncestorOfType<ScrollBar>() is not null
+            || control.FindAncestorOfType<ComboBox>() is not null;
 
     private static IEnumerable<string> Overlaps(IReadOnlyList<Control> controls, Window window)
     {
@@ -110,14 +131,22 @@ internal static class Layout
     private static bool IsInFront(Control control) => control.GetVisualAncestors().OfType<Panel>().Any(p => p.Classes.Contains("veil"));
 
     public static Rect Seen(Control control, Window window) =>
-        control.GetVisualAncestors().OfType<Control>().Where(a => a.ClipToBounds || a is ScrollContentPresenter).Aggregate(In(control, window), (place, above) => place.Intersect(In(above, window)));
+        control.GetVisualAncestors()
+            .OfType<Control>()
+            .Where(a => a.ClipToBounds || a is ScrollContentPresenter)
+            .Aggregate(In(control, window), (place, above) => place.Intersect(In(above, window)));
 
-    public static Rect In(Visual visual, Window window) => new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(window) ?? Matrix.Identity);
+    public static Rect In(Visual visual, Window window) =>
+        new Rect(visual.Bounds.Size).TransformToAABB(visual.TransformToVisual(window) ?? Matrix.Identity);
 
-    public static string Name(Control control) => control is TextBlock text ? $"\"{Words(text)}\"" : $"{control.GetType().Name} {Id(control)}";
+    public static string Name(Control control) =>
+        control is TextBlock text ? $"\"{Words(text)}\"" : $"{control.GetType().Name} {Id(control)}";
 
     // Parts of a template have no name of their own.
-    private static string? Id(Control control) => control.GetSelfAndVisualAncestors().OfType<Control>().Select(AutomationProperties.GetAutomationId).FirstOrDefault(id => !string.IsNullOrEmpty(id));
+    private static string? Id(Control control) => control.GetSelfAndVisualAncestors()
+        .OfType<Control>()
+        .Select(AutomationProperties.GetAutomationId)
+        .FirstOrDefault(id => !string.IsNullOrEmpty(id));
 
     private static string? Words(TextBlock text) => text.Text ?? text.Inlines?.Text;
 }

@@ -3,7 +3,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What a seat shows in both themes, both languages and two sizes: what measure finds wrong with it, and pictures for people in artifacts/screenshots.</summary>
+/// <summary>What a seat shows in both themes, both languages and two sizes:
+/// what measure finds wrong with it, and pictures for people in artifacts/screenshots.</summary>
 internal sealed class Pictures(Seat seat)
 {
     private readonly List<string> _problems = [];
@@ -13,7 +14,8 @@ internal sealed class Pictures(Seat seat)
 
     /// <summary>Looks at what is shown now.</summary>
     /// <param name="name">Name of the screen, with which its pictures begin.</param>
-    /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and languages are measured all the same.</param>
+    /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and
+    /// languages are measured all the same.</param>
     /// <param name="settled">What is waited for in each language: words that are made beside the screen.</param>
     public void Take(string name, bool isPictured = true, Func<bool>? settled = null)
     {
@@ -33,7 +35,8 @@ internal sealed class Pictures(Seat seat)
                     if (isPictured || (size.Width < 1500 && isDark == (language == Language.TraditionalChinese)))
                     {
                         seat.Shell.IsDark = isDark;
-                        var picture = Repository.PathTo("artifacts", "screenshots", $"{name}-{(isDark ? "dark" : "light")}-{code}-{size.Width}x{size.Height}.png");
+                        var picture = Repository.PathTo(
+                            "artifacts", "screenshots", $"{name}-{(isDark ? "dark" : "light")}-{code}-{size.Width}x{size.Height}.png");
                         seat.User.Screenshot(picture);
                         Keep(name, code, picture);
                     }
@@ -51,7 +54,9 @@ internal sealed class Pictures(Seat seat)
     private static void Keep(string name, string code, string picture)
     {
         var kept = Repository.PathTo("docs", "station", "pictures", $"{name}-{code}.png");
-        if (Environment.GetEnvironmentVariable("UPDATE_MANUAL") == "1" && File.Exists(kept) && picture.EndsWith($"-light-{code}-1280x800.png", StringComparison.Ordinal))
+        if (Environment.GetEnvironmentVariable("UPDATE_MANUAL") == "1"
+            && File.Exists(kept)
+            && picture.EndsWith($"-light-{code}-1280x800.png", StringComparison.Ordinal))
         {
             File.Copy(picture, kept, overwrite: true);
         }

@@ -8,7 +8,8 @@ using ErrorMatching.Hmi.Cairo;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A person who goes through what is on the screen by Tab alone, there and back: what they do not get to, what they do not see, and where the way jumps.</summary>
+/// <summary>A person who goes through what is on the screen by Tab alone, there and back:
+/// what they do not get to, what they do not see, and where the way jumps.</summary>
 internal sealed class TabWalk(Seat seat)
 {
     // Nobody presses Tab so often: the way never comes back to where it began.
@@ -57,7 +58,9 @@ internal sealed class TabWalk(Seat seat)
         {
             if (at is null || way.Count > Most)
             {
-                _problems.Add($"{name}: {(at is null ? "the focus is lost" : "the way does not end")} behind {string.Join(", ", way.TakeLast(3).Select(Name))}");
+                _problems.Add(
+                    $"{name}: {(at is null ? "the focus is lost" : "the way does not end")} behind "
+                        + $"{string.Join(", ", way.TakeLast(3).Select(Name))}");
                 return way;
             }
 
@@ -95,7 +98,10 @@ internal sealed class TabWalk(Seat seat)
 
     // What a finger can do on the screen that is in front.
     private static bool IsMeant(Control control) =>
-        control.IsEffectivelyVisible && control.IsEffectivelyEnabled && (Layout.IsTouched(control) || control is PlotArea or ProgramText or ListBox) && !Layout.IsPart(control)
+        control.IsEffectivelyVisible
+            && control.IsEffectivelyEnabled
+            && (Layout.IsTouched(control) || control is PlotArea or ProgramText or ListBox)
+            && !Layout.IsPart(control)
         && control is not ListBox { ItemCount: 0 };
 
     // A list and a row of tabs take one Tab; within them the arrows go on.
@@ -108,10 +114,12 @@ internal sealed class TabWalk(Seat seat)
     {
         var (a, b) = (In(from), In(to));
         var shared = Math.Min(a.Bottom, b.Bottom) - Math.Max(a.Top, b.Top);
-        return (b.Bottom <= a.Top + Slack && b.Left < a.Right - Slack) || (shared > Math.Min(a.Height, b.Height) / 2 && b.Right <= a.Left + Slack);
+        return (b.Bottom <= a.Top + Slack && b.Left < a.Right - Slack)
+            || (shared > Math.Min(a.Height, b.Height) / 2 && b.Right <= a.Left + Slack);
     }
 
-    private Rect In(Control control) => control.TransformToVisual(seat.Window) is { } matrix ? new Rect(control.Bounds.Size).TransformToAABB(matrix) : default;
+    private Rect In(Control control) =>
+        control.TransformToVisual(seat.Window) is { } matrix ? new Rect(control.Bounds.Size).TransformToAABB(matrix) : default;
 
     private PixelRect Around(Control control)
     {
@@ -125,11 +133,13 @@ internal sealed class TabWalk(Seat seat)
         var pixels = new byte[rect.Width * rect.Height * 4];
         for (var y = 0; y < rect.Height; y++)
         {
-            System.Runtime.InteropServices.Marshal.Copy(frame.Address + ((rect.Y + y) * frame.RowBytes) + (rect.X * 4), pixels, y * rect.Width * 4, rect.Width * 4);
+            System.Runtime.InteropServices.Marshal.Copy(
+                frame.Address + ((rect.Y + y) * frame.RowBytes) + (rect.X * 4), pixels, y * rect.Width * 4, rect.Width * 4);
         }
 
         return pixels;
     }
 
-    private static string Name(Control control) => AutomationProperties.GetAutomationId(control) is { Length: > 0 } id ? id : control.GetType().Name;
+    private static string Name(Control control) =>
+        AutomationProperties.GetAutomationId(control) is { Length: > 0 } id ? id : control.GetType().Name;
 }

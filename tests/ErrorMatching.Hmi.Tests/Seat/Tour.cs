@@ -3,17 +3,36 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Everything that a station can show: each screen, each of its sides, and what is opened over them, with whatever a cell delivers to be seen there.</summary>
+/// <summary>Everything that a station can show: each screen, each of its sides, and what is opened over them,
+/// with whatever a cell delivers to be seen there.</summary>
 internal sealed class Tour(Seat seat)
 {
     // Each side, and something that stands on it.
-    private static readonly (string Side, string Shows)[] Setup = [("coordinates", "coordinates"), ("blocks", "program-text"), ("tolerances", "chain-add"), ("machine", "edit-compensation.gain"), ("gauge", "contribution-add")];
-    private static readonly (string Side, string Shows)[] Mating = [("features", "quantities"), ("program", "program"), ("gap", "gap-after"), ("decisions", "decisions"), ("course", "steps")];
-    private static readonly (string Side, string Shows)[] Piece = [("errors", "plot-errors"), ("assembly", "assembly-after"), ("improvement", "improvements"), ("trend", "plot-trend"), ("error-points", "error-points")];
+    private static readonly (string Side, string Shows)[] Setup = [
+        ("coordinates", "coordinates"),
+        ("blocks", "program-text"),
+        ("tolerances", "chain-add"),
+        ("machine", "edit-compensation.gain"),
+        ("gauge", "contribution-add")];
+    private static readonly (string Side, string Shows)[] Mating = [
+        ("features", "quantities"), ("program", "program"), ("gap", "gap-after"), ("decisions", "decisions"), ("course", "steps")];
+    private static readonly (string Side, string Shows)[] Piece = [
+        ("errors", "plot-errors"),
+        ("assembly", "assembly-after"),
+        ("improvement", "improvements"),
+        ("trend", "plot-trend"),
+        ("error-points", "error-points")];
     private static readonly (string Side, string Shows)[] Surface =
-        [("map", "map"), ("compare", "map-radius"), ("surface-errors", "plot-surface-errors"), ("statistics", "statistics"), ("plan", "measured-plan"), ("finishing", "finishing-program")];
+        [
+            ("map", "map"),
+            ("compare", "map-radius"),
+            ("surface-errors", "plot-surface-errors"),
+            ("statistics", "statistics"),
+            ("plan", "measured-plan"),
+            ("finishing", "finishing-program")];
 
-    /// <summary>Lets the cell make what is shown: a piece that was cut and measured, a mating and a surface that wait for somebody.</summary>
+    /// <summary>Lets the cell make what is shown: a piece that was cut and measured,
+    /// a mating and a surface that wait for somebody.</summary>
     public Tour Deliver()
     {
         seat.RunCell();
@@ -103,7 +122,8 @@ internal sealed class Tour(Seat seat)
         look("settings, new user");
         seat.Tap("tab-connections");
         var page = ((SettingsViewModel)seat.Shell.Current!).Connections;
-        seat.Tap("connections-test").WaitFor(() => !page.Test.IsRunning && page.Rows.All(r => r.Found is not null), "The test does not end.");
+        seat.Tap("connections-test").WaitFor(
+            () => !page.Test.IsRunning && page.Rows.All(r => r.Found is not null), "The test does not end.");
         Sides(look, "settings", "tab-", [("connections", "connections"), ("look", "look-sizes"), ("about", "about-parts")]);
     }
 

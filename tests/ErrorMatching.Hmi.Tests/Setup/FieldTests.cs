@@ -50,7 +50,8 @@ public sealed class FieldTests
         // Of another field with its row, as several have that name; where the focus is gone to one that is well, of the first again.
         seat.Seat.Tap("edit-features[2].name").Type("edit-features[2].name", "L/1");
         seat.Settle();
-        Assert.Equal(("L/1 · Name", seat.Setup.Features[2].Name.Problem), (seat.TextOf("setup-told"), seat.TextOf("problem-features[2].name")));
+        Assert.Equal(
+            ("L/1 · Name", seat.Setup.Features[2].Name.Problem), (seat.TextOf("setup-told"), seat.TextOf("problem-features[2].name")));
         Assert.Contains("wrong", seat.Seat.See("edit-features[2].name").Classes);
         Assert.Null(seat.Seat.Find("problem-name"));
         _ = seat.Seat.See("edit-workOrder").Focus();
@@ -69,8 +70,11 @@ public sealed class FieldTests
     {
         var boxes = new[] { "edit-features[0].points[1]", "edit-features[0].points[0]/x", "edit-features[0].points[1]/y" };
         seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
-        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Label = "" }, .. f.Flanks[0].Skip(2)]] }));
+        seat.Shell.Editing.Change(
+            "", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
+        seat.Shell.Editing.Change(
+            "",
+            d => d.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Label = "" }, .. f.Flanks[0].Skip(2)]] }));
         seat.Settle();
         Assert.All(boxes, b => Assert.Equal("", ((TextBox)seat.Seat.See(b)).PlaceholderText));
         seat.Seat.Tap("setup-problems");

@@ -2,7 +2,8 @@ using Avalonia.Input;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>Blocks are found by the key points that they lead past, as the sample's job has them; whoever sits there looks at them and may take them back.</summary>
+/// <summary>Blocks are found by the key points that they lead past, as the sample's job has them;
+/// whoever sits there looks at them and may take them back.</summary>
 public sealed class FoundBlocksTests
 {
     private static readonly string[] Paper = ["N120", "N130..N160", "N170..N1190"];
@@ -33,7 +34,10 @@ public sealed class FoundBlocksTests
     [Fact]
     public Task What_has_its_blocks_keeps_them_and_what_is_not_found_is_said() => At(seat =>
     {
-        seat.Shell.Editing.Change("", d => d.WithFeature(1, f => f with { Blocks = "N130..N150" }).WithFeature(2, f => f with { Flanks = [[.. f.Flanks[0].Select((p, i) => i == 3 ? p with { Y = "" } : p)]] }));
+        seat.Shell.Editing.Change(
+            "",
+            d => d.WithFeature(1, f => f with { Blocks = "N130..N150" }).WithFeature(
+                2, f => f with { Flanks = [[.. f.Flanks[0].Select((p, i) => i == 3 ? p with { Y = "" } : p)]] }));
         Empty(seat, 0, 2);
         seat.Seat.Tap("blocks-find");
         Wait(seat);

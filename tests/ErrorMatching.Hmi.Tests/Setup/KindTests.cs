@@ -19,7 +19,8 @@ public sealed class KindTests
             Assert.Empty(keys.Where(k => !texts.ContainsKey(k)).Select(k => $"{k} ({language})"));
         }
 
-        Assert.All(FeatureKinds.All, k => Assert.True(Application.Current!.TryGetResource($"Icon.kind-{k}", null, out _), $"{k} has no icon."));
+        Assert.All(
+            FeatureKinds.All, k => Assert.True(Application.Current!.TryGetResource($"Icon.kind-{k}", null, out _), $"{k} has no icon."));
     });
 
     [Fact]
@@ -35,10 +36,15 @@ public sealed class KindTests
         Assert.Equal(FeatureKinds.All, seat.Draft.Features.Select(f => f.Kind));
         Assert.Equal(FeatureKinds.All.Select(k => k.LeastPoints.Sum()), seat.Draft.Features.Select(f => f.Points.Count()));
         var drawing = Hmi.PartDrawing.Of(seat.Draft);
-        Assert.All(drawing.Lines.Zip(seat.Draft.Features), l => Assert.Equal(l.Second.Points.Select(p => p.Label), l.First.Points.Select(p => p.Label)));
+        Assert.All(
+            drawing.Lines.Zip(seat.Draft.Features),
+            l => Assert.Equal(l.Second.Points.Select(p => p.Label), l.First.Points.Select(p => p.Label)));
 
         // One beside the other, from left to right.
-        Assert.All(drawing.Lines.Zip(drawing.Lines.Skip(1)), l => Assert.True(l.First.Outline.Max(p => p.X) < l.Second.Outline.Min(p => p.X), $"{l.Second.Name} is drawn over {l.First.Name}."));
+        Assert.All(
+            drawing.Lines.Zip(drawing.Lines.Skip(1)),
+            l => Assert.True(
+                l.First.Outline.Max(p => p.X) < l.Second.Outline.Min(p => p.X), $"{l.Second.Name} is drawn over {l.First.Name}."));
         foreach (var (feature, index) in seat.Draft.Features.Select((f, i) => (f, i)))
         {
             foreach (var key in feature.Kind.Keys)

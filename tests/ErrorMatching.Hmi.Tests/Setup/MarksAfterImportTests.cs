@@ -62,7 +62,8 @@ public sealed class MarksAfterImportTests
             var (from, to) = program.Moves.EndsOf(motion)!.Value;
             var place = path.TranslatePoint(path.View.At(program.Moves.NearestOn(motion, from.Lerp(to, 0.5))), seat.Seat.Window)!.Value;
             var offsets = Enumerable.Range(-Reach, (2 * Reach) + 1);
-            return offsets.SelectMany(x => offsets.Select(y => new PixelPoint((int)place.X + x, (int)place.Y + y))).Select(seat.Seat.User.PixelAt);
+            return offsets.SelectMany(x => offsets.Select(y => new PixelPoint(
+                (int)place.X + x, (int)place.Y + y))).Select(seat.Seat.User.PixelAt);
         }
     }
 }

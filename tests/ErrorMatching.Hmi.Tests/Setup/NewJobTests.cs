@@ -6,7 +6,8 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A new job is begun at the beginning, is called what it is, is saved under that name beside the one that runs, and takes its place only where somebody signs that.</summary>
+/// <summary>A new job is begun at the beginning, is called what it is, is saved under that name beside the one that runs, and takes its
+/// place only where somebody signs that.</summary>
 public sealed class NewJobTests
 {
     [Fact]
@@ -75,7 +76,9 @@ public sealed class NewJobTests
         Assert.Contains(" · Bracket · ", editing.Versions[1].Text, StringComparison.Ordinal);
         Assert.Equal(before, Contents(folder));
         var entries = here.Station.Store.AuditEntries(0, 1000).Where(e => e.What.StartsWith("job-", StringComparison.Ordinal));
-        Assert.Equal([("job-prepared", "complex-mating/Bracket"), ("job-prepared", "complex-mating/Bracket")], entries.Select(e => (e.What, e.Subject)));
+        Assert.Equal(
+            [("job-prepared", "complex-mating/Bracket"), ("job-prepared", "complex-mating/Bracket")],
+            entries.Select(e => (e.What, e.Subject)));
 
         (int X, int Y)[] Places() =>
         [
@@ -99,7 +102,11 @@ public sealed class NewJobTests
             + "From the next measurement on, vmc1, slot A uses Bracket instead of Complex mating.",
             here.TextOf("signing-consequence"));
         Assert.Equal(
-            [new Fact("Waiting corrections of the old job: 1. Once the new job is in use, you can recalculate them.", Severity.Attention), new("Saving removes the comments in its file.", Severity.Attention)], here.Shell.Signing!.Facts);
+            [
+                new Fact(
+                    "Waiting corrections of the old job: 1. Once the new job is in use, you can recalculate them.", Severity.Attention),
+                new("Saving removes the comments in its file.", Severity.Attention)],
+            here.Shell.Signing!.Facts);
 
         // What a gauge runs changes by a signature alone, as a program does at its machine.
         Assert.NotNull(here.Find("signing-password"));
@@ -124,7 +131,8 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task Where_the_station_locks_while_it_is_asked_nothing_is_put_in_use_and_it_can_be_later() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Where_the_station_locks_while_it_is_asked_nothing_is_put_in_use_and_it_can_be_later() =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         var job = File.ReadAllBytes(seat.JobFile);
         SaveBeside(seat);
@@ -143,7 +151,9 @@ public sealed class NewJobTests
         SaveBeside(seat);
         SetUp(seat);
         here.Tap("setup-save").WaitFor(() => seat.TextOf("setup-message") is not null, "It is not refused.");
-        Assert.Equal("A saved job has this workpiece name already. Give the new one another name, or open the saved one and change it.", seat.TextOf("setup-message"));
+        Assert.Equal(
+            "A saved job has this workpiece name already. Give the new one another name, or open the saved one and change it.",
+            seat.TextOf("setup-message"));
         BothLanguages.Take(here, "setup-name-taken");
         editing.Change("", d => d with { Name = "../Bracket" });
         seat.Settle();
@@ -154,10 +164,12 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task A_new_job_that_was_kept_is_still_another_one_and_one_that_was_taken_back_is_not() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_that_was_kept_is_still_another_one_and_one_that_was_taken_back_is_not() =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         SetUp(seat);
-        var kept = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Seat.Station.Settings.File)!, "drafts")).Find(seat.Shell.Editing.Job!.Name);
+        var kept = new DraftFolder(Path.Combine(
+            Path.GetDirectoryName(seat.Seat.Station.Settings.File)!, "drafts")).Find(seat.Shell.Editing.Job!.Name);
         Assert.True(kept!.Draft.IsBegunAnew);
         seat.Shell.Editing.Undo.Execute(null);
         seat.Shell.Editing.Undo.Execute(null);
@@ -168,7 +180,8 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_can_be_restored() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_can_be_restored() =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
         var before = MatingDraftFiles.Open(seat.JobFile);

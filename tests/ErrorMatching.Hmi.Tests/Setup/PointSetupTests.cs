@@ -14,8 +14,12 @@ public sealed class PointSetupTests
     public Task A_job_is_shown_as_it_stands() => At(seat =>
     {
         Assert.Equal("In use at vmc1, slot A.", seat.TextOf("setup-state"));
-        Assert.Equal(("WO-2021-02", "Complex mating", "anna"), (seat.Setup.WorkOrder.Text, seat.Setup.Workpiece.Text, seat.Seat.TextOf("points-operator")));
-        Assert.Equal([("L1", "2"), ("L2L3", "2 2"), ("C1", "10")], seat.Setup.Features.Select(f => (f.Name.Text, string.Join(' ', f.Flanks.Select(k => k.Count.Text)))));
+        Assert.Equal(
+            ("WO-2021-02", "Complex mating", "anna"),
+            (seat.Setup.WorkOrder.Text, seat.Setup.Workpiece.Text, seat.Seat.TextOf("points-operator")));
+        Assert.Equal(
+            [("L1", "2"), ("L2L3", "2 2"), ("C1", "10")],
+            seat.Setup.Features.Select(f => (f.Name.Text, string.Join(' ', f.Flanks.Select(k => k.Count.Text)))));
         Assert.Equal((false, 16, 16), (seat.Setup.Drawing.IsSchematic, seat.Setup.Drawing.Known, seat.Setup.Drawing.Total));
 
         // The first point under the finger: the sample's own place.
@@ -59,7 +63,10 @@ public sealed class PointSetupTests
     public Task A_new_job_says_for_which_place_it_is_and_that_the_one_there_runs_until_it_is_put_in_use() => At(seat =>
     {
         var anew = seat.Seat.See("setup-anew");
-        Assert.Equal("A new job from an empty form, for vmc1, slot A. It is saved under its own name; complex-mating runs until you put the new one in use.", AutomationProperties.GetHelpText(anew));
+        Assert.Equal(
+            "A new job from an empty form, for vmc1, slot A. It is saved under its own name; complex-mating runs until you put the new "
+                + "one in use.",
+            AutomationProperties.GetHelpText(anew));
         Assert.Equal(AutomationProperties.GetHelpText(anew), ToolTip.GetTip(anew));
         seat.Seat.Tap("setup-anew");
         seat.Settle();
@@ -81,7 +88,15 @@ public sealed class PointSetupTests
             Assert.Equal(["complex-mating", "counterparts"], jobs.Select(j => j.Name));
             Assert.Single(jobs.Select(j => j.File).Distinct());
             new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"))
-                .Keep(new() { Job = "counterparts", By = "anna", At = DateTimeOffset.UnixEpoch, BaseSha256 = JobEdits.Sha256Of(jobs[1]), Draft = MatingDraftFiles.Open(jobs[1].File) with { Name = "Kept" } });
+                .Keep(
+                    new()
+                    {
+                        Job = "counterparts",
+                        By = "anna",
+                        At = DateTimeOffset.UnixEpoch,
+                        BaseSha256 = JobEdits.Sha256Of(jobs[1]),
+                        Draft = MatingDraftFiles.Open(jobs[1].File) with { Name = "Kept" }
+                    });
             seat.SignIn(DemoCell.Setter).Tap("nav-points");
             var here = new SetupSeat(seat).Settle();
             Assert.Equal(["complex-mating"], here.Shell.Editing.Jobs.Select(j => j.Name));
@@ -104,7 +119,10 @@ public sealed class PointSetupTests
         Assert.Equal(["1", "2", "3", "4", "5", "6", "7", "8", "9"], seat.Draft.Points.Select(p => p.Label));
         Assert.True(seat.Setup.Drawing.IsSchematic);
         Assert.Equal("Schematic: 9 points, none with coordinates yet.", seat.Seat.TextOf("points-caption"));
-        seat.Seat.Tap("feature-1-flank-1-more").Tap("feature-1-flank-0-less").Type("edit-features[2].points", "10").Type("edit-features[0].name", "Front");
+        seat.Seat.Tap("feature-1-flank-1-more")
+            .Tap("feature-1-flank-0-less")
+            .Type("edit-features[2].points", "10")
+            .Type("edit-features[0].name", "Front");
         Assert.Equal(["2", "1 3", "10"], seat.Draft.Features.Select(f => string.Join(' ', f.Flanks.Select(k => k.Count))));
         Assert.Equal(["Front", "T1", "C1"], seat.Draft.Features.Select(f => f.Name));
         Assert.Equal(seat.Draft.Points.Count(), seat.Draft.Points.Select(p => p.Label).Distinct().Count());
@@ -145,8 +163,11 @@ public sealed class PointSetupTests
     public Task An_operator_sees_everything_and_changes_nothing() => At(
         seat =>
         {
-            Assert.Equal("Only setters and administrators can change jobs. You can view everything here.", seat.Seat.TextOf("setup-forbidden"));
-            Assert.All(new[] { "setup-save", "setup-anew", "add-line", "edit-name", "feature-0-remove", "feature-0-flank-0-more" }, id => Assert.False(seat.Seat.See(id).IsEffectivelyEnabled, id));
+            Assert.Equal(
+                "Only setters and administrators can change jobs. You can view everything here.", seat.Seat.TextOf("setup-forbidden"));
+            Assert.All(
+                new[] { "setup-save", "setup-anew", "add-line", "edit-name", "feature-0-remove", "feature-0-flank-0-more" },
+                id => Assert.False(seat.Seat.See(id).IsEffectivelyEnabled, id));
             seat.Seat.Type("edit-name", "Mine");
             seat.Shell.Editing.Change("", d => d with { Name = "Mine" });
             Assert.Equal("Complex mating", seat.Draft.Name);
@@ -178,7 +199,8 @@ public sealed class PointSetupTests
         var schematic = PartDrawing.Of(draft);
         Assert.Equal((true, 0, 6), (schematic.IsSchematic, schematic.Known, schematic.Total));
         Assert.Equal(6, schematic.Lines.SelectMany(l => l.Points).Select(p => p.At).Distinct().Count());
-        var known = PartDrawing.Of(draft.WithFeature(1, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(1, new("4", "-1.5", "2e1"))) }));
+        var known = PartDrawing.Of(draft.WithFeature(
+            1, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(1, new("4", "-1.5", "2e1"))) }));
         Assert.Equal((false, 1, 6), (known.IsSchematic, known.Known, known.Total));
         Assert.Equal(("4", new Geometry.Point2(-1.5, 20)), Assert.Single(known.Lines.SelectMany(l => l.Points)));
     }
@@ -211,7 +233,8 @@ public sealed class PointSetupTests
     {
         var draft = new MatingDraft();
         draft = draft with { Features = [FeatureDraft.New(CurveKind.Instance, "C", draft)] };
-        var curve = PartDrawing.Of(draft.WithFeature(0, f => f with { Flanks = [[new("1", "", ""), new("2", "", ""), new("3", "", "")]] })).Lines[0];
+        var curve = PartDrawing.Of(draft.WithFeature(
+            0, f => f with { Flanks = [[new("1", "", ""), new("2", "", ""), new("3", "", "")]] })).Lines[0];
         Assert.Equal(["1", "2", "3"], curve.Points.Select(p => p.Label));
         Assert.All(curve.Points, p => Assert.Contains(curve.Outline, o => o.DistanceTo(p.At) < 1e-9));
 

@@ -5,15 +5,21 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>A table of coordinates that does not fit the points is told so, puts none on a wrong point, and is taken once what was advised is done.</summary>
+/// <summary>A table of coordinates that does not fit the points is told so, puts none on a wrong point,
+/// and is taken once what was advised is done.</summary>
 public sealed class PointTableTests
 {
     private static readonly string Drawing = Repository.PathTo("samples", "complex-mating", "theoretical.csv");
 
     [Theory]
-    [InlineData(false, "Nothing imported: 17 rows for 16 points without coordinates. Only in the table: 2a, 3a, 3b. Only in the features: 15, 16. Correct the number of points in Point set-up. For a row of no feature, such as a tip, tap Add point and type its label. Then read the table again.")]
+    [InlineData(
+        false,
+        "Nothing imported: 17 rows for 16 points without coordinates. Only in the table: 2a, 3a, 3b. Only in the features: 15, 16. "
+            + "Correct the number of points in Point set-up. For a row of no feature, such as a tip, tap Add point and type its "
+            + "label. Then read the table again.")]
     [InlineData(true, "未讀入任何座標：表格有 17 行，而尚無座標的點有 16 個。僅表格有 2a、3a、3b。僅特徵有 15、16。請在點位設定更正點數；不屬於特徵的點（例如頂點），請在此點選「新增點」並輸入其標籤。然後再讀取一次表格。")]
-    public Task A_drawing_with_a_tip_of_no_feature_is_taken_once_the_tip_is_named(bool isChinese, string refused) => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task A_drawing_with_a_tip_of_no_feature_is_taken_once_the_tip_is_named(bool isChinese, string refused) =>
+        SetupSeat.AtAsync(Screens.Points, seat =>
     {
         if (isChinese)
         {
@@ -38,7 +44,9 @@ public sealed class PointTableTests
             isChinese ? "表中有 17 點。依其順序的標籤：L1 1..2、T1 2a..4、C1 5..14。"
                 : "The table has 17 points. Labels in order: L1 1..2, T1 2a..4, C1 5..14.",
             seat.TextOf("setup-notice"));
-        Assert.Equal(MatingDraftFiles.Open(seat.JobFile).Points.Select(p => (p.Label, p.X, p.Y)), seat.Draft.Points.Select(p => (p.Label, p.X, p.Y)));
+        Assert.Equal(
+            MatingDraftFiles.Open(seat.JobFile).Points.Select(p => (p.Label, p.X, p.Y)),
+            seat.Draft.Points.Select(p => (p.Label, p.X, p.Y)));
         seat.Seat.Tap("setup-undo");
         Assert.True(seat.Draft.IsSame(before));
     });
@@ -50,7 +58,8 @@ public sealed class PointTableTests
         var drawing = DemoCell.Drawing(Drawing);
         string[] labels = [.. drawing.Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(l => l.Split(',')[0])];
         Paste(seat, drawing);
-        Assert.StartsWith("Nothing imported: 16 rows for 9 points without coordinates.", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "Nothing imported: 16 rows for 9 points without coordinates.", seat.TextOf("setup-message"), StringComparison.Ordinal);
         Assert.Contains("Correct the number of points in Point set-up.", seat.TextOf("setup-message"), StringComparison.Ordinal);
         seat.Seat.Tap("nav-points").Type("edit-features[2].points", "10").User.Press(Key.Enter);
         seat.Settle();
@@ -62,7 +71,8 @@ public sealed class PointTableTests
         var other = drawing.Replace("\n1,", "\nP1,", StringComparison.Ordinal);
         Paste(seat, other);
         Assert.Equal(
-            "The table has 16 points. No point had the label P1: added at the end, in no feature, cutting nothing. If it belongs to a feature, undo, give its point this label, and read the table again. Not in the table: 1.",
+            "The table has 16 points. No point had the label P1: added at the end, in no feature, cutting nothing. If it belongs to a "
+                + "feature, undo, give its point this label, and read the table again. Not in the table: 1.",
             seat.TextOf("setup-notice"));
         seat.Seat.Tap("setup-undo").Type("edit-features[0].points[0]", "P1").User.Press(Key.Tab);
         seat.Settle();
@@ -74,7 +84,9 @@ public sealed class PointTableTests
     [Theory]
     [InlineData(false, "No features yet: add them in Point set-up first. Coordinates belong to their points.", "Point set-up")]
     [InlineData(true, "尚無特徵：請先在點位設定新增特徵，座標屬於特徵的點。", "點位設定")]
-    public Task Before_there_are_features_the_screen_says_where_to_add_them_and_takes_nothing(bool isChinese, string sentence, string button) => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Before_there_are_features_the_screen_says_where_to_add_them_and_takes_nothing(
+        bool isChinese, string sentence, string button) =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         if (isChinese)
         {
@@ -104,7 +116,10 @@ public sealed class PointTableTests
 
     [Theory]
     [InlineData("1\t1\t1\n2\t1\t1\n2\t2\t2", "Nothing imported: the table has the label 2 more than once.")]
-    [InlineData("1\t1\n2\t2", "Nothing imported: 2 rows without labels for 17 points. Label each row with its point, or give every point a row, in the order of the list.")]
+    [InlineData(
+        "1\t1\n2\t2",
+        "Nothing imported: 2 rows without labels for 17 points. Label each row with its point, or give every point a row, in the order "
+            + "of the list.")]
     public Task A_table_that_is_no_list_of_the_points_changes_none(string table, string told) => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var before = seat.Draft;
@@ -115,7 +130,12 @@ public sealed class PointTableTests
 
     private static void Count(SetupSeat seat, int ofCurve)
     {
-        seat.Seat.Tap("setup-anew").Tap("add-line").Tap("add-triangle").Tap("add-curve").Type("edit-features[2].points", Shown.Id(ofCurve)).User.Press(Key.Enter);
+        seat.Seat.Tap("setup-anew")
+            .Tap("add-line")
+            .Tap("add-triangle")
+            .Tap("add-curve")
+            .Type("edit-features[2].points", Shown.Id(ofCurve)).User
+            .Press(Key.Enter);
         seat.Settle();
     }
 

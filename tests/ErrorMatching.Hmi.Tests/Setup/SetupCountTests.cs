@@ -14,7 +14,9 @@ public sealed class SetupCountTests
     public Task Each_side_says_how_much_is_to_be_corrected_on_it_and_saving_looks_ready_once_nothing_is() => At(seat =>
     {
         var save = seat.Seat.See("setup-save");
-        seat.Shell.Editing.Change("", d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
+        seat.Shell.Editing.Change(
+            "",
+            d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
         seat.Settle();
         var place = seat.Shell.Editing.Problems.Select(p => ProblemPlace.Of(seat.Draft, p.Field)).ToArray();
         Assert.Contains(place, p => p.Screen == Screens.Points);
@@ -24,7 +26,11 @@ public sealed class SetupCountTests
             Assert.Equal(side is ProblemPlace.Tolerances or ProblemPlace.Machine ? 1 : 0, count);
             var head = seat.Seat.See("side-" + Sides[side]);
             Assert.Equal(count > 0 ? $"To correct: {count}" : null, AutomationProperties.GetHelpText(head));
-            Assert.Equal(count > 0, head.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible && p.Classes.Contains("alarm")));
+            Assert.Equal(
+                count > 0,
+                head.GetVisualDescendants()
+                    .OfType<Avalonia.Controls.Shapes.Path>()
+                    .Any(p => p.IsEffectivelyVisible && p.Classes.Contains("alarm")));
         }
 
         Assert.True(save.IsEffectivelyEnabled);
@@ -46,10 +52,16 @@ public sealed class SetupCountTests
 
         // The sample's points 2 and 4 lie on corners: one tap leads to the first, from whichever side.
         Assert.Equal((true, "To check: 2", Color("Attention")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Words()));
-        seat.Seat.Tap("side-machine").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-features[0].points[1]") is { IsFocused: true }, "The point on a corner has no focus.");
-        seat.Seat.Type("edit-features[0].points[1]/y", "59.846").Type("edit-features[1].points[1][1]/y", "39.5").Type("edit-features[1].points[1][1]/x", "-34.5");
+        seat.Seat.Tap("side-machine")
+            .Tap("setup-problems")
+            .WaitFor(() => seat.Seat.Find("edit-features[0].points[1]") is { IsFocused: true }, "The point on a corner has no focus.");
+        seat.Seat.Type("edit-features[0].points[1]/y", "59.846")
+            .Type("edit-features[1].points[1][1]/y", "39.5")
+            .Type("edit-features[1].points[1][1]/x", "-34.5");
         seat.Settle();
-        Assert.Equal((false, "All filled in", Color("Line"), Color("InkQuiet")), (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Border(), Words()));
+        Assert.Equal(
+            (false, "All filled in", Color("Line"), Color("InkQuiet")),
+            (count.IsEffectivelyEnabled, AutomationProperties.GetName(count), Border(), Words()));
         seat.Seat.Tap("setup-anew");
         seat.Settle();
         Assert.Equal((true, Color("Accent"), Color("Accent")), (count.IsEffectivelyEnabled, Border(), Words()));
@@ -57,22 +69,38 @@ public sealed class SetupCountTests
         // What is wrong stays red.
         seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
         seat.Settle();
-        Assert.Equal(Color("Alarm"), ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<TextBlock>().Single(t => t.IsEffectivelyVisible && t.Text!.StartsWith("To correct", StringComparison.Ordinal)).Foreground!).Color);
+        Assert.Equal(
+            Color("Alarm"),
+            (
+                (Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants()
+                    .OfType<TextBlock>()
+                    .Single(t => t.IsEffectivelyVisible && t.Text!.StartsWith("To correct", StringComparison.Ordinal)).Foreground!).Color);
 
-        Avalonia.Media.Color Border() => ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<Avalonia.Controls.Presenters.ContentPresenter>().First().BorderBrush!).Color;
-        Avalonia.Media.Color Words() => ((Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants().OfType<TextBlock>().First(t => t.IsEffectivelyVisible).Foreground!).Color;
-        Avalonia.Media.Color Color(string key) => ((Avalonia.Media.ISolidColorBrush)seat.Seat.Window.FindResource(seat.Seat.Window.ActualThemeVariant, key)!).Color;
+        Avalonia.Media.Color Border() =>
+            (
+                (Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants()
+                    .OfType<Avalonia.Controls.Presenters.ContentPresenter>()
+                    .First().BorderBrush!).Color;
+        Avalonia.Media.Color Words() =>
+            (
+                (Avalonia.Media.ISolidColorBrush)count.GetVisualDescendants()
+                    .OfType<TextBlock>()
+                    .First(t => t.IsEffectivelyVisible).Foreground!).Color;
+        Avalonia.Media.Color Color(string key) =>
+            ((Avalonia.Media.ISolidColorBrush)seat.Seat.Window.FindResource(seat.Seat.Window.ActualThemeVariant, key)!).Color;
     });
 
     [Fact]
     public Task Points_on_corners_are_asked_about_before_the_job_is_saved_on_whichever_side_one_is() => At(seat =>
     {
-        const string Corners = "On rounded corners, not fully compensated: 2 (1.5\u00a0mm), 4 (1.4\u00a0mm). Better that much further from the corner; you can save it as it is.";
+        const string Corners = "On rounded corners, not fully compensated: 2 (1.5\u00a0mm), 4 (1.4\u00a0mm). Better that much further "
+            + "from the corner; you can save it as it is.";
         Assert.Equal(Corners, seat.TextOf("points-corners"));
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
         Assert.Equal(
-            "On a rounded corner, a point's own deviation cannot be matched exactly. Probe it at least 1.5 mm further from the corner.", AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
+            "On a rounded corner, a point's own deviation cannot be matched exactly. Probe it at least 1.5 mm further from the corner.",
+            AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
         Assert.Equal("To check: 2", AutomationProperties.GetHelpText(seat.Seat.See("side-coordinates")));
         BothLanguages.Take(seat.Seat, "system-corners");
 
@@ -89,7 +117,8 @@ public sealed class SetupCountTests
     public Task What_is_still_to_be_filled_in_is_told_quietly_and_what_is_wrong_aloud() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)] });
+        seat.Shell.Editing.Change(
+            "", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)] });
         seat.Settle();
 
         // Four coordinates, the program and blocks, two limits, the tool, the uncertainty.
@@ -99,10 +128,13 @@ public sealed class SetupCountTests
         Assert.Equal("Fill this in.", seat.TextOf("problem-features[0].points[0]/x"));
         Assert.DoesNotContain("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
         Assert.DoesNotContain("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
-        Assert.Equal(["To fill in: 4", "To fill in: 2", "To fill in: 2", "To fill in: 1", "To fill in: 1"], seat.System.Heads.Select(h => h.Problem));
+        Assert.Equal(
+            ["To fill in: 4", "To fill in: 2", "To fill in: 2", "To fill in: 1", "To fill in: 1"],
+            seat.System.Heads.Select(h => h.Problem));
         seat.Seat.Type("edit-features[0].points[0]/x", "abc");
         seat.Settle();
-        Assert.Equal(("To correct: 1 · To fill in: 9", "To correct: 1 · To fill in: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
+        Assert.Equal(
+            ("To correct: 1 · To fill in: 9", "To correct: 1 · To fill in: 3"), (seat.System.ProblemCount, seat.System.Heads[0].Problem));
         Assert.Contains("wrong", seat.Seat.See("edit-features[0].points[0]/x").Classes);
         Assert.Contains("alarm", seat.Seat.See("problem-features[0].points[0]/x").Classes);
     });
@@ -111,14 +143,24 @@ public sealed class SetupCountTests
     public Task The_count_and_saving_lead_to_the_first_in_the_order_in_which_one_reads() => At(seat =>
     {
         // In the job the gauge stands before the tool, and what is typed wrong after what is empty.
-        seat.Shell.Editing.Change("", d => (d with { Gauge = d.Gauge with { Uncertainty = "x" }, Counterpart = d.Counterpart with { ToolDiameter = "", Rotate = "y" } }).WithFeature(1, f => f with { Lower = "z" }));
+        seat.Shell.Editing.Change(
+            "",
+            d => (
+                d with { Gauge = d.Gauge with { Uncertainty = "x" }, Counterpart = d.Counterpart with { ToolDiameter = "", Rotate = "y" } })
+                .WithFeature(1, f => f with { Lower = "z" }));
         seat.Settle();
-        foreach (var (id, side, text) in new[] { ("edit-features[1].toleranceMm[0]", ProblemPlace.Tolerances, "-0.05"), ("edit-counterpart.toolDiameterMm", ProblemPlace.Machine, "6"), ("edit-counterpart.frame.rotateDeg", ProblemPlace.Machine, "0") })
+        foreach (var (id, side, text) in new[]
+        {
+            ("edit-features[1].toleranceMm[0]", ProblemPlace.Tolerances, "-0.05"),
+            ("edit-counterpart.toolDiameterMm", ProblemPlace.Machine, "6"),
+            ("edit-counterpart.frame.rotateDeg", ProblemPlace.Machine, "0")
+        })
         {
             seat.Seat.Tap(text == "6" ? "setup-save" : "setup-problems");
             seat.Seat.WaitFor(() => seat.Seat.Find(id) is { IsFocused: true }, $"{id} has no focus.");
             Assert.Equal(side, seat.System.Side);
-            Assert.Equal(text == "6" ? "Not saved: 2 to correct in System set-up, 1 to fill in System set-up." : null, seat.Shell.Editing.Notice);
+            Assert.Equal(
+                text == "6" ? "Not saved: 2 to correct in System set-up, 1 to fill in System set-up." : null, seat.Shell.Editing.Notice);
             seat.Seat.Type(id, text);
             seat.Settle();
         }
@@ -132,7 +174,8 @@ public sealed class SetupCountTests
     });
 
     [Fact]
-    public Task The_count_of_a_screen_is_its_own_and_grows_by_nothing_that_is_to_be_filled_in_on_the_other() => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task The_count_of_a_screen_is_its_own_and_grows_by_nothing_that_is_to_be_filled_in_on_the_other() =>
+        SetupSeat.AtAsync(Screens.Points, seat =>
     {
         // Name and features here; the program, the tool and the uncertainty are the next step's.
         seat.Seat.Tap("setup-anew");

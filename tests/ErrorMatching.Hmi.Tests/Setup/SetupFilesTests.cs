@@ -52,8 +52,11 @@ public sealed class SetupFilesTests
         Choose(seat, "dry-run-file", Part);
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal("part.csv", seat.TextOf("detail-title"));
-        var console = MatingRun.Of(new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
-        Assert.Equal(KeptReport.Read(console.ReportJson())!.Points.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
+        var console = MatingRun.Of(
+            new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
+        Assert.Equal(
+            KeptReport.Read(console.ReportJson())!.Points.Select(p => p.Correction),
+            seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // By how much it moves at most, and where, is its own; it has no course, and its program can be looked at.
@@ -62,7 +65,9 @@ public sealed class SetupFilesTests
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(move.Mm), KeptMove.PlaceOf(move.At)), seat.TextOf("detail-largest"));
         Assert.Null(seat.Seat.Find("tab-course"));
         seat.Seat.Tap("tab-program").See("program");
-        Assert.Equal(System.Text.Encoding.Latin1.GetString(console.Program.Span).Split('\n').Select(l => l.TrimEnd('\r')).Where(l => l.Length > 0), seat.System.Detail.Lines!.Select(l => l.Modified).Where(l => l.Length > 0));
+        Assert.Equal(
+            System.Text.Encoding.Latin1.GetString(console.Program.Span).Split('\n').Select(l => l.TrimEnd('\r')).Where(l => l.Length > 0),
+            seat.System.Detail.Lines!.Select(l => l.Modified).Where(l => l.Length > 0));
 
         // Escape leads back to the form, which is as it was.
         seat.Seat.User.Press(Avalonia.Input.Key.Escape);
@@ -94,7 +99,8 @@ public sealed class SetupFilesTests
 
         // Once one is chosen, something goes on until it is tried.
         var working = new List<bool>();
-        seat.System.DryRunFile.PropertyChanged += (_, e) => working.AddRange(e.PropertyName == nameof(LongCommand.IsWorking) ? [seat.System.DryRunFile.IsWorking] : []);
+        seat.System.DryRunFile.PropertyChanged += (_, e) => working.AddRange(
+            e.PropertyName == nameof(LongCommand.IsWorking) ? [seat.System.DryRunFile.IsWorking] : []);
         Choose(seat, "dry-run-file", Part);
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal([true, false, true, false], working);
@@ -120,7 +126,9 @@ public sealed class SetupFilesTests
     private static void Choose(SetupSeat seat, string button, string file)
     {
         seat.Seat.Tap(button).Type("chooser-path", file).Tap("chooser-confirm");
-        seat.Seat.WaitFor(() => seat.Shell.Choosing is null && !seat.System.ReadPoints.IsRunning && !seat.System.DryRunFile.IsRunning, "The file is not read.");
+        seat.Seat.WaitFor(
+            () => seat.Shell.Choosing is null && !seat.System.ReadPoints.IsRunning && !seat.System.DryRunFile.IsRunning,
+            "The file is not read.");
         seat.Settle();
     }
 

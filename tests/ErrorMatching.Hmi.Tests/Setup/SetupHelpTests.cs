@@ -2,7 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What helps whoever sets up a job beside telling mistakes: questions, one tap for all features, words for what holds while a field is empty.</summary>
+/// <summary>What helps whoever sets up a job beside telling mistakes:
+/// questions, one tap for all features, words for what holds while a field is empty.</summary>
 public sealed class SetupHelpTests
 {
     [Fact]
@@ -10,7 +11,8 @@ public sealed class SetupHelpTests
     {
         seat.Seat.Tap("side-tolerances").Type("edit-features[1].toleranceMm[1]", "50");
         seat.Settle();
-        Assert.Equal("Each limit must be at most 1\u00a0mm: the job stops there. Is it in µm?", seat.TextOf("problem-features[1].toleranceMm[1]"));
+        Assert.Equal(
+            "Each limit must be at most 1\u00a0mm: the job stops there. Is it in µm?", seat.TextOf("problem-features[1].toleranceMm[1]"));
         Assert.Contains("wrong", seat.Seat.See("edit-features[1].toleranceMm[1]").Classes);
         Assert.Contains(seat.Shell.Editing.Problems, p => p.Code == "limit-implausible");
     });

@@ -16,7 +16,9 @@ public sealed class SetupLayoutTests
         seat.Shell.Editing.Change("", d => d with { Alignment = d.Alignment with { Kind = "best-fit" } });
         seat.Settle().Seat.Tap("side-machine");
         var check = seat.Seat.See("edit-alignment.lockX");
-        var (words, box) = (check.GetVisualDescendants().OfType<TextBlock>().Single(), check.GetVisualDescendants().OfType<Border>().First(b => b.Name == "NormalRectangle"));
+        var (words, box) = (
+            check.GetVisualDescendants().OfType<TextBlock>().Single(),
+            check.GetVisualDescendants().OfType<Border>().First(b => b.Name == "NormalRectangle"));
         Assert.Equal(MiddleOf(words), MiddleOf(box), Slack);
         Assert.Equal(MiddleOf(seat.Seat.See("edit-alignment.kind")), MiddleOf(box), Slack);
 
@@ -24,10 +26,21 @@ public sealed class SetupLayoutTests
     });
 
     [Fact]
-    public Task Coordinates_stand_with_their_decimal_signs_under_each_other_and_are_not_changed_by_it() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Coordinates_stand_with_their_decimal_signs_under_each_other_and_are_not_changed_by_it() =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         string[] typed = ["-31.950", "76", "5.1234", "-0.5"];
-        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Flanks = [[new("1", typed[0], "1"), new("2", "1", "1"), new("3", typed[1], "1"), new("4", "1", "1"), new("5", typed[2], "1"), new("6", "1", "1"), new("7", typed[3], "1")]] }));
+        seat.Shell.Editing.Change(
+            "",
+            d => d.WithFeature(
+                0,
+                f => f with
+                {
+                    Flanks = [
+                        [
+                            new("1", typed[0], "1"), new("2", "1", "1"), new("3", typed[1], "1"), new("4", "1", "1"),
+                            new("5", typed[2], "1"), new("6", "1", "1"), new("7", typed[3], "1")]]
+                }));
         seat.Settle();
         var signs = typed.Select((text, i) =>
         {
@@ -47,7 +60,8 @@ public sealed class SetupLayoutTests
         // While the cell runs: that it does not takes a line above.
         seat.Seat.RunCell();
         seat.Settle();
-        var seen = seat.System.Coordinates.Select(c => seat.Seat.Find(c.X.AutomationId)).Count(f => f is not null && Layout.Seen(f, seat.Seat.Window).Height > f.Bounds.Height - 1);
+        var seen = seat.System.Coordinates.Select(c => seat.Seat.Find(c.X.AutomationId)).Count(
+            f => f is not null && Layout.Seen(f, seat.Seat.Window).Height > f.Bounds.Height - 1);
         Assert.InRange(seen, 10, seat.System.Coordinates.Count);
     });
 
@@ -105,13 +119,15 @@ public sealed class SetupLayoutTests
 
         double Top() => Math.Round(seat.Seat.See("side-coordinates").TranslatePoint(default, seat.Seat.Window)!.Value.Y);
 
-        static string Table(SetupSeat seat) => string.Join('\n', seat.Draft.Features.SelectMany(f => f.Points).Select(p => $"{p.Label}\t{p.X}1\t{p.Y}"));
+        static string Table(SetupSeat seat) =>
+            string.Join('\n', seat.Draft.Features.SelectMany(f => f.Points).Select(p => $"{p.Label}\t{p.X}1\t{p.Y}"));
     });
 
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public Task Buttons_of_the_bar_stay_where_they_are_whatever_is_to_be_corrected(bool isChinese) => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task Buttons_of_the_bar_stay_where_they_are_whatever_is_to_be_corrected(bool isChinese) =>
+        SetupSeat.AtAsync(Screens.Points, seat =>
     {
         if (isChinese)
         {
@@ -121,14 +137,28 @@ public sealed class SetupLayoutTests
         var before = Places();
         seat.Seat.Tap("setup-anew");
         seat.Settle();
-        seat.Seat.WaitFor(() => seat.Setup.HasProblems && Places().SequenceEqual(before), $"They stand at {string.Join(", ", Places())} and stood at {string.Join(", ", before)}.");
+        seat.Seat.WaitFor(
+            () => seat.Setup.HasProblems && Places().SequenceEqual(before),
+            $"They stand at {string.Join(", ", Places())} and stood at {string.Join(", ", before)}.");
         seat.Seat.Tap("add-line").Tap("add-triangle").Tap("add-curve");
         seat.Settle();
-        seat.Seat.WaitFor(() => seat.Shell.Editing.Problems.Count > 9 && Places().SequenceEqual(before), "They stand elsewhere with two digits.");
+        seat.Seat.WaitFor(
+            () => seat.Shell.Editing.Problems.Count > 9 && Places().SequenceEqual(before), "They stand elsewhere with two digits.");
         seat.Seat.Type("edit-name", "Piece");
         seat.Settle();
-        seat.Seat.WaitFor(() => seat.Setup.StepText.Contains("30", StringComparison.Ordinal) && Places().SequenceEqual(before), "They stand elsewhere when the next step is counted.");
+        seat.Seat.WaitFor(
+            () => seat.Setup.StepText.Contains("30", StringComparison.Ordinal) && Places().SequenceEqual(before),
+            "They stand elsewhere when the next step is counted.");
 
-        double[] Places() => [.. new[] { "setup-undo", "setup-redo", "setup-anew", "setup-discard", "setup-problems", "setup-save" }.Select(id => Math.Round(seat.Seat.See(id).TranslatePoint(default, seat.Seat.Window)!.Value.X))];
+        double[] Places() => [
+            .. new[]
+            {
+                "setup-undo",
+                "setup-redo",
+                "setup-anew",
+                "setup-discard",
+                "setup-problems",
+                "setup-save"
+            }.Select(id => Math.Round(seat.Seat.See(id).TranslatePoint(default, seat.Seat.Window)!.Value.X))];
     });
 }

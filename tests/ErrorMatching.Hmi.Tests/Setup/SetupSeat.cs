@@ -33,7 +33,11 @@ internal sealed class SetupSeat(Seat seat)
     public SetupSeat Settle()
     {
         var editing = seat.Shell.Editing;
-        seat.WaitFor(() => editing.Loading.IsCompleted && editing.Behind.IsCompleted && (editing.IsChecked || editing.Job is null || editing.Message is not null), "The job is not looked through.");
+        seat.WaitFor(
+            () => editing.Loading.IsCompleted
+                && editing.Behind.IsCompleted
+                && (editing.IsChecked || editing.Job is null || editing.Message is not null),
+            "The job is not looked through.");
         seat.User.Settle();
         return this;
     }

@@ -53,10 +53,21 @@ public sealed class SetupWordsTests
         Assert.Equal("counterpart.csv", ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Text);
         seat.Shell.Editing.BeginAnew.Execute(null);
         seat.Settle();
-        Assert.Equal(("", "optional"), (((TextField)seat.System.FieldOf("edit-counterpart.measured")).Text, ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Placeholder));
+        Assert.Equal(
+            ("", "optional"),
+            (
+                ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Text,
+                ((TextField)seat.System.FieldOf("edit-counterpart.measured")).Placeholder));
         Assert.Equal(
             ["empty: 0.5", "empty: 0", "optional", "empty: 1", "empty: 10"],
-            new[] { "edit-counterpart.mapMm", "edit-counterpart.frame.translateMm[1]", "edit-originCheck.point", "edit-compensation.limitMm", "edit-gauge.measuring.probingSpeedMmPerS" }.Select(f => ((TextField)seat.System.FieldOf(f)).Placeholder));
+            new[]
+            {
+                "edit-counterpart.mapMm",
+                "edit-counterpart.frame.translateMm[1]",
+                "edit-originCheck.point",
+                "edit-compensation.limitMm",
+                "edit-gauge.measuring.probingSpeedMmPerS"
+            }.Select(f => ((TextField)seat.System.FieldOf(f)).Placeholder));
         Assert.Equal("", ((TextField)seat.System.FieldOf("edit-counterpart.toolDiameterMm")).Placeholder);
 
         // It stands in the field on the screen as well, as long as the field is empty.
@@ -70,12 +81,22 @@ public sealed class SetupWordsTests
         seat.Settle();
 
         // What says that it may stay empty is never told as missing.
-        var optional = new[] { seat.System.Frame, seat.System.Alignment, seat.System.Compensation, seat.System.Gauge }.SelectMany(f => f).OfType<TextField>().Where(f => f.Placeholder.Length > 0).ToArray();
+        var optional = new[]
+        {
+            seat.System.Frame,
+            seat.System.Alignment,
+            seat.System.Compensation,
+            seat.System.Gauge
+        }.SelectMany(f => f).OfType<TextField>().Where(f => f.Placeholder.Length > 0).ToArray();
         Assert.True(optional.Length > 10);
         seat.Seat.WaitFor(() => seat.Shell.Editing.IsChecked, "It is not looked through.");
         Assert.All(optional, f => Assert.DoesNotContain(seat.Shell.Editing.Problems, p => p.Field == f.Path));
 
-        string? InField(string id) => seat.Seat.See(id).GetVisualDescendants().OfType<TextBlock>().SingleOrDefault(t => t.IsEffectivelyVisible && t.Bounds.Width > 0 && !string.IsNullOrEmpty(t.Text))?.Text;
+        string? InField(string id) =>
+            seat.Seat.See(id)
+                .GetVisualDescendants()
+                .OfType<TextBlock>()
+                .SingleOrDefault(t => t.IsEffectivelyVisible && t.Bounds.Width > 0 && !string.IsNullOrEmpty(t.Text))?.Text;
     });
 
     [Fact]
@@ -83,7 +104,10 @@ public sealed class SetupWordsTests
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Tolerance = "chain:rss" }));
         seat.Settle().Seat.Tap("side-tolerances");
-        Assert.Single(Enumerable.Range(0, seat.Draft.Features.Count).Select(f => Math.Round(seat.Seat.See($"edit-features[{f}].plane").TranslatePoint(default, seat.Seat.Window)!.Value.X)).Distinct());
+        Assert.Single(
+            Enumerable.Range(0, seat.Draft.Features.Count)
+                .Select(f => Math.Round(seat.Seat.See($"edit-features[{f}].plane").TranslatePoint(default, seat.Seat.Window)!.Value.X))
+                .Distinct());
     });
 
     [Fact]
@@ -96,7 +120,8 @@ public sealed class SetupWordsTests
         Assert.True(undo.IsEffectivelyEnabled);
         Assert.NotEqual(off, Stroke(undo));
 
-        static Color Stroke(Button button) => ((ISolidColorBrush)button.GetVisualDescendants().OfType<Shape>().First(s => s.Classes.Contains("icon")).Stroke!).Color;
+        static Color Stroke(Button button) =>
+            ((ISolidColorBrush)button.GetVisualDescendants().OfType<Shape>().First(s => s.Classes.Contains("icon")).Stroke!).Color;
     });
 
     [Fact]
@@ -106,7 +131,13 @@ public sealed class SetupWordsTests
         var pictures = new Pictures(seat);
         foreach (var act in new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert })
         {
-            seat.Shell.Sign(new(seat.Station, seat.Station.Session.Who!, act, "#3 · 0002", act is Act.Reject or Act.Revert, (_, _, _) => Task.CompletedTask));
+            seat.Shell.Sign(new(
+                seat.Station,
+                seat.Station.Session.Who!,
+                act,
+                "#3 · 0002",
+                act is Act.Reject or Act.Revert,
+                (_, _, _) => Task.CompletedTask));
             pictures.Take("signing-" + act.ToString().ToLowerInvariant(), isPictured: false);
             seat.Tap("signing-leave");
         }

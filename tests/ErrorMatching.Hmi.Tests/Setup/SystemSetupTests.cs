@@ -18,7 +18,13 @@ public sealed class SystemSetupTests
         { "coordinates", "edit-features[0].points[1]/y", "", "problem-features[0].points[1]/y", "Fill this in." },
         { "coordinates", "edit-features[0].points[0]/x", "abc", "problem-features[0].points[0]/x", "Enter a number" },
         { "blocks", "edit-features[0].blocks", "N121", "problem-features[0].blocks", "The program has no such block" },
-        { "tolerances", "edit-features[0].toleranceMm[0]", "0.06", "problem-features[0].toleranceMm[0]", "The lower limit is above the upper one." },
+        {
+            "tolerances",
+            "edit-features[0].toleranceMm[0]",
+            "0.06",
+            "problem-features[0].toleranceMm[0]",
+            "The lower limit is above the upper one."
+        },
         { "tolerances", "edit-features[0].toleranceMm[1]", "x", "problem-features[0].toleranceMm[1]", "Enter a number" },
         { "machine", "edit-counterpart.frame.translateMm[0]", "", "problem-counterpart.frame.translateMm[0]", "Fill this in." },
         { "machine", "edit-originCheck.point", "O", "problem-originCheck.limitMm", "Fill this in." },
@@ -59,14 +65,22 @@ public sealed class SystemSetupTests
     public Task Limits_the_wrong_way_around_are_told_at_once_where_they_stand() => At(seat =>
     {
         seat.Seat.Tap("setup-anew");
-        seat.Shell.Editing.Change("", d => d with { Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)], Chain = [new("cover", "15", "0.1", "-0.1")] });
+        seat.Shell.Editing.Change(
+            "",
+            d => d with
+            {
+                Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)],
+                Chain = [new("cover", "15", "0.1", "-0.1")]
+            });
         seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "0.05").Type("edit-features[0].toleranceMm[1]", "-0.05");
         seat.Settle();
         Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-features[0].toleranceMm[0]"));
         Assert.Contains("wrong", seat.Seat.See("edit-features[0].toleranceMm[0]").Classes);
         _ = seat.Seat.See("edit-toleranceChain[0].toleranceMm[0]").Focus();
         seat.Settle();
-        Assert.Equal(("cover · Lower, mm", "The lower limit is above the upper one."), (seat.TextOf("setup-told"), seat.TextOf("problem-toleranceChain[0].toleranceMm[0]")));
+        Assert.Equal(
+            ("cover · Lower, mm", "The lower limit is above the upper one."),
+            (seat.TextOf("setup-told"), seat.TextOf("problem-toleranceChain[0].toleranceMm[0]")));
 
         // Limits that are not used are not judged.
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Tolerance = "chain:rss" }));
@@ -89,7 +103,8 @@ public sealed class SystemSetupTests
         seat.Seat.Cell.Run();
         seat.Seat.Cell.Deliver(1, 0);
         seat.Seat.WaitFor(1, CorrectionState.Proposed);
-        using var report = System.Text.Json.JsonDocument.Parse(seat.Seat.Station.Store.Content(seat.Seat.Station.Store.Find(1)!.ReportSha256!));
+        using var report = System.Text.Json.JsonDocument.Parse(
+            seat.Seat.Station.Store.Content(seat.Seat.Station.Store.Find(1)!.ReportSha256!));
         Assert.Equal(0.5, report.RootElement.GetProperty("compensation").GetProperty("gain").GetDouble());
     });
 
@@ -112,7 +127,8 @@ public sealed class SystemSetupTests
         var job = seat.Station.Settings.Jobs[0];
         var draft = MatingDraftFiles.Open(job.File) with { Name = "Mine" };
         var by = seat.Station.Users.SignIn(DemoCell.Operator, DemoCell.Password);
-        var error = Assert.Throws<PeopleException>(() => new JobEdits(seat.Station.Settings, seat.Station.Store, seat.Station.Users).Save(job, draft, JobEdits.Sha256Of(job), by));
+        var error = Assert.Throws<PeopleException>(
+            () => new JobEdits(seat.Station.Settings, seat.Station.Store, seat.Station.Users).Save(job, draft, JobEdits.Sha256Of(job), by));
         Assert.Equal(PeopleError.NotAllowed, error.Error);
         Assert.Equal("Complex mating", InputFile.Job(job.File).Name);
     });
@@ -122,17 +138,25 @@ public sealed class SystemSetupTests
     {
         seat.Seat.Tap("points-paste");
         var clipboard = Avalonia.Controls.TopLevel.GetTopLevel(seat.Seat.Window)!.Clipboard!;
-        Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "1\t-31,951\t76\n2\t-32.3\t58\nO\t0\t0\n").GetAwaiter().GetResult();
+        Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "1\t-31,951\t76\n2\t-32.3\t58\nO\t0\t0\n")
+            .GetAwaiter()
+            .GetResult();
         seat.Seat.Tap("points-paste");
         seat.Seat.WaitFor(() => seat.Draft.OtherPoints.Any(p => p.Label == "O"), "Nothing is pasted.");
-        Assert.Equal(("-31.951", "76", "-32.3"), (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
+        Assert.Equal(
+            ("-31.951", "76", "-32.3"),
+            (seat.Draft.Features[0].Flanks[0][0].X, seat.Draft.Features[0].Flanks[0][0].Y, seat.Draft.Features[0].Flanks[0][1].X));
         Assert.Equal("-31.951", ((Avalonia.Controls.TextBox)seat.Seat.See("edit-features[0].points[0]/x")).Text);
-        Assert.StartsWith("The table has 3 points. No point had the label O: added at the end", seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        Assert.EndsWith("Not in the table: 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "The table has 3 points. No point had the label O: added at the end", seat.TextOf("setup-notice"), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "Not in the table: 2a, 3a, 3b, 4, 5, 6, 7, 8, 9, 10, 11, 12 ….", seat.TextOf("setup-notice"), StringComparison.Ordinal);
 
         // Into a field: a table goes to all, a number to the field.
         Avalonia.Input.Platform.ClipboardExtensions.SetTextAsync(clipboard, "-7.5").GetAwaiter().GetResult();
-        seat.Seat.User.Click(seat.Seat.See("edit-features[0].points[0]/y")).Press(Key.A, RawInputModifiers.Control).Press(Key.V, RawInputModifiers.Control);
+        seat.Seat.User.Click(seat.Seat.See("edit-features[0].points[0]/y"))
+            .Press(Key.A, RawInputModifiers.Control)
+            .Press(Key.V, RawInputModifiers.Control);
         seat.Seat.WaitFor(() => seat.Draft.Features[0].Flanks[0][0].Y == "-7.5", "The number is not pasted.");
         seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
         Assert.Equal("76", seat.Draft.Features[0].Flanks[0][0].Y);
@@ -163,7 +187,15 @@ public sealed class SystemSetupTests
     {
         var job = seat.Station.Settings.Jobs[0];
         var drafts = new DraftFolder(Path.Combine(Path.GetDirectoryName(seat.Station.Settings.File)!, "drafts"));
-        drafts.Keep(new() { Job = job.Name, By = "berta", At = seat.Clock.GetUtcNow(), BaseSha256 = JobEdits.Sha256Of(job), Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" } });
+        drafts.Keep(
+            new()
+            {
+                Job = job.Name,
+                By = "berta",
+                At = seat.Clock.GetUtcNow(),
+                BaseSha256 = JobEdits.Sha256Of(job),
+                Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" }
+            });
         seat.SignIn(DemoCell.Setter).Tap("nav-points");
         Assert.StartsWith("Unsaved changes by berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
         seat.Tap(isContinued ? "setup-kept-continue" : "setup-kept-discard");
@@ -194,12 +226,15 @@ public sealed class SystemSetupTests
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(computed.LargestMm), place), seat.TextOf("detail-largest"));
         var kept = KeptReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!))!;
         Assert.Equal(kept.Points.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
-        Assert.Equal(Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Kept.Lines!.Select(l => l.Modified));
+        Assert.Equal(
+            Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Kept.Lines!.Select(l => l.Modified));
         seat.Seat.Tap("dry-run-back").Tap("side-machine").Type("edit-compensation.gain", "0.5");
         seat.Settle();
         seat.Seat.Tap("dry-run");
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
-        Assert.All(kept.Points.Zip(seat.System.Detail!.Kept.Report!.Points), p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
+        Assert.All(
+            kept.Points.Zip(seat.System.Detail!.Kept.Report!.Points),
+            p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(0.5 * computed.LargestMm), place), seat.TextOf("detail-largest"));
         Assert.Equal(entries, seat.Seat.Station.Store.AuditHead().Seq);
     });
@@ -209,8 +244,12 @@ public sealed class SystemSetupTests
     {
         seat.Seat.Tap("side-blocks");
         seat.Seat.WaitFor(() => seat.System.Picture?.Points.Count == 16, "The points are not drawn.");
-        Assert.Equal(("L1", "1", new Geometry.Point2(-31.95, 76.008)), seat.System.Picture!.Points[0] is var p ? (p.Feature, p.Label, p.At) : default);
-        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Blocks = "" }) with { Name = "", Counterpart = d.Counterpart with { TranslateX = "100" } });
+        Assert.Equal(
+            ("L1", "1", new Geometry.Point2(-31.95, 76.008)),
+            seat.System.Picture!.Points[0] is var p ? (p.Feature, p.Label, p.At) : default);
+        seat.Shell.Editing.Change(
+            "",
+            d => d.WithFeature(0, f => f with { Blocks = "" }) with { Name = "", Counterpart = d.Counterpart with { TranslateX = "100" } });
         seat.Settle();
         seat.Seat.WaitFor(() => seat.System.Picture.Points[0].At == new Geometry.Point2(68.05, 76.008), "They are not moved.");
         seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
@@ -222,7 +261,8 @@ public sealed class SystemSetupTests
     public Task A_tap_on_the_name_of_a_feature_shows_all_of_it_and_where_that_has_no_room_the_next_one_shows_its_end() => At(seat =>
     {
         seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture?.Points.Count == 16, "The points are not drawn.");
-        var (picture, text, path) = (seat.System.Picture!, (ProgramText)seat.Seat.See("program-text"), (PathPlot)seat.Seat.See("program-path"));
+        var (picture, text, path) = (
+            seat.System.Picture!, (ProgramText)seat.Seat.See("program-text"), (PathPlot)seat.Seat.See("program-path"));
         seat.Seat.Tap("pick-1").Tap("language").Tap("language");
         Assert.Equal([false, true, false], seat.System.Blocks.Select(b => b.IsPicked));
         seat.Seat.Tap("pick-1");
@@ -260,7 +300,8 @@ public sealed class SystemSetupTests
         bool IsSeen(string name)
         {
             var now = (ProgramText)seat.Seat.See("program-text");
-            var top = (Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name) * now.RowHeight) - now.Offset.Y;
+            var top = (
+                Enumerable.Range(0, picture.Program.Count).First(b => picture.Program.NameOf(b) == name) * now.RowHeight) - now.Offset.Y;
             return top >= 0 && top + now.RowHeight <= now.Bounds.Height;
         }
 
@@ -268,10 +309,18 @@ public sealed class SystemSetupTests
         void MustBeDrawn(int feature)
         {
             var (mark, buttons) = (picture.Marks[feature], path.GetVisualDescendants().OfType<StackPanel>().First().Bounds.Left);
-            var ends = Enumerable.Range(mark.Ranges[0].First, mark.Ranges[0].Count).Select(picture.Program.Path.MotionOf).Where(m => m >= 0).Select(m => picture.Program.Moves.EndsOf(m)!.Value).SelectMany(e => new[] { e.From, e.To });
-            Point[] places = [.. ends.Concat(picture.Points.Where(p => p.Feature == mark.Name).Select(p => p.At)).Select(p => path.View.At(p))];
+            var ends = Enumerable.Range(mark.Ranges[0].First, mark.Ranges[0].Count)
+                .Select(picture.Program.Path.MotionOf)
+                .Where(m => m >= 0)
+                .Select(m => picture.Program.Moves.EndsOf(m)!.Value)
+                .SelectMany(e => new[] { e.From, e.To });
+            Point[] places = [
+                .. ends.Concat(picture.Points.Where(p => p.Feature == mark.Name).Select(p => p.At)).Select(p => path.View.At(p))];
             Assert.All(places, p => Assert.True(p.X >= 0 && p.X <= buttons && p.Y >= 0 && p.Y <= path.Bounds.Height, $"{p} is not seen."));
-            Assert.True(places.Max(p => p.X) - places.Min(p => p.X) > buttons / 2 || places.Max(p => p.Y) - places.Min(p => p.Y) > path.Bounds.Height / 2, "It is small.");
+            Assert.True(
+                places.Max(p => p.X) - places.Min(p => p.X) > buttons / 2
+                    || places.Max(p => p.Y) - places.Min(p => p.Y) > path.Bounds.Height / 2,
+                "It is small.");
         }
     });
 
@@ -287,20 +336,32 @@ public sealed class SystemSetupTests
 
         // A usual block fits beside its path; one that does not stands whole above it.
         seat.Seat.Tap("side-blocks");
-        seat.System.Picture!.Light(Enumerable.Range(0, seat.System.Picture.Program.Count).First(b => seat.System.Picture.Program.NameOf(b) == "N140"));
+        seat.System.Picture!.Light(
+            Enumerable.Range(0, seat.System.Picture.Program.Count).First(b => seat.System.Picture.Program.NameOf(b) == "N140"));
         pictures.Take("system-blocks-lit", isPictured: false);
         var text = (ProgramText)seat.Seat.See("program-text");
         Assert.DoesNotContain(seat.System.Picture.Cursor, text.RowsCut);
         Assert.Equal("N140 G3 X-48.334 Y48.745 I2.941 J-5.23", seat.TextOf("program-line"));
 
         // Blocks that are still to be picked, beside the points that they are to cut.
-        seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Blocks = "" }).WithFeature(1, f => f with { Blocks = "" }).WithFeature(2, f => f with { Blocks = "" }));
+        seat.Shell.Editing.Change(
+            "",
+            d => d.WithFeature(0, f => f with { Blocks = "" })
+                .WithFeature(1, f => f with { Blocks = "" })
+                .WithFeature(2, f => f with { Blocks = "" }));
         seat.Settle();
         pictures.Take("system-blocks-anew", isPictured: false);
         seat.Shell.Editing.DiscardChanges.Execute(null);
         seat.Settle();
 
-        seat.Shell.Editing.Change("", d => d with { Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")], Alignment = new("best-fit"), Compensation = d.Compensation with { From = "counterpart" } });
+        seat.Shell.Editing.Change(
+            "",
+            d => d with
+            {
+                Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")],
+                Alignment = new("best-fit"),
+                Compensation = d.Compensation with { From = "counterpart" }
+            });
         seat.Settle();
         foreach (var side in Sides)
         {
@@ -309,7 +370,9 @@ public sealed class SystemSetupTests
         }
 
         // With the field that is to be corrected in sight, and what is wrong with it above.
-        seat.Seat.Tap("side-coordinates").Tap("setup-problems").WaitFor(() => seat.Seat.Find("edit-toleranceChain[1].toleranceMm[1]") is { IsFocused: true }, "The field has no focus.");
+        seat.Seat.Tap("side-coordinates")
+            .Tap("setup-problems")
+            .WaitFor(() => seat.Seat.Find("edit-toleranceChain[1].toleranceMm[1]") is { IsFocused: true }, "The field has no focus.");
         seat.Settle();
         _ = seat.Seat.See("problem-toleranceChain[1].toleranceMm[1]");
         var wrong = seat.Seat.See("edit-toleranceChain[1].toleranceMm[1]");
@@ -319,7 +382,8 @@ public sealed class SystemSetupTests
         pictures.MustBeClean();
     });
 
-    private static string[] Lines(byte[] program) => System.Text.Encoding.Latin1.GetString(program).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
+    private static string[] Lines(byte[] program) =>
+        System.Text.Encoding.Latin1.GetString(program).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
 
     private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.System, test, user);
 }

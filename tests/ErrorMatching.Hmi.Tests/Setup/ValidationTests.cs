@@ -44,7 +44,13 @@ public sealed partial class ValidationTests
         ("other-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuc-mill" } }),
         ("from-fixed", d => d with { Compensation = d.Compensation with { From = "counterpart" } }),
         ("file-unreadable", d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }),
-        ("measured-missing", d => d with { Compensation = d.Compensation with { From = "counterpart" }, Counterpart = d.Counterpart with { Measured = "" } }),
+        (
+            "measured-missing",
+            d => d with
+            {
+                Compensation = d.Compensation with { From = "counterpart" },
+                Counterpart = d.Counterpart with { Measured = "" }
+            }),
         ("datum-needs-two-points", d => d with { Alignment = new("datum", "1", "1") }),
         ("missing-point", d => d with { Alignment = new("datum", "1", "99") }),
         ("missing-point", d => d with { OriginPoint = "O", OriginLimit = "0.01" }),
@@ -77,7 +83,10 @@ public sealed partial class ValidationTests
         // One of a list and one of no list on each side, one side behind the other: to show one takes longest.
         var (draft, job) = (seat.Draft, seat.Shell.Editing.Job!);
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
-        var mistakes = Mistakes.GroupBy(m => edits.Check(job, m.Mistake(draft)).Problems.First(p => p.Code == m.Code).Field is var field ? $"{ProblemPlace.Of(draft, field)} {field.Contains('[', StringComparison.Ordinal)}" : "").OrderBy(g => g.Key, StringComparer.Ordinal);
+        var mistakes = Mistakes.GroupBy(
+            m => edits.Check(job, m.Mistake(draft)).Problems.First(p => p.Code == m.Code).Field is var field
+                ? $"{ProblemPlace.Of(draft, field)} {field.Contains('[', StringComparison.Ordinal)}"
+                : "").OrderBy(g => g.Key, StringComparer.Ordinal);
         foreach (var (code, mistake) in mistakes.Select(g => g.First()))
         {
             seat.Shell.Editing.Change("", _ => mistake(draft));
@@ -86,7 +95,8 @@ public sealed partial class ValidationTests
             Assert.True(told is not null, $"{code} is not caused but {string.Join(", ", seat.Shell.Editing.Problems)}.");
             var text = ProblemText.Of(told);
             seat.Shell.Editing.Tell();
-            seat.Seat.WaitFor(() => Shown(seat).Any(t => t.Contains(text, StringComparison.Ordinal)), $"{code} at {told.Field} is not told: {text}.");
+            seat.Seat.WaitFor(
+                () => Shown(seat).Any(t => t.Contains(text, StringComparison.Ordinal)), $"{code} at {told.Field} is not told: {text}.");
         }
 
         seat.Shell.Editing.DiscardChanges.Execute(null);
@@ -98,9 +108,14 @@ public sealed partial class ValidationTests
     public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(Screens.System, seat =>
     {
         var caused = new HashSet<string>(StringComparer.Ordinal);
-        Func<MatingDraft, MatingDraft>[] doubtful = [d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }), d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
+        Func<MatingDraft, MatingDraft>[] doubtful = [
+            d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }),
+            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
-        foreach (var problem in Mistakes.Select(m => m.Mistake).Concat(doubtful).Select(m => edits.Check(seat.Shell.Editing.Job!, m(seat.Draft))).SelectMany(c => c.Problems.Concat(c.Doubts)))
+        foreach (var problem in Mistakes.Select(m => m.Mistake)
+            .Concat(doubtful)
+            .Select(m => edits.Check(seat.Shell.Editing.Job!, m(seat.Draft)))
+            .SelectMany(c => c.Problems.Concat(c.Doubts)))
         {
             caused.Add("Problem." + problem.Code);
             Assert.DoesNotContain("expected", ProblemText.Of(problem), StringComparison.Ordinal);
@@ -111,16 +126,21 @@ public sealed partial class ValidationTests
         }
 
         // A count that is none never gets into the draft: its field says so by itself (PointSetupTests).
-        var texts = Texts.Of(Language.English).Keys.Where(k => k.StartsWith("Problem.", StringComparison.Ordinal) && k.Split('.').Length == 2 && k != "Problem.not-a-count");
+        var texts = Texts.Of(Language.English).Keys.Where(
+            k => k.StartsWith("Problem.", StringComparison.Ordinal) && k.Split('.').Length == 2 && k != "Problem.not-a-count");
         Assert.Equal(texts.Order(StringComparer.Ordinal), caused.Order(StringComparer.Ordinal));
     });
 
     // What the reader of programs says has its names and numbers in its own words: they stand behind what it means.
     [Theory]
-    [InlineData("missing-label", "N121 GOTO 9999", "跳轉沒有目標，或迴圈、分支沒有結束。（原文：N121: the jump goes to block N9999, which does not exist in this program.）")]
+    [InlineData(
+        "missing-label",
+        "N121 GOTO 9999",
+        "跳轉沒有目標，或迴圈、分支沒有結束。（原文：N121: the jump goes to block N9999, which does not exist in this program.）")]
     [InlineData("missing-program", "N121 M98 P9999", "所呼叫的程式不存在。（原文：N121: ")]
     [InlineData("expression", "N121 G1 X#500", "要修改的座標由控制器計算（變數或運算式）。（原文：L1, N121: ")]
-    public Task A_refusal_of_the_program_is_said_in_the_language_of_the_screen(string code, string line, string chinese) => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_refusal_of_the_program_is_said_in_the_language_of_the_screen(string code, string line, string chinese) =>
+        SetupSeat.AtAsync(Screens.System, seat =>
     {
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         var program = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "counterpart.nc"));
@@ -137,7 +157,10 @@ public sealed partial class ValidationTests
     });
 
     private static IEnumerable<string> Shown(SetupSeat seat) => seat.Seat.Window.GetVisualDescendants().OfType<TextBlock>()
-        .Where(t => t.IsEffectivelyVisible && AutomationProperties.GetAutomationId(t) is { } id && id.StartsWith("problem-", StringComparison.Ordinal)).Select(t => t.Text ?? "");
+        .Where(
+            t => t.IsEffectivelyVisible
+                && AutomationProperties.GetAutomationId(t) is { } id
+                && id.StartsWith("problem-", StringComparison.Ordinal)).Select(t => t.Text ?? "");
 
     private static byte[] Compensated()
     {
@@ -145,9 +168,11 @@ public sealed partial class ValidationTests
         return MatingRun.Of(new(Path.Combine(sample, "job.json")), new(), CancellationToken.None).Result!.Program.ToArray();
     }
 
-    private static MatingDraft X(MatingDraft draft, string x) => draft.WithFeature(0, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(0, f.Flanks[0][0] with { X = x })) });
+    private static MatingDraft X(MatingDraft draft, string x) =>
+        draft.WithFeature(0, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(0, f.Flanks[0][0] with { X = x })) });
 
-    private static MatingDraft Tool(MatingDraft draft, string diameter) => draft with { Counterpart = draft.Counterpart with { ToolDiameter = diameter } };
+    private static MatingDraft Tool(MatingDraft draft, string diameter) =>
+        draft with { Counterpart = draft.Counterpart with { ToolDiameter = diameter } };
 
     [GeneratedRegex("[A-Za-z]{4,}", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Word();

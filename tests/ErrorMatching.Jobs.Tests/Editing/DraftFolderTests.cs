@@ -57,5 +57,6 @@ public sealed class DraftFolderTests
 
     private const string Head = "\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",";
 
-    private static KeptDraft Kept(string job, MatingDraft draft) => new() { Job = job, By = "anna", At = At, BaseSha256 = "00", Draft = draft };
+    private static KeptDraft Kept(string job, MatingDraft draft) =>
+        new() { Job = job, By = "anna", At = At, BaseSha256 = "00", Draft = draft };
 }

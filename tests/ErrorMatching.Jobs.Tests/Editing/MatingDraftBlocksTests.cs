@@ -25,7 +25,9 @@ public sealed class MatingDraftBlocksTests
     {
         var draft = Without(MatingDraftFiles.Open(Job), 0, 1, 2) with { Name = "" };
         var proposed = MatingDraftBlocks.Propose(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "", Map = "" } }, Path);
-        Assert.Equal([(0, "L1", "N120"), (1, "L2L3", "N130..N160"), (2, "C1", "N170..N1190")], proposed.Select(p => (p.Feature, p.Name, Assert.Single(p.Blocks))));
+        Assert.Equal(
+            [(0, "L1", "N120"), (1, "L2L3", "N130..N160"), (2, "C1", "N170..N1190")],
+            proposed.Select(p => (p.Feature, p.Name, Assert.Single(p.Blocks))));
     }
 
     [Fact]
@@ -34,7 +36,11 @@ public sealed class MatingDraftBlocksTests
         // Turned by 90 degrees and moved, and the frame leads back.
         var draft = Without(MatingDraftFiles.Open(Job), 0);
         var turned = draft.WithFeature(0, f => f with { Flanks = [[.. f.Flanks[0].Select(p => p with { X = Negative(p.Y), Y = p.X })]] });
-        Assert.Equal("N120", Assert.Single(Assert.Single(MatingDraftBlocks.Propose(turned with { Counterpart = turned.Counterpart with { Rotate = "-90" } }, Path)).Blocks));
+        Assert.Equal(
+            "N120",
+            Assert.Single(
+                Assert.Single(MatingDraftBlocks.Propose(
+                    turned with { Counterpart = turned.Counterpart with { Rotate = "-90" } }, Path)).Blocks));
         Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(turned, Path)).Blocks);
     }
 
@@ -45,8 +51,11 @@ public sealed class MatingDraftBlocksTests
         Assert.Empty(MatingDraftBlocks.Propose(draft, Path));
         var lacking = Without(draft, 0).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { X = "" }]] });
         Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Blocks);
-        Assert.Equal("L1: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.", Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Refusal!.Message);
-        var other = Assert.Single(MatingDraftBlocks.Propose(Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path));
+        Assert.Equal(
+            "L1: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.",
+            Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Refusal!.Message);
+        var other = Assert.Single(MatingDraftBlocks.Propose(
+            Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path));
         Assert.Empty(other.Blocks);
         Assert.Contains("expected 5 mm, one tool radius", other.Refusal!.Message, StringComparison.Ordinal);
     }
@@ -54,14 +63,19 @@ public sealed class MatingDraftBlocksTests
     [Fact]
     public void Blocks_without_numbers_are_named_by_their_text()
     {
-        var text = System.Text.Encoding.ASCII.GetString(InputFile.Program(Repository.PathTo("samples", "complex-mating", "counterpart.nc")).Span).Replace("N120 ", "", StringComparison.Ordinal);
-        var proposed = MatingDraftBlocks.Propose(Without(MatingDraftFiles.Open(Job), 0), Interpreted(System.Text.Encoding.ASCII.GetBytes(text)));
+        var text = System.Text.Encoding.ASCII.GetString(
+            InputFile.Program(Repository.PathTo("samples", "complex-mating", "counterpart.nc")).Span)
+            .Replace("N120 ", "", StringComparison.Ordinal);
+        var proposed = MatingDraftBlocks.Propose(
+            Without(MatingDraftFiles.Open(Job), 0), Interpreted(System.Text.Encoding.ASCII.GetBytes(text)));
         Assert.Equal(@"/^X-34\.995\ Y59\.757$/", Assert.Single(Assert.Single(proposed).Blocks));
     }
 
-    private static NcPath Interpreted(ReadOnlyMemory<byte> bytes) => NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.DeltaNc300.Syntax), NcDialects.DeltaNc300);
+    private static NcPath Interpreted(ReadOnlyMemory<byte> bytes) =>
+        NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.DeltaNc300.Syntax), NcDialects.DeltaNc300);
 
-    private static MatingDraft Without(MatingDraft draft, params int[] features) => features.Aggregate(draft, (to, i) => to.WithFeature(i, f => f with { Blocks = "" }));
+    private static MatingDraft Without(MatingDraft draft, params int[] features) =>
+        features.Aggregate(draft, (to, i) => to.WithFeature(i, f => f with { Blocks = "" }));
 
     private static string Negative(string number) => number.StartsWith('-') ? number[1..] : "-" + number;
 }

@@ -10,24 +10,35 @@ public sealed class MatingDraftCheckTests
 
     private static readonly DraftProgram NoProgram = DraftProgram.Of("point,x_mm,y_mm\n1,2,3\n"u8.ToArray());
 
-    private static readonly DraftProgram Own = DraftProgram.Of(System.IO.File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
+    private static readonly DraftProgram Own = DraftProgram.Of(
+        System.IO.File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
 
     private static readonly Dictionary<string, (Func<MatingDraft, MatingDraft> Mistake, string Field, string Code)> Mistakes = new()
     {
         ["no name"] = (d => d with { Name = " " }, "$.name", "too-short"),
         ["uncertainty missing"] = (d => d with { Gauge = d.Gauge with { Uncertainty = "" } }, "$.gauge.uncertaintyMm", "wrong-type"),
         ["uncertainty negative"] = (d => d with { Gauge = d.Gauge with { Uncertainty = "-1" } }, "$.gauge.uncertaintyMm", "too-small"),
-        ["stylus missing"] = (d => d with { Gauge = d.Gauge with { Reports = "stylus-center" } }, "$.gauge.stylusDiameterMm", "stylus-diameter-missing"),
+        ["stylus missing"] = (
+            d => d with { Gauge = d.Gauge with { Reports = "stylus-center" } }, "$.gauge.stylusDiameterMm", "stylus-diameter-missing"),
         ["format unknown"] = (d => d with { Gauge = d.Gauge with { Format = "table" } }, "$.gauge.format", "bad-format"),
-        ["tool zero"] = (d => d with { Counterpart = d.Counterpart with { ToolDiameter = "0" } }, "$.counterpart.toolDiameterMm", "too-small"),
-        ["tool text"] = (d => d with { Counterpart = d.Counterpart with { ToolDiameter = "6 mm" } }, "$.counterpart.toolDiameterMm", "wrong-type"),
-        ["rotation text"] = (d => d with { Counterpart = d.Counterpart with { Rotate = "1,5" } }, "$.counterpart.frame.rotateDeg", "wrong-type"),
-        ["half a translation"] = (d => d with { Counterpart = d.Counterpart with { TranslateX = "" } }, "$.counterpart.frame.translateMm[0]", "wrong-type"),
-        ["dialect unknown"] = (d => d with { Counterpart = d.Counterpart with { Dialect = "fanuk" } }, "$.counterpart.dialect", "unknown-dialect"),
-        ["program missing"] = (d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }, "$.counterpart.program", "file-unreadable"),
+        ["tool zero"] = (
+            d => d with { Counterpart = d.Counterpart with { ToolDiameter = "0" } }, "$.counterpart.toolDiameterMm", "too-small"),
+        ["tool text"] = (
+            d => d with { Counterpart = d.Counterpart with { ToolDiameter = "6 mm" } }, "$.counterpart.toolDiameterMm", "wrong-type"),
+        ["rotation text"] = (
+            d => d with { Counterpart = d.Counterpart with { Rotate = "1,5" } }, "$.counterpart.frame.rotateDeg", "wrong-type"),
+        ["half a translation"] = (
+            d => d with { Counterpart = d.Counterpart with { TranslateX = "" } }, "$.counterpart.frame.translateMm[0]", "wrong-type"),
+        ["dialect unknown"] = (
+            d => d with { Counterpart = d.Counterpart with { Dialect = "fanuk" } }, "$.counterpart.dialect", "unknown-dialect"),
+        ["program missing"] = (
+            d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }, "$.counterpart.program", "file-unreadable"),
         ["frame wrong"] = (d => d with { Counterpart = d.Counterpart with { TranslateX = "7" } }, "$.features[0].blocks", "point-off-path"),
         ["gain too large"] = (d => d with { Compensation = d.Compensation with { Gain = "3" } }, "$.compensation.gain", "too-large"),
-        ["feedback without a measured counterpart"] = (d => d with { Compensation = d.Compensation with { From = "counterpart" }, Counterpart = d.Counterpart with { Measured = "" } }, "$.counterpart.measured", "measured-missing"),
+        ["feedback without a measured counterpart"] = (
+            d => d with { Compensation = d.Compensation with { From = "counterpart" }, Counterpart = d.Counterpart with { Measured = "" } },
+            "$.counterpart.measured",
+            "measured-missing"),
         ["datum of one point"] = (d => d with { Alignment = new("datum", "1", "1") }, "$.alignment.direction", "datum-needs-two-points"),
         ["datum of an unknown point"] = (d => d with { Alignment = new("datum", "1", "99") }, "$.alignment.direction", "missing-point"),
         ["origin unknown"] = (d => d with { OriginPoint = "O", OriginLimit = "0.01" }, "$.originCheck.point", "missing-point"),
@@ -47,19 +58,31 @@ public sealed class MatingDraftCheckTests
         ["block wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, 130" }), "$.features[0].blocks[1]", "pattern-mismatch"),
         ["expression wrong"] = (d => d.WithFeature(0, f => f with { Blocks = "/(/" }), "$.features[0].blocks[0]", "bad-pattern"),
         ["block not there"] = (d => d.WithFeature(0, f => f with { Blocks = "N121" }), "$.features[0].blocks", "block-not-found"),
-        ["block of two features"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, N130" }), "$.features[1].blocks", "blocks-overlap"),
-        ["block not there, beside another mistake"] = (d => d.WithFeature(0, f => f with { Blocks = "N121" }) with { Name = "", Program = Own }, "$.features[0].blocks", "block-not-found"),
-        ["block of two features, beside another mistake"] = (d => d.WithFeature(0, f => f with { Blocks = "N120, N130", Lower = "9" }) with { Program = Own }, "$.features[1].blocks", "blocks-overlap"),
-        ["no program, beside another mistake"] = (d => d with { Name = "", Program = NoProgram }, "$.counterpart.program", "no-cutting-motion"),
+        ["block of two features"] = (
+            d => d.WithFeature(0, f => f with { Blocks = "N120, N130" }), "$.features[1].blocks", "blocks-overlap"),
+        ["block not there, beside another mistake"] = (
+            d => d.WithFeature(0, f => f with { Blocks = "N121" }) with { Name = "", Program = Own },
+            "$.features[0].blocks",
+            "block-not-found"),
+        ["block of two features, beside another mistake"] = (
+            d => d.WithFeature(0, f => f with { Blocks = "N120, N130", Lower = "9" }) with { Program = Own },
+            "$.features[1].blocks",
+            "blocks-overlap"),
+        ["no program, beside another mistake"] = (
+            d => d with { Name = "", Program = NoProgram }, "$.counterpart.program", "no-cutting-motion"),
         ["chain link without a name"] = (d => d with { Chain = [new("", "1", "0", "0")] }, "$.toleranceChain[0].name", "too-short"),
-        ["chain limits reversed"] = (d => d with { Chain = [new("a", "1", "1", "0")] }, "$.toleranceChain[0].toleranceMm[0]", "reversed-tolerance"),
-        ["comparison of an unknown element"] = (d => d with { Comparisons = [new("a", "angle", "L1, L9")] }, "$.verify[0].between[1]", "unknown-element"),
+        ["chain limits reversed"] = (
+            d => d with { Chain = [new("a", "1", "1", "0")] }, "$.toleranceChain[0].toleranceMm[0]", "reversed-tolerance"),
+        ["comparison of an unknown element"] = (
+            d => d with { Comparisons = [new("a", "angle", "L1, L9")] }, "$.verify[0].between[1]", "unknown-element"),
         ["comparison of one element"] = (d => d with { Comparisons = [new("a", "angle", "L1")] }, "$.verify[0].between", "too-few-items"),
-        ["comparison of an unknown point"] = (d => d with { Comparisons = [new("a", "deviation", "77")] }, "$.verify[0].points[0]", "unknown-point"),
+        ["comparison of an unknown point"] = (
+            d => d with { Comparisons = [new("a", "deviation", "77")] }, "$.verify[0].points[0]", "unknown-point"),
         ["coordinate missing"] = (d => Point(d, 0, 0, 1, p => p with { Y = "" }), "$.features[0].points[1]/y", "empty-cell"),
         ["coordinate text"] = (d => Point(d, 1, 1, 0, p => p with { X = "abc" }), "$.features[1].points[1][0]/x", "text-for-number"),
         ["coordinate with a comma"] = (d => Point(d, 2, 0, 3, p => p with { X = "1,5" }), "$.features[2].points[3]/x", "decimal-comma"),
-        ["other point twice"] = (d => d with { OtherPoints = [new("3", "0", "0"), new("3", "0", "1")] }, "$.otherPoints[1]", "duplicate-point"),
+        ["other point twice"] = (
+            d => d with { OtherPoints = [new("3", "0", "0"), new("3", "0", "1")] }, "$.otherPoints[1]", "duplicate-point"),
         ["other point without a label"] = (d => d with { OtherPoints = [new("", "0", "0")] }, "$.otherPoints[0]", "empty-cell"),
     };
 
@@ -84,14 +107,17 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Blocks = blocks });
         foreach (var one in new[] { draft, draft with { Name = "", Program = Own } })
         {
-            Assert.Contains(("$.features[1].blocks", code, found), MatingDraftCheck.Of(one, File).Problems.Select(p => (p.Field, p.Code, p.Found)));
+            Assert.Contains(
+                ("$.features[1].blocks", code, found), MatingDraftCheck.Of(one, File).Problems.Select(p => (p.Field, p.Code, p.Found)));
         }
     }
 
     [Fact]
     public void A_point_off_its_blocks_says_how_far()
     {
-        var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Blocks = "N130" }).WithFeature(1, f => f with { Blocks = "N120" });
+        var draft = MatingDraftFiles.Open(File)
+            .WithFeature(0, f => f with { Blocks = "N130" })
+            .WithFeature(1, f => f with { Blocks = "N120" });
         var problem = Assert.Single(MatingDraftCheck.Of(draft, File).Problems);
         Assert.Equal(("point-off-path", "1"), (problem.Code, problem.Found));
 
@@ -113,7 +139,9 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File).Emptied() with { Name = "a" };
         draft = draft with { Features = [FeatureDraft.New(LineKind.Instance, "L1", draft) with { Blocks = "abc", Lower = "x" }] };
         var problems = MatingDraftCheck.Of(draft, File).Problems;
-        Assert.Equal(["$.features[0].blocks[0]", "$.features[0].toleranceMm[0]"], problems.Where(p => !p.IsMissing).Select(p => p.Field).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["$.features[0].blocks[0]", "$.features[0].toleranceMm[0]"],
+            problems.Where(p => !p.IsMissing).Select(p => p.Field).Order(StringComparer.Ordinal));
         Assert.Contains("$.gauge.uncertaintyMm", problems.Where(p => p.IsMissing).Select(p => p.Field));
         Assert.Contains("$.features[0].points[1]/y", problems.Where(p => p.IsMissing).Select(p => p.Field));
         Assert.Contains(MatingDraftCheck.Program, problems.Where(p => p.IsMissing).Select(p => p.Field));
@@ -147,7 +175,9 @@ public sealed class MatingDraftCheckTests
     {
         var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(feature, f => f with { Blocks = blocks }), File);
         Assert.Empty(check.Problems);
-        Assert.Equal(asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)], check.Doubts.Where(d => d.Code == "blocks-lead").Select(d => (d.Field, d.Found)));
+        Assert.Equal(
+            asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)],
+            check.Doubts.Where(d => d.Code == "blocks-lead").Select(d => (d.Field, d.Found)));
     }
 
     [Theory]
@@ -165,11 +195,16 @@ public sealed class MatingDraftCheckTests
     public void Before_a_job_is_saved_it_is_asked_about_the_same_points_on_corners_that_its_match_warns_of()
     {
         var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File), File);
-        var warned = MatingRun.Of(new(File), new(), CancellationToken.None).Result!.Report.Warnings.Where(w => w.Code == "point-on-corner").Select(w => w.Values[0]);
+        var warned = MatingRun.Of(new(File), new(), CancellationToken.None).Result!.Report.Warnings
+            .Where(w => w.Code == "point-on-corner")
+            .Select(w => w.Values[0]);
         Assert.Equal(warned, check.Doubts.Select(d => d.Found));
 
-        // Point 2 is 1.404 mm behind the end of N120 at (-34.995, 59.757), along it; point 4 is 1.379 mm behind that of N160 at (-34.918, 36.365).
-        Assert.Equal([("$.features[0].points[1]", "1.5 mm"), ("$.features[1].points[1][1]", "1.4 mm")], check.Doubts.Select(d => (d.Field, d.Amount)));
+        // Point 2 is 1.404 mm behind the end of N120 at (-34.995, 59.757), along it;
+        // point 4 is 1.379 mm behind that of N160 at (-34.918, 36.365).
+        Assert.Equal(
+            [("$.features[0].points[1]", "1.5 mm"), ("$.features[1].points[1][1]", "1.4 mm")],
+            check.Doubts.Select(d => (d.Field, d.Amount)));
     }
 
     [Theory]
@@ -178,7 +213,8 @@ public sealed class MatingDraftCheckTests
     public void A_point_as_far_from_the_corner_as_is_advised_is_asked_about_no_more(string y, string? asked)
     {
         // Point 2, moved along L1 away from the corner: by 1.1 mm, and by the 1.5 mm.
-        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Y = y }]] }), File);
+        var check = MatingDraftCheck.Of(
+            MatingDraftFiles.Open(File).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Y = y }]] }), File);
         Assert.Empty(check.Problems);
         Assert.Equal(asked, check.Doubts.SingleOrDefault(d => d.Found == "2")?.Amount);
     }
@@ -193,10 +229,17 @@ public sealed class MatingDraftCheckTests
 
         // Without the key nothing is looked for; in feedback the gauge gives it.
         Assert.Empty(Told(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File)));
-        Assert.Empty(Told(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" }, Compensation = draft.Compensation with { From = "counterpart" } }, File)));
+        Assert.Empty(Told(MatingDraftCheck.Of(
+            draft with
+            {
+                Counterpart = draft.Counterpart with { Measured = "nope.csv" },
+                Compensation = draft.Compensation with { From = "counterpart" }
+            },
+            File)));
 
         // The sample's points on corners are another matter.
-        static IEnumerable<(string, string?)> Told(DraftCheck check) => check.Doubts.Where(d => d.Code == "measured-not-there").Select(d => (d.Field, (string?)d.Found));
+        static IEnumerable<(string, string?)> Told(DraftCheck check) =>
+            check.Doubts.Where(d => d.Code == "measured-not-there").Select(d => (d.Field, (string?)d.Found));
     }
 
     [Fact]
@@ -204,7 +247,10 @@ public sealed class MatingDraftCheckTests
     {
         var draft = new MatingDraft();
         draft = draft with { Features = [FeatureDraft.New(TriangleKind.Instance, "T", draft)] };
-        var told = MatingDraftCheck.Of(draft, File).Problems.Select(p => p.Field).Where(f => f.Contains('/', StringComparison.Ordinal)).ToArray();
+        var told = MatingDraftCheck.Of(draft, File).Problems
+            .Select(p => p.Field)
+            .Where(f => f.Contains('/', StringComparison.Ordinal))
+            .ToArray();
         Assert.Equal(8, told.Length);
         Assert.Equal(["1", "2", "3", "4"], draft.Points.Select(p => p.Label));
         Assert.Contains("$.features[0].points[1][1]/y", told);
@@ -216,9 +262,15 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Lower = "-.05", Upper = "+0.05" });
         var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "06." } }, File);
         Assert.Empty(check.Problems);
-        Assert.Equal((-0.05, 0.05, 6.0), (check.Job!.Features[0].Tolerance.Band.LowerMm, check.Job.Features[0].Tolerance.Band.UpperMm, check.Job.Counterpart.ToolDiameterMm));
+        Assert.Equal(
+            (-0.05, 0.05, 6.0),
+            (
+                check.Job!.Features[0].Tolerance.Band.LowerMm,
+                check.Job.Features[0].Tolerance.Band.UpperMm,
+                check.Job.Counterpart.ToolDiameterMm));
     }
 
     private static MatingDraft Point(MatingDraft draft, int feature, int flank, int point, Func<PointDraft, PointDraft> change) =>
-        draft.WithFeature(feature, f => f with { Flanks = f.Flanks.Replaced(flank, f.Flanks[flank].Replaced(point, change(f.Flanks[flank][point]))) });
+        draft.WithFeature(
+            feature, f => f with { Flanks = f.Flanks.Replaced(flank, f.Flanks[flank].Replaced(point, change(f.Flanks[flank][point]))) });
 }

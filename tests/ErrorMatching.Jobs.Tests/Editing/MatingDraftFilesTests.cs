@@ -14,8 +14,10 @@ public sealed class MatingDraftFilesTests
     {
         var draft = RandomDraft.Of(seed);
         var (job, theoretical) = (MatingDraftFiles.Job(draft), MatingDraftFiles.Theoretical(draft));
-        Assert.Equal("", string.Join('\n', MatingDraftCheck.Of(draft, "job.json").Problems.Where(p => p.Field != MatingDraftCheck.Program)));
-        Assert.Equal(Encoding.UTF8.GetString(draft.ToJson()), Encoding.UTF8.GetString(MatingDraftFiles.Read(job, "job.json", theoretical).ToJson()));
+        Assert.Equal(
+            "", string.Join('\n', MatingDraftCheck.Of(draft, "job.json").Problems.Where(p => p.Field != MatingDraftCheck.Program)));
+        Assert.Equal(
+            Encoding.UTF8.GetString(draft.ToJson()), Encoding.UTF8.GetString(MatingDraftFiles.Read(job, "job.json", theoretical).ToJson()));
     }).QuickCheckThrowOnFailure();
 
     [Theory]
@@ -64,8 +66,11 @@ public sealed class MatingDraftFilesTests
     public void A_column_that_a_draft_has_no_field_for_is_refused()
     {
         var job = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "job.json"));
-        var theoretical = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "theoretical.csv")).Replace("\n", ",note\n", StringComparison.Ordinal);
-        Assert.Equal("$.part.theoretical", Assert.Throws<DraftException>(() => MatingDraftFiles.Read(job, "job.json", Encoding.UTF8.GetBytes(theoretical))).Path);
+        var theoretical = File.ReadAllText(Repository.PathTo(
+            "samples", "complex-mating", "theoretical.csv")).Replace("\n", ",note\n", StringComparison.Ordinal);
+        Assert.Equal(
+            "$.part.theoretical",
+            Assert.Throws<DraftException>(() => MatingDraftFiles.Read(job, "job.json", Encoding.UTF8.GetBytes(theoretical))).Path);
     }
 
     [Fact]

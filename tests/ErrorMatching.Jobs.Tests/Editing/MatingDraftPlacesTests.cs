@@ -11,7 +11,11 @@ public sealed class MatingDraftPlacesTests
     {
         var file = Repository.PathTo("samples", "complex-mating", "job.json");
         var draft = MatingDraftFiles.Open(file);
-        draft = draft with { Counterpart = draft.Counterpart with { Mirror = "x", Rotate = "90", TranslateX = "5", TranslateY = "-2", ToolDiameter = "" }, Name = "" };
+        draft = draft with
+        {
+            Counterpart = draft.Counterpart with { Mirror = "x", Rotate = "90", TranslateX = "5", TranslateY = "-2", ToolDiameter = "" },
+            Name = ""
+        };
         draft = draft.WithFeature(0, f => f with { Blocks = "", Lower = "" });
         var places = MatingDraftPlaces.Of(draft);
         Assert.Equal(draft.Features.SelectMany(f => f.Points.Select(p => (f.Name, p.Label))), places.Select(p => (p.Feature, p.Label)));
@@ -36,7 +40,10 @@ public sealed class MatingDraftPlacesTests
     public void In_another_plane_a_point_lies_in_the_order_of_its_axes()
     {
         var draft = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json"));
-        var turned = draft with { Features = [draft.Features[0] with { Plane = "ZX", Flanks = [[new("1", "1", "2", "3"), new("2", "1", "2")]] }] };
+        var turned = draft with
+        {
+            Features = [draft.Features[0] with { Plane = "ZX", Flanks = [[new("1", "1", "2", "3"), new("2", "1", "2")]] }]
+        };
         var place = Assert.Single(MatingDraftPlaces.Of(turned));
         Assert.Equal((CoordinatePlane.ZX, new Point2(3, 1)), (place.Plane, place.At));
     }

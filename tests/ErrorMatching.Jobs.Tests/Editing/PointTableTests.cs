@@ -5,7 +5,12 @@ namespace ErrorMatching.Jobs.Tests;
 
 public sealed class PointTableTests
 {
-    private static readonly MatingDraft Draft = new() { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }, new() { Name = "C", Flanks = [[new("3"), new("4", "9", "9"), new("5")]] }] };
+    private static readonly MatingDraft Draft = new()
+    {
+        Features = [
+            new() { Name = "L", Flanks = [[new("1"), new("2")]] },
+            new() { Name = "C", Flanks = [[new("3"), new("4", "9", "9"), new("5")]] }]
+    };
 
     // Its points have coordinates: their labels are those of the job.
     private static MatingDraft Known => PointTable.Read("1\t0\t0\n2\t0\t0\n3\t0\t0\n5\t0\t0").Into(Draft).Draft;
@@ -18,12 +23,16 @@ public sealed class PointTableTests
     {
         var table = PointTable.Read(text);
         Assert.Equal(2, table.Count);
-        Assert.Equal([("1", "-31.95", "76.008"), ("2", "0", "0"), ("3", "+1", "2"), ("4", "9", "9"), ("5", "0", "0")], table.Into(Known).Draft.Points.Select(p => (p.Label, p.X, p.Y)));
+        Assert.Equal(
+            [("1", "-31.95", "76.008"), ("2", "0", "0"), ("3", "+1", "2"), ("4", "9", "9"), ("5", "0", "0")],
+            table.Into(Known).Draft.Points.Select(p => (p.Label, p.X, p.Y)));
     }
 
     [Fact]
     public void Without_labels_they_go_by_the_order_of_the_points() =>
-        Assert.Equal(["1 2", "3 4", "5 6", "7 8", "9 10"], PointTable.Read("1\t2\n3\t4\n5\t6\n7\t8\n9\t10").Into(Draft).Draft.Points.Select(p => $"{p.X} {p.Y}"));
+        Assert.Equal(
+            ["1 2", "3 4", "5 6", "7 8", "9 10"],
+            PointTable.Read("1\t2\n3\t4\n5\t6\n7\t8\n9\t10").Into(Draft).Draft.Points.Select(p => $"{p.X} {p.Y}"));
 
     [Theory]
     [InlineData(4)]
@@ -42,14 +51,19 @@ public sealed class PointTableTests
     [Fact]
     public void A_whole_table_gives_its_labels_to_points_that_have_no_coordinates_yet()
     {
-        var counted = Draft with { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }, new() { Name = "C", Flanks = [[new("3")]] }] };
+        var counted = Draft with
+        {
+            Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }, new() { Name = "C", Flanks = [[new("3")]] }]
+        };
         var taken = PointTable.Read("A\t1\t2\n2a\t3\t4\n3\t5\t6").Into(counted);
         Assert.True(taken.HasNewLabels);
         Assert.Equal([("A", "1"), ("2a", "3"), ("3", "5")], taken.Draft.Points.Select(p => (p.Label, p.X)));
 
         // A point with a coordinate keeps its label, the others take what is left; the same labels go by label in any order.
         var begun = counted with { Features = [counted.Features[0], new() { Name = "C", Flanks = [[new("3", "9")]] }] };
-        Assert.Equal([("A", "1"), ("2a", "2"), ("3", "5")], PointTable.Read("3\t5\t6\nA\t1\t2\n2a\t2\t4").Into(begun).Draft.Points.Select(p => (p.Label, p.X)));
+        Assert.Equal(
+            [("A", "1"), ("2a", "2"), ("3", "5")],
+            PointTable.Read("3\t5\t6\nA\t1\t2\n2a\t2\t4").Into(begun).Draft.Points.Select(p => (p.Label, p.X)));
         taken = PointTable.Read("3\t3\t0\n2\t2\t0\n1\t1\t0").Into(counted);
         Assert.False(taken.HasNewLabels);
         Assert.Equal([("1", "1"), ("2", "2"), ("3", "3")], taken.Draft.Points.Select(p => (p.Label, p.X)));
@@ -60,20 +74,32 @@ public sealed class PointTableTests
     {
         // The paper's drawing has a tip of no feature in its middle; a line, a triangle and a curve were counted from 1 to 16.
         var drawing = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "theoretical.csv"));
-        var counted = new FeatureKind[] { LineKind.Instance, TriangleKind.Instance, CurveKind.Instance }.Aggregate(new MatingDraft(), (d, k) => d with { Features = [.. d.Features, FeatureDraft.New(k, k.ToString(), d)] }).WithPoints(2, 0, 10);
+        var counted = new FeatureKind[]
+        {
+            LineKind.Instance,
+            TriangleKind.Instance,
+            CurveKind.Instance
+        }.Aggregate(
+            new MatingDraft(), (d, k) => d with { Features = [.. d.Features, FeatureDraft.New(k, k.ToString(), d)] }).WithPoints(2, 0, 10);
         var refused = PointTable.Read(drawing).Into(counted);
         Assert.Equal((PointTableRefusal.OtherCount, 17, 16), (refused.Refusal, refused.Rows, refused.Points));
         Assert.Equal("2a 3a 3b | 15 16", $"{string.Join(' ', refused.OnlyInTable)} | {string.Join(' ', refused.OnlyInFeatures)}");
         Assert.Same(counted, refused.Draft);
 
-        // Fewer points, whose numbers all stand in it; a part of the table; and one point that was typed, by the number that is the tip's there.
-        Assert.Equal(PointTableRefusal.OtherCount, PointTable.Read(drawing).Into(counted with { Features = [.. counted.Features.Take(2)] }).Refusal);
+        // Fewer points, whose numbers all stand in it; a part of the table;
+        // and one point that was typed, by the number that is the tip's there.
+        Assert.Equal(
+            PointTableRefusal.OtherCount, PointTable.Read(drawing).Into(counted with { Features = [.. counted.Features.Take(2)] }).Refusal);
         Assert.Equal(PointTableRefusal.OtherCount, PointTable.Read(string.Join('\n', drawing.Split('\n').Skip(8))).Into(counted).Refusal);
-        Assert.Equal(PointTableRefusal.OtherCount, PointTable.Read(drawing).Into(counted.WithFeature(1, f => f with { Flanks = [[new("3", "1"), f.Flanks[0][1]], f.Flanks[1]] })).Refusal);
+        Assert.Equal(
+            PointTableRefusal.OtherCount,
+            PointTable.Read(drawing).Into(counted.WithFeature(
+                1, f => f with { Flanks = [[new("3", "1"), f.Flanks[0][1]], f.Flanks[1]] })).Refusal);
 
         // With the tip as a point of no feature there is a row for each point, in the order of cutting.
         var taken = PointTable.Read(drawing).Into(counted with { OtherPoints = [new("3")] });
-        Assert.Equal((PointTableRefusal.None, true, 0, 0), (taken.Refusal, taken.HasNewLabels, taken.OnlyInTable.Count, taken.OnlyInFeatures.Count));
+        Assert.Equal(
+            (PointTableRefusal.None, true, 0, 0), (taken.Refusal, taken.HasNewLabels, taken.OnlyInTable.Count, taken.OnlyInFeatures.Count));
         var sample = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json"));
         Assert.Equal(sample.Points.Select(p => (p.Label, p.X, p.Y)), taken.Draft.Points.Select(p => (p.Label, p.X, p.Y)));
 
@@ -89,7 +115,9 @@ public sealed class PointTableTests
     public void Before_there_are_points_nothing_is_taken()
     {
         Assert.Equal(PointTableRefusal.NoFeatures, PointTable.Read("1\t2\t3").Into(new()).Refusal);
-        Assert.Equal(PointTableRefusal.NoFeatures, PointTable.Read("1\t2\t3").Into(new() { Features = [new() { Name = "L" }], OtherPoints = [new("1")] }).Refusal);
+        Assert.Equal(
+            PointTableRefusal.NoFeatures,
+            PointTable.Read("1\t2\t3").Into(new() { Features = [new() { Name = "L" }], OtherPoints = [new("1")] }).Refusal);
         Assert.Empty(PointTable.Read("1\t2\t3").Into(new()).Draft.Points);
     }
 
@@ -109,10 +137,15 @@ public sealed class PointTableTests
 
         // A point of no feature that is there already is none to ask about; whole tables have everything in common.
         Assert.Equal(" | 2 3 4 5", Differences("O\t0\t0\n1\t1\t1", Known with { OtherPoints = [new("O")] }));
-        Assert.Equal(" | ", Differences("A\t1\t2\n2a\t3\t4", Draft with { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }] }));
+        Assert.Equal(
+            " | ", Differences("A\t1\t2\n2a\t3\t4", Draft with { Features = [new() { Name = "L", Flanks = [[new("1"), new("2")]] }] }));
 
         // Points that wait for their coordinates go on waiting where a table has nothing for them.
-        Assert.Equal(" | 6 7", Differences("1\t1\t1\n2\t1\t1\n3\t1\t1\n4\t1\t1\n5\t1\t1", Known with { Features = [.. Known.Features, new() { Name = "D", Flanks = [[new("6"), new("7")]] }] }));
+        Assert.Equal(
+            " | 6 7",
+            Differences(
+                "1\t1\t1\n2\t1\t1\n3\t1\t1\n4\t1\t1\n5\t1\t1",
+                Known with { Features = [.. Known.Features, new() { Name = "D", Flanks = [[new("6"), new("7")]] }] }));
 
         static string Differences(string text, MatingDraft draft)
         {

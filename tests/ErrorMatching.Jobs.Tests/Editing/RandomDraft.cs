@@ -13,7 +13,8 @@ internal static class RandomDraft
         var hasZ = random.Next(2) == 0;
         var features = Enumerable.Range(0, random.Next(1, 5)).Select(i => Feature(i)).ToArray();
         var others = Points(random.Next(0, 3));
-        var (line, triangle) = (features.FirstOrDefault(f => f.Kind == LineKind.Instance), features.FirstOrDefault(f => f.Kind == TriangleKind.Instance));
+        var (line, triangle) = (
+            features.FirstOrDefault(f => f.Kind == LineKind.Instance), features.FirstOrDefault(f => f.Kind == TriangleKind.Instance));
         return new()
         {
             Name = Any("Housing", "殼體", "a \"quoted\" name"),
@@ -28,21 +29,30 @@ internal static class RandomDraft
                 Touches = Any("", "14"),
                 Calculating = Any("", "0"),
             },
-            Alignment = random.Next(3) switch { 0 => new(), 1 => new("datum", features[0].Flanks[0][0].Label, features[0].Flanks[0][1].Label), _ => new("best-fit", LockX: random.Next(2) == 0, LockRotation: random.Next(2) == 0) },
+            Alignment = random.Next(3) switch
+            {
+                0 => new(),
+                1 => new("datum", features[0].Flanks[0][0].Label, features[0].Flanks[0][1].Label),
+                _ => new("best-fit", LockX: random.Next(2) == 0, LockRotation: random.Next(2) == 0)
+            },
             OriginPoint = others.Length > 0 ? others[0].Label : "",
             OriginLimit = others.Length > 0 ? "0.01" : "",
             Features = features,
             OtherPoints = others,
             Counterpart = new("counterpart.nc", Any("generic", "delta-nc300"), "6", "counterpart.csv", Any("none", "x", "y"),
                 Any("", "-12.5"), "0", Number(), Any("", "0.5"), Any("", "off", "on")),
-            Compensation = new(Any("part", "counterpart"), Any("", "1.0", "0.5"), Any("whole", "excess"), Any("normal", "vector"), Any("", "1.0")),
+            Compensation = new(
+                Any("part", "counterpart"), Any("", "1.0", "0.5"), Any("whole", "excess"), Any("normal", "vector"), Any("", "1.0")),
             Chain = [new("housing", "17.5", "-0.03", "0.03", "1"), new("cover", "15", "-0.02", "0.02", "-1")],
             Comparisons =
             [
                 new("all in x", "deviation-x", string.Join(", ", features[0].Flanks[0].Select(p => p.Label))),
-                .. line is null || triangle is null ? [] : new[] { new ComparisonDraft("corner", "angle", $"{line.Name}, {triangle.Name}/1") },
+                .. line is null || triangle is null
+                    ? []
+                    : new[] { new ComparisonDraft("corner", "angle", $"{line.Name}, {triangle.Name}/1") },
             ],
-            RecognitionJson = Any("", """{"part":[{"in":"file-name","pattern":"^part"}],"counterpart":[{"in":"file-name","pattern":"^counter"}]}"""),
+            RecognitionJson = Any(
+                "", """{"part":[{"in":"file-name","pattern":"^part"}],"counterpart":[{"in":"file-name","pattern":"^counter"}]}"""),
             SchemaUri = Any("", "mating.schema.json"),
         };
 
@@ -63,7 +73,9 @@ internal static class RandomDraft
             };
         }
 
-        PointDraft[] Points(int count) => [.. Enumerable.Range(0, count).Select(_ => new PointDraft(string.Create(CultureInfo.InvariantCulture, $"{Any("", "P", "點")}{next++}"), Number(), Number(), hasZ ? Number() : ""))];
+        PointDraft[] Points(int count) => [
+            .. Enumerable.Range(0, count).Select(_ => new PointDraft(
+                string.Create(CultureInfo.InvariantCulture, $"{Any("", "P", "點")}{next++}"), Number(), Number(), hasZ ? Number() : ""))];
         string Number() => (random.Next(-100_000, 100_000) / 1000m).ToString(Any("0.000", "0.###"), CultureInfo.InvariantCulture);
         string Any(params string[] words) => words[random.Next(words.Length)];
     }

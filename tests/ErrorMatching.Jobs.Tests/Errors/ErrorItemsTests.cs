@@ -9,7 +9,8 @@ namespace ErrorMatching.Jobs.Tests;
 
 public sealed class ErrorItemsTests
 {
-    private static readonly JsonProblem Problem = new("no-such-key", "$.nmae", new(3, 5), "the key nmae", "one of name", "found the key nmae; expected one of name");
+    private static readonly JsonProblem Problem = new(
+        "no-such-key", "$.nmae", new(3, 5), "the key nmae", "one of name", "found the key nmae; expected one of name");
 
     [Fact]
     public void Each_exception_of_an_input_has_a_code_and_a_place()
@@ -23,7 +24,11 @@ public sealed class ErrorItemsTests
             (new PointsException("p.csv", new GeometryException(GeometryError.NearParallel, "no corner")), "near-parallel", "p.csv", null),
             (new WrongPieceException("p.csv", SourceSide.Part), "wrong-piece", "p.csv", null),
             (new InputException("job.json", "cannot be opened", new IOException()), "file-unreadable", "job.json", null),
-            (new InputException("s.igs", "cannot be opened", new IOException()) { NamedAt = new("job.json", "$.surface", new(4, 14)) }, "file-unreadable", "job.json", 4),
+            (
+                new InputException("s.igs", "cannot be opened", new IOException()) { NamedAt = new("job.json", "$.surface", new(4, 14)) },
+                "file-unreadable",
+                "job.json",
+                4),
             (new NcException(NcErrorCode.BadSelector, "no selector"), "bad-selector", null, null),
         ];
         foreach (var (exception, code, file, line) in expected)
@@ -35,17 +40,27 @@ public sealed class ErrorItemsTests
     }
 
     [Fact]
-    public void All_problems_of_a_document_are_named() => Assert.Equal(2, ErrorItems.OfInput(new JobException("job.json", [Problem, Problem]))!.Count);
+    public void All_problems_of_a_document_are_named() =>
+        Assert.Equal(2, ErrorItems.OfInput(new JobException("job.json", [Problem, Problem]))!.Count);
 
     [Fact]
     public void A_question_ends_in_one_mark() => Assert.EndsWith(
-        "did you mean \"name\"?", Assert.Single(ErrorItems.OfInput(new JsonDocumentException("job.json", [Problem with { Message = "the key nmae; did you mean \"name\"?" }]))!).Problem, StringComparison.Ordinal);
+        "did you mean \"name\"?",
+        Assert.Single(
+            ErrorItems.OfInput(new JsonDocumentException("job.json", [Problem with { Message = "the key nmae; did you mean \"name\"?" }]))!)
+            .Problem,
+        StringComparison.Ordinal);
 
     // The text form puts file and line in front: a block that is named by its line must not say it again.
     [Fact]
     public void A_line_that_stands_in_the_place_does_not_stand_in_the_problem()
     {
-        var items = ErrorItems.Of([new NcRefusal("no-good", "line 3", 3, "line 3: no good"), new NcRefusal("no-good", "N30", 3, "N30: no good"), new NcRefusal("no-good", "line 30", 3, "line 30: no good")], "p.nc");
+        var items = ErrorItems.Of(
+            [
+                new NcRefusal("no-good", "line 3", 3, "line 3: no good"),
+                new NcRefusal("no-good", "N30", 3, "N30: no good"),
+                new NcRefusal("no-good", "line 30", 3, "line 30: no good")],
+            "p.nc");
         Assert.Equal(["no good", "N30: no good", "line 30: no good"], items.Select(i => i.Problem));
         Assert.Equal("p.nc: line 3: no good", items[0].Message);
     }

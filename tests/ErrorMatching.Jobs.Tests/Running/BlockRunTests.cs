@@ -21,7 +21,11 @@ public sealed class BlockRunTests
     {
         using var shop = Shop(sample);
         var original = File.ReadAllText(shop["job.json"]);
-        var (missing, empty) = (shop.File("missing.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\], ", "", RegexOptions.None, TimeSpan.FromSeconds(1))), shop.File("empty.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\]", "\"blocks\": []", RegexOptions.None, TimeSpan.FromSeconds(1))));
+        var (missing, empty) = (
+            shop.File("missing.json", Regex.Replace(original, "\"blocks\": \\[[^]]*\\], ", "", RegexOptions.None, TimeSpan.FromSeconds(1))),
+            shop.File(
+                "empty.json",
+                Regex.Replace(original, "\"blocks\": \\[[^]]*\\]", "\"blocks\": []", RegexOptions.None, TimeSpan.FromSeconds(1))));
         Assert.NotEqual(original, File.ReadAllText(missing));
         foreach (var job in new[] { missing, empty, shop["job.json"] })
         {
@@ -40,14 +44,20 @@ public sealed class BlockRunTests
         using var shop = Shop("complex-mating");
         var text = "\uFEFF" + File.ReadAllText(shop["job.json"])
             .Replace("\"blocks\": [\"N120\"]", "\"blocks\" : /* by hand */ [ \"/^N12[0]\\\\b/\" ] // L1", StringComparison.Ordinal)
-            .Replace("], \"toleranceMm\": [-0.05, 0.05] },\n    { \"name\": \"L2L3\"", "],\n\"toleranceMm\": [-0.05, 0.05] },\n    { \"name\": \"L2L3\"", StringComparison.Ordinal)
+            .Replace(
+                "], \"toleranceMm\": [-0.05, 0.05] },\n    { \"name\": \"L2L3\"",
+                "],\n\"toleranceMm\": [-0.05, 0.05] },\n    { \"name\": \"L2L3\"",
+                StringComparison.Ordinal)
             .Replace("[\"N130..N160\"]", "[\"N130..N150\"]", StringComparison.Ordinal);
         text = text.Replace("// L1, \"toleranceMm\"", "// L1\n, \"toleranceMm\"", StringComparison.Ordinal);
-        var found = BlockRun.Of(shop.File("mine.json", text.Replace("\n", "\r\n", StringComparison.Ordinal)), CancellationToken.None).Result!;
+        var found = BlockRun.Of(
+            shop.File("mine.json", text.Replace("\n", "\r\n", StringComparison.Ordinal)), CancellationToken.None).Result!;
 
         // The expression names N120 alone, which is what was found; N130..N150 is short of a block.
         Assert.Equal([true, false, true], found.Features.Select(f => found.IsInJob(f.Feature)));
-        Assert.Equal(text[1..].Replace("[\"N130..N150\"]", "[\"N130..N160\"]", StringComparison.Ordinal), Encoding.UTF8.GetString(found.JobAt(shop["new.json"])));
+        Assert.Equal(
+            text[1..].Replace("[\"N130..N150\"]", "[\"N130..N160\"]", StringComparison.Ordinal),
+            Encoding.UTF8.GetString(found.JobAt(shop["new.json"])));
     }
 
     [Fact]
@@ -56,9 +66,14 @@ public sealed class BlockRunTests
         using var shop = Shop("complex-mating");
         Directory.CreateDirectory(shop["elsewhere"]);
         var target = shop[Path.Combine("elsewhere", "job.json")];
-        var found = BlockRun.Of(shop.File("mine.json", File.ReadAllText(shop["job.json"]).Replace("\"part.csv\"", "\"/abs/part.csv\"", StringComparison.Ordinal)), CancellationToken.None).Result!;
+        var found = BlockRun.Of(
+            shop.File(
+                "mine.json", File.ReadAllText(shop["job.json"]).Replace("\"part.csv\"", "\"/abs/part.csv\"", StringComparison.Ordinal)),
+            CancellationToken.None).Result!;
         var job = MatingJob.Parse(found.JobAt(target), target);
-        Assert.Equal(("../theoretical.csv", "/abs/part.csv", "../counterpart.nc", "../counterpart.csv", "delta-nc300"), (job.Part.Theoretical, job.Part.Measured, job.Counterpart.Program, job.Counterpart.Measured, job.Counterpart.Dialect));
+        Assert.Equal(
+            ("../theoretical.csv", "/abs/part.csv", "../counterpart.nc", "../counterpart.csv", "delta-nc300"),
+            (job.Part.Theoretical, job.Part.Measured, job.Counterpart.Program, job.Counterpart.Measured, job.Counterpart.Dialect));
         Assert.Equal(Path.GetFullPath(shop["counterpart.nc"]), Path.GetFullPath(job.PathOf(job.Counterpart.Program)));
     }
 
@@ -66,7 +81,11 @@ public sealed class BlockRunTests
     public void A_feature_without_blocks_says_why_and_makes_no_job()
     {
         using var shop = Shop("complex-mating");
-        var found = BlockRun.Of(shop.File("mine.json", File.ReadAllText(shop["job.json"]).Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": 10", StringComparison.Ordinal)), CancellationToken.None).Result!;
+        var found = BlockRun.Of(
+            shop.File(
+                "mine.json",
+                File.ReadAllText(shop["job.json"]).Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": 10", StringComparison.Ordinal)),
+            CancellationToken.None).Result!;
         Assert.Equal(["boundary-not-found", "boundary-not-found", "boundary-not-found"], found.Refusals.Select(r => r.Code));
         Assert.All(found.Refusals, r => Assert.Equal(shop["counterpart.nc"], r.File));
 
@@ -83,7 +102,10 @@ public sealed class BlockRunTests
     {
         // L1's only block has no number, and reads the same as the next one.
         using var shop = Shop("complex-mating");
-        File.WriteAllText(shop["counterpart.nc"], File.ReadAllText(shop["counterpart.nc"]).Replace("N120 X-34.995 Y59.757", "X-34.995 Y59.757\nX-34.995 Y59.757", StringComparison.Ordinal));
+        File.WriteAllText(
+            shop["counterpart.nc"],
+            File.ReadAllText(shop["counterpart.nc"]).Replace(
+                "N120 X-34.995 Y59.757", "X-34.995 Y59.757\nX-34.995 Y59.757", StringComparison.Ordinal));
         var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
         Assert.Equal(("block-ambiguous", 20), (refusal.Code, refusal.Line));
@@ -96,7 +118,10 @@ public sealed class BlockRunTests
     {
         using var shop = Shop("complex-mating");
         shop.File("theoretical.csv", "point,x_mm,y_mm\n1,5,0\n2,45,0\n");
-        shop.File("counterpart.nc", "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 G1 X0. Y3. F300\nGOTO 100\nN50 X50.\nGOTO 200\nN100 X25.\nGOTO 50\nN200 Y20.\nN210 M30\n");
+        shop.File(
+            "counterpart.nc",
+            "N10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 G1 X0. Y3. F300\nGOTO 100\nN50 X50.\nGOTO 200\nN100 X25.\nGOTO 50\nN200 Y20.\nN210 "
+                + "M30\n");
         var job = shop.File("job.json", """
             { "kind": "mating", "name": "Jumps", "part": { "theoretical": "theoretical.csv", "measured": "part.csv" }, "gauge": { "format": "points", "uncertaintyMm": 0.001 },
               "features": [{ "name": "L1", "kind": "line", "points": ["1", "2"], "toleranceMm": [0, 0] }],
@@ -108,8 +133,9 @@ public sealed class BlockRunTests
     }
 
     /// <summary>
-    /// A tool of 6 mm cuts a counterpart below y = 0, whose boundary turns down or up at x = 50; the corner is rounded, cut off, or neither.
-    /// The part is 0.1 mm higher along the first line and 0.05 mm further along the second: blocks of the lines alone can follow both.
+    /// A tool of 6 mm cuts a counterpart below y = 0, whose boundary turns down or up at x = 50;
+    /// the corner is rounded, cut off, or neither. The part is 0.1 mm higher along the first line and 0.05 mm further along the second:
+    /// blocks of the lines alone can follow both.
     /// </summary>
     [Theory]
     [InlineData("N50 X40. Y3.\nN60 G2 X53. Y-10. I0. J-13.\nN70 G1 Y-60.\n", -1, "N50", "N70")] // convex, 10 mm
@@ -122,7 +148,8 @@ public sealed class BlockRunTests
     [InlineData("N50 X48. Y3.\nN60 X53. Y-2.\nN70 Y-60.\n", -1, "N50", "N70")] // a short one
     [InlineData("N50 X40. Y3.\nN60 X46.5 Y1.258\nN61 X51.258 Y-3.5\nN62 X53. Y-10.\nN70 Y-60.\n", -1, "N50", "N70")] // an arc in pieces
     [InlineData("N50 X20. Y3.\nN55 X40.\nN60 G2 X53. Y-10. I0. J-13.\nN65 G1 Y-12.\nN70 Y-60.\n", -1, "N50..N55", "N65..N70")] // in pieces
-    public void A_corner_between_two_lines_is_proposed_to_neither_and_the_match_takes_the_proposal(string cut, int up, params string[] blocks)
+    public void A_corner_between_two_lines_is_proposed_to_neither_and_the_match_takes_the_proposal(
+        string cut, int up, params string[] blocks)
     {
         using var shop = Corner(cut, $"point,x_mm,y_mm\n1,0,0\n2,35,0\n3,50,{up * 15}\n4,50,{up * 50}\n");
         var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
@@ -188,7 +215,8 @@ public sealed class BlockRunTests
     public void A_program_that_cannot_be_followed_is_refused()
     {
         using var shop = Shop("complex-mating");
-        File.WriteAllText(shop["counterpart.nc"], File.ReadAllText(shop["counterpart.nc"]).Replace("N90 Z2.", "N90 M98 P4711", StringComparison.Ordinal));
+        File.WriteAllText(
+            shop["counterpart.nc"], File.ReadAllText(shop["counterpart.nc"]).Replace("N90 Z2.", "N90 M98 P4711", StringComparison.Ordinal));
         var outcome = BlockRun.Of(shop["job.json"], CancellationToken.None);
         Assert.Null(outcome.Result);
         Assert.Equal(shop["counterpart.nc"], Assert.Single(outcome.Refusals).File);
@@ -198,8 +226,11 @@ public sealed class BlockRunTests
     public void Points_that_the_theoretical_file_lacks_are_said_before_anything_is_sought()
     {
         using var shop = Shop("complex-mating");
-        File.WriteAllText(shop["theoretical.csv"], File.ReadAllText(shop["theoretical.csv"]).Replace("\n2,", "\n22,", StringComparison.Ordinal));
-        Assert.Equal("missing-point", Assert.Throws<Measurement.MeasurementException>(() => BlockRun.Of(shop["job.json"], CancellationToken.None)).Code);
+        File.WriteAllText(
+            shop["theoretical.csv"], File.ReadAllText(shop["theoretical.csv"]).Replace("\n2,", "\n22,", StringComparison.Ordinal));
+        Assert.Equal(
+            "missing-point",
+            Assert.Throws<Measurement.MeasurementException>(() => BlockRun.Of(shop["job.json"], CancellationToken.None)).Code);
     }
 
     private static TemporaryFolder Corner(string cut, string theoretical)

@@ -24,7 +24,11 @@ public sealed class MatingRunTests
     public void What_is_given_as_bytes_is_no_file_to_be_spared()
     {
         var files = new JobFiles(Job);
-        Assert.NotNull(MatingRun.Of(files, new() { Part = new("part.csv", File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"))) }, TestContext.Current.CancellationToken).Result);
+        Assert.NotNull(
+            MatingRun.Of(
+                files,
+                new() { Part = new("part.csv", File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"))) },
+                TestContext.Current.CancellationToken).Result);
         Assert.Equal(["job.json", "theoretical.csv", "counterpart.nc"], files.Read.Select(Path.GetFileName));
     }
 
@@ -54,28 +58,36 @@ public sealed class MatingRunTests
     [Fact]
     public void A_measured_counterpart_that_is_not_there_is_warned_of_and_feedback_says_where_the_job_names_it()
     {
-        const string Warning = "The measured counterpart \"nope.csv\" is not there; expected the file of the one that was cut without compensation, or no key counterpart.measured: as it is, no counterpart can be compared in a cell.";
+        const string Warning = "The measured counterpart \"nope.csv\" is not there; expected the file of the one that was cut without "
+            + "compensation, or no key counterpart.measured: as it is, no counterpart can be compared in a cell.";
         using var folder = new TemporaryFolder();
         foreach (var file in new[] { "theoretical.csv", "part.csv", "counterpart.nc", "counterpart.csv" })
         {
             File.Copy(Repository.PathTo("samples", "complex-mating", file), folder[file]);
         }
 
-        var text = File.ReadAllText(Job).Replace("\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal);
+        var text = File.ReadAllText(Job).Replace(
+            "\"measured\": \"counterpart.csv\"", "\"measured\": \"nope.csv\"", StringComparison.Ordinal);
         var (there, gone) = (Run(Job, new()), Run(folder.File("job.json", text), new()));
         Assert.Equal([.. there.Report.Warnings.Select(w => w.Message), Warning], gone.Report.Warnings.Select(w => w.Message));
         Assert.Equal(there.Program.ToArray(), gone.Program.ToArray());
         Assert.Equal(("measured-not-there", "nope.csv"), (gone.Report.Warnings[^1].Code, Assert.Single(gone.Report.Warnings[^1].Values)));
-        Assert.Equal(there.Report.Warnings.Count, Run(folder["job.json"], new() { Counterpart = new(folder["counterpart.csv"]) }).Report.Warnings.Count);
+        Assert.Equal(
+            there.Report.Warnings.Count,
+            Run(folder["job.json"], new() { Counterpart = new(folder["counterpart.csv"]) }).Report.Warnings.Count);
 
         // In feedback it is needed: what is wrong stands in line 20 of the job, from column 17 on.
-        var feedback = folder.File("feedback.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
+        var feedback = folder.File(
+            "feedback.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
         var item = Assert.Single(ErrorItems.OfInput(Assert.Throws<InputException>(() => Run(feedback, new())))!);
-        Assert.Equal(("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.File, item.Line, item.Column, item.Path));
-        Assert.Contains($"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
+        Assert.Equal(
+            ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.File, item.Line, item.Column, item.Path));
+        Assert.Contains(
+            $"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
         Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));
 
-        static MatchedProgram Run(string job, MatingRequest request) => MatingRun.Of(new(job), request, TestContext.Current.CancellationToken).Result!;
+        static MatchedProgram Run(string job, MatingRequest request) =>
+            MatingRun.Of(new(job), request, TestContext.Current.CancellationToken).Result!;
     }
 
     [Fact]
@@ -91,7 +103,8 @@ public sealed class MatingRunTests
     {
         using var folder = new TemporaryFolder();
         var matched = Matched(new() { Folder = folder.Path });
-        var again = MatingRun.Of(new(Job), new() { Program = new("counterpart.nc", matched.Program) }, TestContext.Current.CancellationToken);
+        var again = MatingRun.Of(
+            new(Job), new() { Program = new("counterpart.nc", matched.Program) }, TestContext.Current.CancellationToken);
         Assert.Null(again.Result);
         var refusal = Assert.Single(again.Refusals);
         Assert.Equal(("already-compensated", "counterpart.nc"), (refusal.Code, refusal.File));
@@ -102,16 +115,20 @@ public sealed class MatingRunTests
     public void Points_that_determine_nothing_name_their_file()
     {
         // A datum of two points that lie on one another has no direction.
-        var text = File.ReadAllText(Job).Replace("\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
+        var text = File.ReadAllText(Job).Replace(
+            "\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
         var job = MatingJob.Parse(System.Text.Encoding.UTF8.GetBytes(text), Job);
         var points = "point,x_mm,y_mm\n" + string.Concat(job.NeededPoints.Select(p => p + ",-36,40\n"));
-        var e = Assert.Throws<PointsException>(() => MatingRun.Of(new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
+        var e = Assert.Throws<PointsException>(() => MatingRun.Of(
+            new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
         Assert.Equal("part.csv", e.File);
         Assert.StartsWith("part.csv: ", e.Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void A_cancelled_run_computes_nothing() => Assert.Throws<OperationCanceledException>(() => MatingRun.Of(new(Job), new(), new CancellationToken(canceled: true)));
+    public void A_cancelled_run_computes_nothing() =>
+        Assert.Throws<OperationCanceledException>(() => MatingRun.Of(new(Job), new(), new CancellationToken(canceled: true)));
 
-    private static MatchedProgram Matched(MatingRequest request) => MatingRun.Of(new(Job), request, TestContext.Current.CancellationToken).Result!;
+    private static MatchedProgram Matched(MatingRequest request) =>
+        MatingRun.Of(new(Job), request, TestContext.Current.CancellationToken).Result!;
 }

@@ -7,7 +7,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
 
-/// <summary>A piece that a compensated program cut is not compensated once more from the nominal surface: the correction that it has would be given up.</summary>
+/// <summary>A piece that a compensated program cut is not compensated once more from the nominal surface:
+/// the correction that it has would be given up.</summary>
 public sealed class PieceProgramTests : IDisposable
 {
     private const string Code = "piece-compensated";
@@ -16,7 +17,8 @@ public sealed class PieceProgramTests : IDisposable
     private static readonly Lazy<byte[]> CompensatedProgram = new(() =>
     {
         using var tests = new PieceProgramTests();
-        var finished = SurfaceRun.Compensate(new(tests.Job("", "semi-finishing")), new() { Measured = [new(Measured)] }, CancellationToken.None).Result!;
+        var finished = SurfaceRun.Compensate(
+            new(tests.Job("", "semi-finishing")), new() { Measured = [new(Measured)] }, CancellationToken.None).Result!;
         return finished.Program.ToArray();
     });
 
@@ -35,11 +37,13 @@ public sealed class PieceProgramTests : IDisposable
         var outcome = Run(inJob ? ", \"cutBy\": \"compensated.nc\"" : "", After, inJob ? null : compensated);
         var refusal = Assert.Single(outcome.Refusals);
         Assert.Equal((Code, compensated, 1), (refusal.Code, refusal.File, refusal.Line));
-        Assert.Contains("Measure a piece that the nominal program cut (errormatch surface toolpath", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "Measure a piece that the nominal program cut (errormatch surface toolpath", refusal.Message, StringComparison.Ordinal);
 
         // A damaged marker is one.
         File.WriteAllText(_folder["compensated.nc"], File.ReadAllText(compensated).Replace("BASE=", "BASE", StringComparison.Ordinal));
-        Assert.Equal(Code, Assert.Single(Run(inJob ? ", \"cutBy\": \"compensated.nc\"" : "", After, inJob ? null : compensated).Refusals).Code);
+        Assert.Equal(
+            Code, Assert.Single(Run(inJob ? ", \"cutBy\": \"compensated.nc\"" : "", After, inJob ? null : compensated).Refusals).Code);
     }
 
     [Fact]
@@ -51,7 +55,8 @@ public sealed class PieceProgramTests : IDisposable
         var nobody = Run("", After, null).Result!;
         using var assumed = JsonDocument.Parse(nobody.ReportJson());
         Assert.Equal(("assumed", null), Known(assumed));
-        Assert.Contains("A nominal program is taken to have cut it", Encoding.UTF8.GetString(nobody.ReportHtml()), StringComparison.Ordinal);
+        Assert.Contains(
+            "A nominal program is taken to have cut it", Encoding.UTF8.GetString(nobody.ReportHtml()), StringComparison.Ordinal);
 
         static (string?, string?) Known(JsonDocument json)
         {
@@ -73,13 +78,15 @@ public sealed class PieceProgramTests : IDisposable
         // Where somebody says that another one did, a piece that still has its stock, or the same measurement again, it is none.
         Assert.Empty(Run("", After, _folder.File("nominal.nc", "G0 Z30\nM30\n"), "out").Refusals);
         Assert.Empty(Run("", Measured, null, "out", "semi-finishing").Refusals);
-        var again = SurfaceRun.Compensate(new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["again"] }, Cancellation).Result!;
+        var again = SurfaceRun.Compensate(
+            new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["again"] }, Cancellation).Result!;
         Directory.CreateDirectory(_folder["again"]);
         File.WriteAllBytes(_folder["again/finishing.nc"], again.Program.ToArray());
         Assert.Empty(Run("", After, null, "again").Refusals);
 
         // Nor is a program of another surface.
-        File.WriteAllText(_folder["out/finishing.nc"], "; " + new Marker(new('a', 64), new('b', 64)).TextIn(NcSyntax.Iso)[1..^1] + "\nG0 Z30\nM30\n");
+        File.WriteAllText(
+            _folder["out/finishing.nc"], "; " + new Marker(new('a', 64), new('b', 64)).TextIn(NcSyntax.Iso)[1..^1] + "\nG0 Z30\nM30\n");
         Assert.Empty(Run("", After, null, "out").Refusals);
     }
 
@@ -87,12 +94,16 @@ public sealed class PieceProgramTests : IDisposable
     public void A_program_that_was_displaced_where_the_new_one_goes_tells_as_well()
     {
         var cam = new GivenFile(Repository.PathTo("samples", "surface-one", "cam.nc"));
-        var displaced = SurfaceRun.Displace(new(Job("", "semi-finishing")), new() { Measured = [new(Measured)] }, cam, Cancellation).Result!;
+        var displaced = SurfaceRun.Displace(
+            new(Job("", "semi-finishing")), new() { Measured = [new(Measured)] }, cam, Cancellation).Result!;
         Directory.CreateDirectory(_folder["out"]);
         File.WriteAllBytes(_folder["out/cam.nc"], displaced.Program.ToArray());
-        var refused = SurfaceRun.Displace(new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["out"] }, cam, Cancellation);
+        var refused = SurfaceRun.Displace(
+            new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["out"] }, cam, Cancellation);
         Assert.Equal((Code, _folder["out/cam.nc"]), (Assert.Single(refused.Refusals).Code, refused.Refusals[0].File));
-        Assert.NotNull(SurfaceRun.Displace(new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["other"] }, cam, Cancellation).Result);
+        Assert.NotNull(
+            SurfaceRun.Displace(
+                new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["other"] }, cam, Cancellation).Result);
     }
 
     // Probed in one run of the control, right behind the program that cut.
@@ -105,16 +116,20 @@ public sealed class PieceProgramTests : IDisposable
         var files = new FreeformFiles(Job("", "finishing", dialect));
         var plan = files.Plan(files.Surface());
         var probing = ProbingProgram.Of(plan, "x", files.MeasuringDialect(), files.Template(files.MeasuringDialect()));
-        var compensated = SurfaceRun.Compensate(new(Job("", "semi-finishing", dialect)), new() { Measured = [new(Measured)] }, Cancellation).Result!.Program;
+        var compensated = SurfaceRun.Compensate(
+            new(Job("", "semi-finishing", dialect)), new() { Measured = [new(Measured)] }, Cancellation).Result!.Program;
         var merged = Encoding.UTF8.GetString(probing.MergeAfter(compensated, "finishing.nc").Span);
-        var measurement = Marker.Find(NcProgram.Read(compensated, NcDialects.Named(dialect).Syntax))[0].Marker!.MeasurementSha256.ToUpperInvariant();
+        var measurement = Marker.Find(NcProgram.Read(
+            compensated, NcDialects.Named(dialect).Syntax))[0].Marker!.MeasurementSha256.ToUpperInvariant();
         Assert.Matches($"CUTBY.{measurement}", merged);
 
         // What the control writes: the head, that line, and the points that the table has.
         var log = new StringBuilder($"ERRORMATCH PROBE PLAN {ProbingProgram.PlanId(plan)} MM\nCUTBY {measurement}\n");
         foreach (var point in files.Measured("measured", new(After), plan).Points)
         {
-            log.Append(CultureInfo.InvariantCulture, $"P{point.Planned.Number} S X{point.Contact.X:F6} Y{point.Contact.Y:F6} Z{point.Contact.Z:F6}\n");
+            log.Append(
+                CultureInfo.InvariantCulture,
+                $"P{point.Planned.Number} S X{point.Contact.X:F6} Y{point.Contact.Y:F6} Z{point.Contact.Z:F6}\n");
         }
 
         var probed = _folder.File("probe.log", log.Append("END\n").ToString());
@@ -122,8 +137,13 @@ public sealed class PieceProgramTests : IDisposable
         Assert.Equal((Code, probed), (refusal.Code, refusal.File));
 
         // Behind a nominal one the log has no such line.
-        var nominal = Encoding.ASCII.GetString(compensated.Span).Split('\n').Where(l => !l.Contains("MEASUREMENT=", StringComparison.Ordinal));
-        Assert.DoesNotContain("CUTBY", Encoding.UTF8.GetString(probing.MergeAfter(Encoding.ASCII.GetBytes(string.Join('\n', nominal)), "finishing.nc").Span), StringComparison.Ordinal);
+        var nominal = Encoding.ASCII.GetString(compensated.Span)
+            .Split('\n')
+            .Where(l => !l.Contains("MEASUREMENT=", StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            "CUTBY",
+            Encoding.UTF8.GetString(probing.MergeAfter(Encoding.ASCII.GetBytes(string.Join('\n', nominal)), "finishing.nc").Span),
+            StringComparison.Ordinal);
     }
 
     private static CancellationToken Cancellation => TestContext.Current.CancellationToken;
@@ -134,8 +154,12 @@ public sealed class PieceProgramTests : IDisposable
         return _folder["compensated.nc"];
     }
 
-    private RunOutcome<FinishedSurface> Run(string measuring, string measured, string? cutBy, string? folder = null, string after = "finishing") => SurfaceRun.Compensate(
-        new(Job(measuring, after)), new() { Measured = [new(measured)], CutBy = GivenFile.At(cutBy), Folder = folder is null ? null : _folder[folder] }, Cancellation);
+    private RunOutcome<FinishedSurface> Run(
+        string measuring, string measured, string? cutBy, string? folder = null, string after = "finishing") =>
+        SurfaceRun.Compensate(
+        new(Job(measuring, after)),
+        new() { Measured = [new(measured)], CutBy = GivenFile.At(cutBy), Folder = folder is null ? null : _folder[folder] },
+        Cancellation);
 
     private string Job(string measuring, string after, string dialect = "siemens-840d") => _folder.File($"job-{after}.json", $$"""
         { "kind": "freeform", "name": "Surface one", "surface": "surface.igs", "tool": { "kind": "ball", "diameterMm": 6 }, "spindleRpm": 10000, "feedMmPerMin": 1200,

@@ -38,7 +38,8 @@ public sealed class SurfaceToolCallTests
         Assert.False(json.RootElement.GetProperty("program").GetProperty("toolCall").GetBoolean());
         Assert.Contains("toolpath.tool", json.RootElement.GetProperty("warnings")[0].GetString(), StringComparison.Ordinal);
         var page = Encoding.UTF8.GetString(finished.ReportHtml());
-        Assert.InRange(page.IndexOf("has no tool call", StringComparison.Ordinal), 1, page.IndexOf("cuts a surface", StringComparison.Ordinal));
+        Assert.InRange(
+            page.IndexOf("has no tool call", StringComparison.Ordinal), 1, page.IndexOf("cuts a surface", StringComparison.Ordinal));
     }
 
     // Height comes before the way across: with the length in, the tool is nowhere lower than over the piece when it goes there.
@@ -49,7 +50,8 @@ public sealed class SurfaceToolCallTests
     [InlineData("linuxcnc", "\"number\": 3, \"lengthOffset\": 13", "T3 M6|G43 H13|S10000 M3|G0 Z*")]
     [InlineData("siemens-840d", "\"number\": 3, \"lengthOffset\": 1", "T3|M6|D1|S10000 M3|G0 Z*")]
     [InlineData("siemens-840d", "\"name\": \"BALL D6/R3\", \"lengthOffset\": 2", "T=\"BALL D6/R3\"|M6|D2|S10000 M3|G0 Z*")]
-    public void With_a_tool_the_program_calls_it_and_takes_its_length_into_account_before_it_moves(string dialect, string tool, string expected)
+    public void With_a_tool_the_program_calls_it_and_takes_its_length_into_account_before_it_moves(
+        string dialect, string tool, string expected)
     {
         var finished = Finished(dialect, tool);
         var lines = Encoding.ASCII.GetString(finished.Program.Span).Split('\n').ToList();
@@ -57,9 +59,14 @@ public sealed class SurfaceToolCallTests
         var at = lines.IndexOf(words[0]);
         Assert.InRange(at, 4, 12);
         Assert.Equal("G54", lines[at - 1]);
-        Assert.All(words.Zip(lines.Skip(at)), p => Assert.Matches("^" + System.Text.RegularExpressions.Regex.Escape(p.First).Replace("\\*", "[0-9.]+", StringComparison.Ordinal) + "$", p.Second));
+        Assert.All(
+            words.Zip(lines.Skip(at)),
+            p => Assert.Matches(
+                "^" + System.Text.RegularExpressions.Regex.Escape(p.First).Replace("\\*", "[0-9.]+", StringComparison.Ordinal) + "$",
+                p.Second));
         Assert.StartsWith("X", lines[at + words.Length], StringComparison.Ordinal);
-        Assert.DoesNotContain(lines, l => l == "M0" || l.Contains("#3000", StringComparison.Ordinal) || l.Contains("SETAL", StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            lines, l => l == "M0" || l.Contains("#3000", StringComparison.Ordinal) || l.Contains("SETAL", StringComparison.Ordinal));
 
         var read = NcInterpreter.Run(NcProgram.Read(finished.Program, NcDialects.Named(dialect).Syntax), NcDialects.Named(dialect));
         Assert.Empty(read.Problems);

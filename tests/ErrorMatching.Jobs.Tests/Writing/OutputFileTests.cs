@@ -24,7 +24,14 @@ public sealed class OutputFileTests
         File.CreateSymbolicLink(link, input);
         var folderLink = folder["alias"];
         Directory.CreateSymbolicLink(folderLink, folder.Path);
-        foreach (var path in new[] { input, Path.Combine(folder.Path, ".", "x", "..", "in.nc"), link, Path.Combine(folderLink, "in.nc"), Path.GetRelativePath(Directory.GetCurrentDirectory(), input) })
+        foreach (var path in new[]
+        {
+            input,
+            Path.Combine(folder.Path, ".", "x", "..", "in.nc"),
+            link,
+            Path.Combine(folderLink, "in.nc"),
+            Path.GetRelativePath(Directory.GetCurrentDirectory(), input)
+        })
         {
             var error = Assert.Throws<OutputException>(() => Write(path, "output", input));
             Assert.Equal("output-is-input", error.Code);
@@ -54,7 +61,8 @@ public sealed class OutputFileTests
     {
         using var folder = new TemporaryFolder();
         var path = folder.File("out.nc", "old");
-        Assert.Throws<OperationCanceledException>(() => OutputFile.Write(path, "new"u8.ToArray(), [], new CancellationToken(canceled: true)));
+        Assert.Throws<OperationCanceledException>(() => OutputFile.Write(
+            path, "new"u8.ToArray(), [], new CancellationToken(canceled: true)));
         Assert.Equal("old", File.ReadAllText(path));
         Assert.Equal([path], Directory.GetFiles(folder.Path));
     }
@@ -82,7 +90,8 @@ public sealed class OutputFileTests
     {
         using var folder = new TemporaryFolder();
         var path = folder["report.json"];
-        var error = Assert.Throws<OutputException>(() => OutputFile.WriteAll([(path, "1"u8.ToArray()), (path, "2"u8.ToArray())], [], TestContext.Current.CancellationToken));
+        var error = Assert.Throws<OutputException>(() => OutputFile.WriteAll(
+            [(path, "1"u8.ToArray()), (path, "2"u8.ToArray())], [], TestContext.Current.CancellationToken));
         Assert.Equal("output-twice", error.Code);
         Assert.Empty(Directory.GetFiles(folder.Path));
     }

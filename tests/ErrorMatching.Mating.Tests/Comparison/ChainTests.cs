@@ -72,7 +72,8 @@ public sealed class ChainTests
     [Fact]
     public void The_papers_uncertainty_budget_is_5_4_micrometres()
     {
-        var budget = new UncertaintyBudget([new("probing", 0.0006), new("re-mastering and temperature", 0.002), new("loading and clamping", 0.005)]);
+        var budget = new UncertaintyBudget(
+            [new("probing", 0.0006), new("re-mastering and temperature", 0.002), new("loading and clamping", 0.005)]);
 
         // sqrt(0.36 + 4 + 25) um.
         Assert.Equal(0.005418487, budget.CombinedMm, 9);

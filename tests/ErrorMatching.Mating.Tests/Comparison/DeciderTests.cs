@@ -13,7 +13,8 @@ public sealed class DeciderTests
     {
         var line = Decide([0.05, -0.05]).Features[0];
 
-        Assert.Equal((Decision.WithinTolerance, true), (line.Decision, line.Points.All(p => p.Correction == Vector2.Zero && p.ExcessMm == 0)));
+        Assert.Equal(
+            (Decision.WithinTolerance, true), (line.Decision, line.Points.All(p => p.Correction == Vector2.Zero && p.ExcessMm == 0)));
     }
 
     [Fact]
@@ -33,7 +34,8 @@ public sealed class DeciderTests
     [Fact]
     public void A_part_that_stands_out_toward_the_tool_pushes_the_boundary_toward_the_tool()
     {
-        // The counterpart's material is at x < 0, its tool at x > 0, the part's material too. A part that ends at x = 0.1 instead of 0 has a hollow there, which the counterpart must fill.
+        // The counterpart's material is at x < 0, its tool at x > 0, the part's material too. A part that ends at x = 0.1 instead of 0 has
+        // a hollow there, which the counterpart must fill.
         var job = SampleJob.With();
         var point = new BoundaryPoint("1", new(0, 0), new(0.1, 0), new(1, 0));
         var features = Points(job, [point, point with { Label = "2" }]);
@@ -80,7 +82,10 @@ public sealed class DeciderTests
     [Fact]
     public void Feedback_compares_two_measured_points_and_is_less_certain()
     {
-        var job = SampleJob.With(("\"dialect\"", "\"measured\": \"c.csv\", \"dialect\""), ("\"from\": \"part\"", "\"from\": \"counterpart\""), ("0.002", "0.0225"));
+        var job = SampleJob.With(
+            ("\"dialect\"", "\"measured\": \"c.csv\", \"dialect\""),
+            ("\"from\": \"part\"", "\"from\": \"counterpart\""),
+            ("0.002", "0.0225"));
 
         // 2 * sqrt(2) * 0.0225 = 0.0636 mm.
         Assert.Equal(Decision.NotSignificant, Decider.Decide(job, Points(job, Line([0.06, 0]))).Features[0].Decision);
@@ -147,7 +152,8 @@ public sealed class DeciderTests
         return [.. Decider.Decide(job, Points(job, Line(normals))).Features[0].Points.Select(p => Math.Round(p.CorrectionNormalMm, 12))];
     }
 
-    private static MatingDecision Decide(double[] normals, string compensation = "\"from\": \"part\"", double tangential = 0, string uncertainty = "0.002")
+    private static MatingDecision Decide(
+        double[] normals, string compensation = "\"from\": \"part\"", double tangential = 0, string uncertainty = "0.002")
     {
         var job = SampleJob.With(("\"from\": \"part\"", compensation), ("0.002", uncertainty));
         return Decider.Decide(job, Points(job, Line(normals, tangential)));
@@ -165,5 +171,6 @@ public sealed class DeciderTests
         return new(label, present, present + (Normal * normal) + (Normal.Left * tangential), Normal);
     }
 
-    private static BoundaryPoint[][] Points(MatingJob job, BoundaryPoint[] line) => [line, .. job.Features.Skip(1).Select(f => f.Points.Select(l => Point(l, 0)).ToArray())];
+    private static BoundaryPoint[][] Points(MatingJob job, BoundaryPoint[] line) =>
+        [line, .. job.Features.Skip(1).Select(f => f.Points.Select(l => Point(l, 0)).ToArray())];
 }

@@ -13,7 +13,8 @@ public sealed class EquationSixTests
         foreach (var row in Samples.Table(table))
         {
             var actual = part[row["point"]];
-            var corrected = EquationSix.Corrected(new(actual.Number("x_mm"), actual.Number("y_mm")), new(row.Number("measured_x_mm"), row.Number("measured_y_mm")));
+            var corrected = EquationSix.Corrected(
+                new(actual.Number("x_mm"), actual.Number("y_mm")), new(row.Number("measured_x_mm"), row.Number("measured_y_mm")));
 
             if (row["point"] == misprint)
             {

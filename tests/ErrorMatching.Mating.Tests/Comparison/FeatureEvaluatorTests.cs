@@ -11,7 +11,8 @@ public sealed class FeatureEvaluatorTests
     {
         var line = new LineFeature("L1", ["N1"], Tolerance, CoordinatePlane.XY, ["1", "2", "3"], LineMethod.Total);
 
-        var evaluation = FeatureEvaluator.Evaluate(line, [new(0, 0), new(-5, 0), new(-10, 0)], [new(0, 0.1), new(-5, 0.1), new(-10.2, 0.1)], 0.01);
+        var evaluation = FeatureEvaluator.Evaluate(
+            line, [new(0, 0), new(-5, 0), new(-10, 0)], [new(0, 0.1), new(-5, 0.1), new(-10.2, 0.1)], 0.01);
 
         AssertQuantity(evaluation, "lengthMm", 10, 10.2);
         AssertQuantity(evaluation, "directionDeg", 180, 180);

@@ -13,7 +13,8 @@ public sealed class MeasuredPointTests
     [Fact]
     public void The_ball_lies_in_the_air_of_the_piece_that_it_measures()
     {
-        // The boundary is the line x = 5: the counterpart's material at x < 5, its tool and later the part's material at x > 5. The normal points to +x.
+        // The boundary is the line x = 5: the counterpart's material at x < 5, its tool and later the part's material at x > 5.
+        // The normal points to +x.
         var normal = new Vector2(1, 0);
 
         // A ball of radius 1 that touches the part at x = 5 has its center at x = 4, where the part has air.
@@ -46,7 +47,8 @@ public sealed class MeasuredPointTests
     [InlineData(CoordinatePlane.XY, 1, 2, 3)]
     [InlineData(CoordinatePlane.ZX, 3, 1, 2)]
     [InlineData(CoordinatePlane.YZ, 2, 3, 1)]
-    public void Points_in_space_are_projected_to_the_plane_of_their_feature(CoordinatePlane plane, double first, double second, double height)
+    public void Points_in_space_are_projected_to_the_plane_of_their_feature(
+        CoordinatePlane plane, double first, double second, double height)
     {
         var point = ProjectedPoint.Of(new("1", new(1, 2, 3), true, 2), plane, "part.csv");
         var theoretical = point with { HeightMm = height - 0.25 };

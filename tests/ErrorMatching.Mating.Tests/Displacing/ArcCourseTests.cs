@@ -3,9 +3,10 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>
-/// An arc follows as a circle as long as that predicts its key points to half an increment, else it follows the smooth course. The deviation is
-/// k phi^2 over the upper half circle of radius 10, measured from -60 to 60 degrees in steps of 30. A parabola meets it exactly; the best circle
-/// leaves a mean leave-one-out error of 0.000483 mm for k = 0.026 and 0.000519 mm for k = 0.028 (least squares by an independent program).
+/// An arc follows as a circle as long as that predicts its key points to half an increment, else it follows the smooth course.
+/// The deviation is k phi^2 over the upper half circle of radius 10, measured from -60 to 60 degrees in steps of 30.
+/// A parabola meets it exactly; the best circle leaves a mean leave-one-out error of 0.000483 mm for k = 0.026 and 0.000519 mm for k =
+/// 0.028 (least squares by an independent program).
 /// </summary>
 public sealed class ArcCourseTests
 {
@@ -20,7 +21,8 @@ public sealed class ArcCourseTests
         Assert.Equal(0.057326, wish.End.X, 5e-6);
     }
 
-    // The parabola is level at the top; behind the last point it goes on straight: k (p^2 + 2 p q) for p = 60 and q = 30 degrees, 0.061411 mm.
+    // The parabola is level at the top; behind the last point it goes on straight:
+    // k (p^2 + 2 p q) for p = 60 and q = 30 degrees, 0.061411 mm.
     [Fact]
     public void An_arc_whose_points_the_circle_misses_takes_the_smooth_course()
     {
@@ -43,6 +45,7 @@ public sealed class ArcCourseTests
     private static string Points(Func<double, double> radius) => string.Join("; ", Enumerable.Range(0, 5).Select(i =>
     {
         var phi = (i - 2) * Math.PI / 6;
-        return FormattableString.Invariant($"{i} {20 + (radius(phi) * Math.Sin(phi)):0.000000000} {radius(phi) * Math.Cos(phi):0.000000000}");
+        return FormattableString.Invariant(
+            $"{i} {20 + (radius(phi) * Math.Sin(phi)):0.000000000} {radius(phi) * Math.Cos(phi):0.000000000}");
     }));
 }

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>
-/// A straight cut between the flanks of a wedge. No key point lies on it, so its ends take what the flanks beside them take: each end goes with its own flank.
-/// The proof compares the program with the wish, so only this says that the wish is right.
+/// A straight cut between the flanks of a wedge. No key point lies on it, so its ends take what the flanks beside them take:
+/// each end goes with its own flank. The proof compares the program with the wish, so only this says that the wish is right.
 /// </summary>
 public sealed class ChamferTests
 {
@@ -13,11 +13,13 @@ public sealed class ChamferTests
     private const string BluntFromBehind = "%\nO1000\nN10 G21 G90 G17\nN20 G0 X50. Y20.\nN30 G1 G42 D1 Y0. F300\nN40 X30.\n"
         + "N50 X18. Y-16.\nN55 X12.\nN60 X0. Y0.\nN70 X-20.\nN80 G40 Y20.\nN90 M30\n%\n";
 
-    // The first flank goes 0.1 along its normal (0.8, 0.6), to 4x + 3y = 0.5, and the second stays. The bottom goes 0.1 up at x = 12 and stays at x = 18:
-    // y = -15.7 - x / 60. It meets the first flank at x = 47.6 / 3.95 = 12.0506, y = -15.9008, and the second where it did.
+    // The first flank goes 0.1 along its normal (0.8, 0.6), to 4x + 3y = 0.5, and the second stays.
+    // The bottom goes 0.1 up at x = 12 and stays at x = 18: y = -15.7 - x / 60.
+    // It meets the first flank at x = 47.6 / 3.95 = 12.0506, y = -15.9008, and the second where it did.
     [Fact]
     public void Each_end_of_a_chamfer_goes_with_its_own_flank() =>
-        Assert.Equal(["N40 X0.125", "N50 X12.051 Y-15.901", "N55 X18. Y-16."], Match(Blunt, "1 3.08 -3.94; 2 9.08 -11.94; 3 21 -12; 4 27 -4"));
+        Assert.Equal(
+            ["N40 X0.125", "N50 X12.051 Y-15.901", "N55 X18. Y-16."], Match(Blunt, "1 3.08 -3.94; 2 9.08 -11.94; 3 21 -12; 4 27 -4"));
 
     // The same seen in a mirror: 4x - 3y = 119.5 and y = -16.2 + x / 60.
     [Fact]

@@ -23,7 +23,11 @@ public sealed class JobCheckTests
     [InlineData("{ \"kind\": \"none\" }", "{ \"kind\": \"none\", \"origin\": \"1\" }", "unknown-key", "$.alignment.origin")]
     [InlineData("{ \"kind\": \"none\" }", "{ \"kind\": \"datum\", \"origin\": \"1\" }", "missing-key", "$.alignment")]
     [InlineData("{ \"kind\": \"none\" }", "{ \"kind\": \"best-fit\", \"locked\": [\"z\"] }", "not-one-of", "$.alignment.locked[0]")]
-    [InlineData("{ \"kind\": \"none\" }", "{ \"kind\": \"none\" }, \"originCheck\": { \"point\": \"O\", \"limitMm\": 0 }", "too-small", "$.originCheck.limitMm")]
+    [InlineData(
+        "{ \"kind\": \"none\" }",
+        "{ \"kind\": \"none\" }, \"originCheck\": { \"point\": \"O\", \"limitMm\": 0 }",
+        "too-small",
+        "$.originCheck.limitMm")]
     [InlineData("\"kind\": \"curve\"", "\"kind\": \"arc\"", "not-one-of", "$.features[2].kind")]
     [InlineData("\"name\": \"L1\"", "\"name\": \"L/1\"", "pattern-mismatch", "$.features[0].name")]
     [InlineData("\"name\": \"C1\"", "\"name\": \"C1\", \"degree\": 1.5", "not-one-of", "$.features[2].degree")]
@@ -31,7 +35,19 @@ public sealed class JobCheckTests
     [InlineData("\"name\": \"L1\"", "\"name\": \"L1\", \"degree\": 1", "unknown-key", "$.features[0].degree")]
     [InlineData("\"name\": \"L1\"", "\"name\": \"L1\", \"plane\": \"XZ\"", "not-one-of", "$.features[0].plane")]
     [InlineData("\"name\": \"L1\"", "\"name\": \"L1\", \"method\": \"lad\"", "not-one-of", "$.features[0].method")]
-    [InlineData("[[\"2a\", \"3a\"], [\"3b\", \"4\"]]", "[\"2a\", \"3a\", \"3b\", \"4\"]", "too-many-items", "$.features[1].points", "wrong-type", "$.features[1].points[0]", "wrong-type", "$.features[1].points[1]", "wrong-type", "$.features[1].points[2]", "wrong-type", "$.features[1].points[3]")]
+    [InlineData(
+        "[[\"2a\", \"3a\"], [\"3b\", \"4\"]]",
+        "[\"2a\", \"3a\", \"3b\", \"4\"]",
+        "too-many-items",
+        "$.features[1].points",
+        "wrong-type",
+        "$.features[1].points[0]",
+        "wrong-type",
+        "$.features[1].points[1]",
+        "wrong-type",
+        "$.features[1].points[2]",
+        "wrong-type",
+        "$.features[1].points[3]")]
     [InlineData("\"N100\"", "\"100\"", "pattern-mismatch", "$.features[0].blocks[0]")]
     [InlineData("\"N110..N130\"", "\"N110-N130\"", "pattern-mismatch", "$.features[1].blocks[0]")]
     [InlineData("[\"N100\"]", "[]", "too-few-items", "$.features[0].blocks")]
@@ -47,12 +63,33 @@ public sealed class JobCheckTests
     [InlineData("\"from\": \"part\"", "\"amount\": \"half\"", "not-one-of", "$.compensation.amount")]
     [InlineData("\"from\": \"part\"", "\"along\": \"x\"", "not-one-of", "$.compensation.along")]
     [InlineData("\"from\": \"part\"", "\"limitMm\": 0", "too-small", "$.compensation.limitMm")]
-    [InlineData(Compensation, "\"toleranceChain\": [{ \"name\": \"a\", \"nominalMm\": 1, \"toleranceMm\": [0, 1], \"sign\": 0 }]", "not-one-of", "$.toleranceChain[0].sign")]
-    [InlineData(Compensation, "\"recognition\": { \"part\": [{ \"in\": \"file-name\", \"pattern\": \"p\" }] }", "missing-key", "$.recognition")]
-    [InlineData(Compensation, "\"recognition\": { \"part\": [{ \"in\": \"name\", \"pattern\": \"p\" }], \"counterpart\": [{ \"in\": \"header\", \"pattern\": \"p\" }] }", "not-one-of", "$.recognition.part[0].in", "missing-key", "$.recognition.counterpart[0]")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"width\", \"points\": [\"1\"] }]", "not-one-of", "$.verify[0].quantity")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L1\"] }]", "too-few-items", "$.verify[0].between")]
-    public void A_job_that_breaks_the_schema_is_refused_by_path(string found, string instead, params string[] codesAndPaths) => Refuses(found, instead, codesAndPaths);
+    [InlineData(
+        Compensation,
+        "\"toleranceChain\": [{ \"name\": \"a\", \"nominalMm\": 1, \"toleranceMm\": [0, 1], \"sign\": 0 }]",
+        "not-one-of",
+        "$.toleranceChain[0].sign")]
+    [InlineData(
+        Compensation, "\"recognition\": { \"part\": [{ \"in\": \"file-name\", \"pattern\": \"p\" }] }", "missing-key", "$.recognition")]
+    [InlineData(
+        Compensation,
+        "\"recognition\": { \"part\": [{ \"in\": \"name\", \"pattern\": \"p\" }], \"counterpart\": [{ \"in\": \"header\", \"pattern\": "
+            + "\"p\" }] }",
+        "not-one-of",
+        "$.recognition.part[0].in",
+        "missing-key",
+        "$.recognition.counterpart[0]")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"width\", \"points\": [\"1\"] }]",
+        "not-one-of",
+        "$.verify[0].quantity")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L1\"] }]",
+        "too-few-items",
+        "$.verify[0].between")]
+    public void A_job_that_breaks_the_schema_is_refused_by_path(string found, string instead, params string[] codesAndPaths) =>
+        Refuses(found, instead, codesAndPaths);
 
     [Theory]
     [InlineData("\"blocks\": [\"N100\"], ", "")]
@@ -69,8 +106,13 @@ public sealed class JobCheckTests
         Assert.Equal(["1", "2"], job.Features[0].Points);
 
         // What else is wrong is said, with the place where it stands.
-        var wrong = Encoding.UTF8.GetBytes(SampleJob.Text.Replace(found, instead, StringComparison.Ordinal).Replace("[-0.04, 0.06]", "[0.06]", StringComparison.Ordinal));
-        Assert.Equal(("too-few-items", "$.features[1].toleranceMm"), Assert.Single(Assert.Throws<JobException>(() => MatingJob.ParseWithoutBlocks(wrong, "job.json")).Problems) is var p ? (p.Code, p.Path) : default);
+        var wrong = Encoding.UTF8.GetBytes(
+            SampleJob.Text.Replace(found, instead, StringComparison.Ordinal).Replace("[-0.04, 0.06]", "[0.06]", StringComparison.Ordinal));
+        Assert.Equal(
+            ("too-few-items", "$.features[1].toleranceMm"),
+            Assert.Single(Assert.Throws<JobException>(() => MatingJob.ParseWithoutBlocks(wrong, "job.json")).Problems) is var p
+                ? (p.Code, p.Path)
+                : default);
     }
 
     [Theory]
@@ -92,16 +134,59 @@ public sealed class JobCheckTests
     [InlineData("0.002", "0.002, \"reports\": \"stylus-center\"", "stylus-diameter-missing", "$.gauge")]
     [InlineData("\"points\", \"unc", "\"pionts\", \"unc", "bad-format", "$.gauge.format")]
     [InlineData("\"points\", \"unc", "{ \"delimiter\": \"#\" }, \"unc", "bad-format", "$.gauge.format.delimiter")]
-    [InlineData("{ \"kind\": \"none\" }", "{ \"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"1\" }", "datum-needs-two-points", "$.alignment.direction")]
-    [InlineData(Compensation, "\"toleranceChain\": [{ \"name\": \"a\", \"nominalMm\": 1, \"toleranceMm\": [1, 0], \"sign\": 1 }]", "reversed-tolerance", "$.toleranceChain[0].toleranceMm")]
-    [InlineData(Compensation, "\"recognition\": { \"part\": [{ \"in\": \"file-name\", \"pattern\": \"(\" }], \"counterpart\": [{ \"in\": \"header\", \"name\": \"a\", \"pattern\": \"p\" }] }", "bad-pattern", "$.recognition.part[0].pattern")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"L1\", \"quantity\": \"deviation\", \"points\": [\"1\"] }]", "duplicate-name", "$.verify[0].name")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"deviation\", \"points\": [\"1\"] }, { \"name\": \"a\", \"quantity\": \"deviation-x\", \"points\": [\"1\"] }]", "duplicate-name", "$.verify[1].name")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"deviation\", \"points\": [\"1\", \"15\"] }]", "unknown-point", "$.verify[0].points[1]")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L1/1\", \"L2L3\"] }]", "unknown-element", "$.verify[0].between[0]", "unknown-element", "$.verify[0].between[1]")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L2L3/3\", \"C1\"] }]", "unknown-element", "$.verify[0].between[0]", "unknown-element", "$.verify[0].between[1]")]
-    [InlineData(Compensation, "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L9\", \"L2L3/2\"] }]", "unknown-element", "$.verify[0].between[0]")]
-    public void A_job_that_contradicts_itself_is_refused_by_path(string found, string instead, params string[] codesAndPaths) => Refuses(found, instead, codesAndPaths);
+    [InlineData(
+        "{ \"kind\": \"none\" }",
+        "{ \"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"1\" }",
+        "datum-needs-two-points",
+        "$.alignment.direction")]
+    [InlineData(
+        Compensation,
+        "\"toleranceChain\": [{ \"name\": \"a\", \"nominalMm\": 1, \"toleranceMm\": [1, 0], \"sign\": 1 }]",
+        "reversed-tolerance",
+        "$.toleranceChain[0].toleranceMm")]
+    [InlineData(
+        Compensation,
+        "\"recognition\": { \"part\": [{ \"in\": \"file-name\", \"pattern\": \"(\" }], \"counterpart\": [{ \"in\": \"header\", \"name\": "
+            + "\"a\", \"pattern\": \"p\" }] }",
+        "bad-pattern",
+        "$.recognition.part[0].pattern")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"L1\", \"quantity\": \"deviation\", \"points\": [\"1\"] }]",
+        "duplicate-name",
+        "$.verify[0].name")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"deviation\", \"points\": [\"1\"] }, { \"name\": \"a\", \"quantity\": "
+            + "\"deviation-x\", \"points\": [\"1\"] }]",
+        "duplicate-name",
+        "$.verify[1].name")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"deviation\", \"points\": [\"1\", \"15\"] }]",
+        "unknown-point",
+        "$.verify[0].points[1]")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L1/1\", \"L2L3\"] }]",
+        "unknown-element",
+        "$.verify[0].between[0]",
+        "unknown-element",
+        "$.verify[0].between[1]")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L2L3/3\", \"C1\"] }]",
+        "unknown-element",
+        "$.verify[0].between[0]",
+        "unknown-element",
+        "$.verify[0].between[1]")]
+    [InlineData(
+        Compensation,
+        "\"verify\": [{ \"name\": \"a\", \"quantity\": \"angle\", \"between\": [\"L9\", \"L2L3/2\"] }]",
+        "unknown-element",
+        "$.verify[0].between[0]")]
+    public void A_job_that_contradicts_itself_is_refused_by_path(string found, string instead, params string[] codesAndPaths) =>
+        Refuses(found, instead, codesAndPaths);
 
     [Fact]
     public void Limits_of_equal_size_and_a_gain_of_two_are_allowed()
@@ -118,7 +203,8 @@ public sealed class JobCheckTests
 
         Assert.Equal("folder/job.json", e.File);
         Assert.Equal(
-            "folder/job.json:11:18 $.counterpart: found no key \"dialect\"; expected the key \"dialect\"\nfolder/job.json:12:34 $.counterpart.dialekt: the key \"dialekt\" is not known here; did you mean \"dialect\"?",
+            "folder/job.json:11:18 $.counterpart: found no key \"dialect\"; expected the key \"dialect\"\nfolder/job.json:12:34 "
+                + "$.counterpart.dialekt: the key \"dialekt\" is not known here; did you mean \"dialect\"?",
             e.Message);
     }
 

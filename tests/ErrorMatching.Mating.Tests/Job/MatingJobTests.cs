@@ -14,12 +14,21 @@ public sealed class MatingJobTests
 
         Assert.Equal(("Complex mating", "WO-1", "folder/job.json"), (job.Name, job.WorkOrder, job.File));
         Assert.Equal(new JobPart("theoretical.csv", "part.csv"), job.Part);
-        Assert.Equal((0.002, ProbeReport.Contact, (double?)null), (job.Gauge.Uncertainty.CombinedMm, job.Gauge.Reports, job.Gauge.StylusDiameterMm));
+        Assert.Equal(
+            (0.002, ProbeReport.Contact, (double?)null), (job.Gauge.Uncertainty.CombinedMm, job.Gauge.Reports, job.Gauge.StylusDiameterMm));
         Assert.Same(MeasurementFormat.Points, job.Gauge.Format);
         Assert.Equal(new MeasuringTime(10, 5, 1), job.Gauge.Measuring);
         Assert.Equal(JobAlignment.None, job.Alignment);
-        Assert.Equal(new JobCompensation(CompensationSource.Part, 1, CompensationAmount.Whole, CompensationDirection.Normal, 1), job.Compensation);
-        Assert.Equal(("counterpart.nc", "delta-nc300", 6.0, (string?)null, 0.5), (job.Counterpart.Program, job.Counterpart.Dialect, job.Counterpart.ToolDiameterMm, job.Counterpart.Measured, job.Counterpart.MapMm));
+        Assert.Equal(
+            new JobCompensation(CompensationSource.Part, 1, CompensationAmount.Whole, CompensationDirection.Normal, 1), job.Compensation);
+        Assert.Equal(
+            ("counterpart.nc", "delta-nc300", 6.0, (string?)null, 0.5),
+            (
+                job.Counterpart.Program,
+                job.Counterpart.Dialect,
+                job.Counterpart.ToolDiameterMm,
+                job.Counterpart.Measured,
+                job.Counterpart.MapMm));
         Assert.Equal(RigidTransform2.Translate(new(-80, 0)), job.Counterpart.Frame);
         Assert.Null(job.OriginCheck);
         Assert.Null(job.Chain);
@@ -54,7 +63,9 @@ public sealed class MatingJobTests
                 "reports": "stylus-center", "stylusDiameterMm": 2, "measuring": { "probingSpeedMmPerS": 4, "probingDistanceMm": 2, "calculatingS": 0.5 }
                 """),
             ("\"format\": \"points\"", "\"format\": { \"delimiter\": \";\", /* German */ \"decimalComma\": true, }"),
-            ("{ \"kind\": \"none\" }", """{ "kind": "best-fit", "locked": ["x", "rotation"] }, "originCheck": { "point": "O", "limitMm": 0.01 }"""),
+            (
+                "{ \"kind\": \"none\" }",
+                """{ "kind": "best-fit", "locked": ["x", "rotation"] }, "originCheck": { "point": "O", "limitMm": 0.01 }"""),
             ("\"points\": [\"1\", \"2\"]", "\"points\": [\"1\", \"2\"], \"method\": \"ols\", \"plane\": \"ZX\""),
             ("\"points\": [\"5..14\"]", "\"points\": [\"5..14\"], \"degree\": 4, \"ridge\": 0.5, \"plane\": \"YZ\""),
             ("\"toleranceMm\": [-0.04, 0.06]", "\"toleranceMm\": \"chain:rss\""),
@@ -73,18 +84,25 @@ public sealed class MatingJobTests
                 """));
 
         Assert.Equal(0.005, job.Gauge.Uncertainty.CombinedMm, 12);
-        Assert.Equal((ProbeReport.StylusCenter, 2.0, new MeasuringTime(4, 2, 0.5)), (job.Gauge.Reports, job.Gauge.StylusDiameterMm, job.Gauge.Measuring));
+        Assert.Equal(
+            (ProbeReport.StylusCenter, 2.0, new MeasuringTime(4, 2, 0.5)),
+            (job.Gauge.Reports, job.Gauge.StylusDiameterMm, job.Gauge.Measuring));
         Assert.Equal((';', true), (job.Gauge.Format.Delimiter, job.Gauge.Format.DecimalComma));
         Assert.Equal(new JobAlignment(JobAlignmentKind.BestFit, null, null, true, false, true), job.Alignment);
         Assert.Equal(new JobOriginCheck("O", 0.01), job.OriginCheck);
-        Assert.Equal((LineMethod.Ordinary, CoordinatePlane.ZX), (Assert.IsType<LineFeature>(job.Features[0]).Method, job.Features[0].Plane));
+        Assert.Equal(
+            (LineMethod.Ordinary, CoordinatePlane.ZX), (Assert.IsType<LineFeature>(job.Features[0]).Method, job.Features[0].Plane));
         var curve = Assert.IsType<CurveFeature>(job.Features[2]);
         Assert.Equal((4, 0.5, CoordinatePlane.YZ), (curve.Degree, curve.Ridge, curve.Plane));
         Assert.Equal(ToleranceSource.RootSumOfSquares, job.Features[1].Tolerance.Source);
         Assert.Equal(0.05, job.Features[1].Tolerance.Band.UpperMm, 12);
         Assert.Equal(6, job.Chain!.NominalMm);
-        Assert.Equal(("counterpart.csv", 0.2, new RigidTransform2(Mirror.X, Angle.FromDegrees(90), new(1, 2))), (job.Counterpart.Measured, job.Counterpart.MapMm, job.Counterpart.Frame));
-        Assert.Equal(new JobCompensation(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4), job.Compensation);
+        Assert.Equal(
+            ("counterpart.csv", 0.2, new RigidTransform2(Mirror.X, Angle.FromDegrees(90), new(1, 2))),
+            (job.Counterpart.Measured, job.Counterpart.MapMm, job.Counterpart.Frame));
+        Assert.Equal(
+            new JobCompensation(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4),
+            job.Compensation);
         Assert.NotNull(job.Recognition);
         Assert.Equal(new AngleComparison("L1-L2", new("L1", null), new("L2L3", 1)), job.Verify[0]);
         var inner = Assert.IsType<DeviationComparison>(job.Verify[1]);

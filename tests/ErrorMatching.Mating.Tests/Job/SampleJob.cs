@@ -25,7 +25,8 @@ internal static class SampleJob
         """;
 
     /// <summary>The job after some replacements, each "found => put instead"; each must be found.</summary>
-    public static MatingJob With(params (string Found, string Instead)[] replacements) => MatingJob.Parse(Encoding.UTF8.GetBytes(TextWith(replacements)), "folder/job.json");
+    public static MatingJob With(params (string Found, string Instead)[] replacements) =>
+        MatingJob.Parse(Encoding.UTF8.GetBytes(TextWith(replacements)), "folder/job.json");
 
     private static string TextWith((string Found, string Instead)[] replacements)
     {

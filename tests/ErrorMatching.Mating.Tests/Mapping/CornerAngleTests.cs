@@ -1,6 +1,7 @@
 namespace ErrorMatching.Mating.Tests;
 
-/// <summary>From which angle on a point beyond the end of its motion lies on the corner that the tool rounds: where the cosine is 0.996, at 5.1 degrees.</summary>
+/// <summary>From which angle on a point beyond the end of its motion lies on the corner that the tool rounds:
+/// where the cosine is 0.996, at 5.1 degrees.</summary>
 public sealed class CornerAngleTests
 {
     // The tool's circle of radius 3 about the end (50, -3): 3 (sin, cos) from it, for a cosine of 0.9961 and of 0.9959.

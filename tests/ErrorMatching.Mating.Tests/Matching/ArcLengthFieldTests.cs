@@ -2,7 +2,8 @@ namespace ErrorMatching.Mating.Tests;
 
 public sealed class ArcLengthFieldTests
 {
-    // Points that scatter without any course: the leave-one-out error alone takes high degrees now and then, which swing out between the points and behind them.
+    // Points that scatter without any course: the leave-one-out error alone takes high degrees now and then,
+    // which swing out between the points and behind them.
     [Fact]
     public void Scatter_does_not_make_a_course_swing_out()
     {
@@ -13,7 +14,9 @@ public sealed class ArcLengthFieldTests
             double[] values = [.. along.Select(_ => random.NextDouble() - 0.5)];
             var field = ArcLengthField.Smooth(along, values, null, null, 0);
 
-            Assert.All(Enumerable.Range(-20, 140).Select(i => field.At(i / 2.0)), v => Assert.InRange(Math.Abs(v), 0, 2.001 * values.Max(Math.Abs)));
+            Assert.All(
+                Enumerable.Range(-20, 140).Select(i => field.At(i / 2.0)),
+                v => Assert.InRange(Math.Abs(v), 0, 2.001 * values.Max(Math.Abs)));
         }
     }
 

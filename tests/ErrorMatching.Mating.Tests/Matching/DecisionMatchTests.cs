@@ -11,18 +11,32 @@ public sealed class DecisionMatchTests
     public void Feedback_displaces_the_program_by_part_less_counterpart()
     {
         // The program cut a counterpart at -0.04; the part is at 0.1, so the program must go 0.14 up.
-        var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 -0.04; 2 40 -0.04",
+            Compensation = """{ "from": "counterpart" }"""
+        };
         var point = match.Report().KeyPoints[0];
 
         Assert.Equal(["N40 G1 X0. Y-2.86 F300"], match.Changed());
-        Assert.Equal((-0.14, -0.1, 0.14, 0), (Math.Round(point.DecidedMm, 9), Math.Round(point.NormalMm, 9), Math.Round(point.Correction.Y, 9), Math.Round(point.PredictedMm, 6)));
+        Assert.Equal(
+            (-0.14, -0.1, 0.14, 0),
+            (
+                Math.Round(point.DecidedMm, 9),
+                Math.Round(point.NormalMm, 9),
+                Math.Round(point.Correction.Y, 9),
+                Math.Round(point.PredictedMm, 6)));
         Assert.Equal(-0.04, point.Counterpart!.Value.Y, 9);
     }
 
     [Fact]
     public void Feedback_with_half_the_gain_goes_half_the_way()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart", "gain": 0.5 }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 -0.04; 2 40 -0.04",
+            Compensation = """{ "from": "counterpart", "gain": 0.5 }"""
+        };
 
         Assert.Equal(["N40 G1 X0. Y-2.93 F300"], match.Changed());
         Assert.Equal(0.07, match.Report().KeyPoints[0].PredictedMm, 6);
@@ -31,7 +45,11 @@ public sealed class DecisionMatchTests
     [Fact]
     public void A_counterpart_that_fits_is_cut_again_by_the_same_program()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 0.1; 2 40 0.1", Compensation = """{ "from": "counterpart" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 0.1; 2 40 0.1",
+            Compensation = """{ "from": "counterpart" }"""
+        };
 
         Unchanged(match, Decision.WithinTolerance);
     }
@@ -68,7 +86,12 @@ public sealed class DecisionMatchTests
     public void Excess_is_taken_point_by_point()
     {
         // Excess 0 at 10 and 0.09 at 40: -0.03 at 0, 0.12 at 50.
-        var match = new MatchCase(Programs.ToolBelow) { Part = "1 10 0.01; 2 40 0.12", Features = Limits("[-0.03, 0.03]"), Compensation = """{ "amount": "excess" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Part = "1 10 0.01; 2 40 0.12",
+            Features = Limits("[-0.03, 0.03]"),
+            Compensation = """{ "amount": "excess" }"""
+        };
 
         Assert.Equal(["N40 G1 X0. Y-3.03 F300", "N50 X50. Y-2.88"], match.Changed());
     }
@@ -76,7 +99,12 @@ public sealed class DecisionMatchTests
     [Fact]
     public void The_excess_of_a_vector_is_the_same_share_of_it_as_of_its_normal_part()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Part = "1 10.2 0.1; 2 40.2 0.1", Features = Limits("[-0.03, 0.5]"), Compensation = """{ "amount": "excess", "along": "vector" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Part = "1 10.2 0.1; 2 40.2 0.1",
+            Features = Limits("[-0.03, 0.5]"),
+            Compensation = """{ "amount": "excess", "along": "vector" }"""
+        };
         var point = match.Report().KeyPoints[0];
 
         Assert.Equal((0.14, 0.07), (Math.Round(point.Correction.X, 9), Math.Round(point.Correction.Y, 9)));
@@ -96,7 +124,12 @@ public sealed class DecisionMatchTests
     [Fact]
     public void Feedback_compares_two_measurements_and_needs_more_to_be_significant()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Gauge = """ "uncertaintyMm": 0.03 """, Part = "1 10 0.08; 2 40 0.08", Counterpart = "1 10 0; 2 40 0" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Gauge = """ "uncertaintyMm": 0.03 """,
+            Part = "1 10 0.08; 2 40 0.08",
+            Counterpart = "1 10 0; 2 40 0"
+        };
 
         Assert.Equal(Decision.Compensated, match.Match().Decision.Features[0].Decision);
         Unchanged(match with { Compensation = """{ "from": "counterpart" }""" }, Decision.NotSignificant);
@@ -120,7 +153,8 @@ public sealed class DecisionMatchTests
         {
             Theoretical = "1 10 0; 2 40 0; 3 50 10; 4 50 30",
             Part = "1 10 0.1; 2 40 0.1; 3 50.02 10; 4 50.02 30",
-            Features = [MatchCase.Line("L1", "N40..N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4", """ "toleranceMm": [-0.05, 0.05] """)],
+            Features = [
+                MatchCase.Line("L1", "N40..N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4", """ "toleranceMm": [-0.05, 0.05] """)],
         };
         var report = match.Report();
 
@@ -134,7 +168,8 @@ public sealed class DecisionMatchTests
     [Fact]
     public void Every_cut_of_a_feature_is_displaced_alike()
     {
-        var program = "N20 G0 X0. Y-20.\nN30 G1 Z-2. F300\nN40 Y-3.\nN50 X50.\nN60 Y-20.\nN70 G0 Z5.\nN120 X50. Y-20.\nN130 G1 Z-4.\nN140 Y-3.\nN150 X0.\nN160 Y-20.\nN170 M30\n";
+        var program = "N20 G0 X0. Y-20.\nN30 G1 Z-2. F300\nN40 Y-3.\nN50 X50.\nN60 Y-20.\nN70 G0 Z5.\nN120 X50. Y-20.\nN130 G1 Z-4.\nN140 "
+            + "Y-3.\nN150 X0.\nN160 Y-20.\nN170 M30\n";
         var match = new MatchCase(program) { Features = [MatchCase.Line("L1", "N50 N150", "1", "2")] };
 
         Assert.Equal(["N40 Y-2.9", "N140 Y-2.9"], match.Changed());
@@ -165,11 +200,16 @@ public sealed class DecisionMatchTests
     [Fact]
     public void A_point_on_a_corner_that_the_tool_rounds_is_warned_of()
     {
-        // The path turns away from the material at (50, -3): there the boundary is the tool's circle, and this point lies at 45 degrees on it.
+        // The path turns away from the material at (50, -3): there the boundary is the tool's circle,
+        // and this point lies at 45 degrees on it.
         var match = new MatchCase(Programs.ToolBelow) { Theoretical = "1 10 0; 2 52.121 -0.879", Part = "1 10 0.1; 2 52.121 -0.779" };
 
-        Assert.Contains(match.Report().Warnings, w => w is { Code: "point-on-corner", Values: ["2", "N50"] } && w.Message.StartsWith("Point 2 lies on a rounded corner at an end of N50", StringComparison.Ordinal));
-        Assert.DoesNotContain(new MatchCase(Programs.ToolBelow).Report().Warnings, w => w.Message.Contains("corner", StringComparison.Ordinal));
+        Assert.Contains(
+            match.Report().Warnings,
+            w => w is { Code: "point-on-corner", Values: ["2", "N50"] }
+                && w.Message.StartsWith("Point 2 lies on a rounded corner at an end of N50", StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            new MatchCase(Programs.ToolBelow).Report().Warnings, w => w.Message.Contains("corner", StringComparison.Ordinal));
     }
 
     private static void Unchanged(MatchCase match, Decision decision)

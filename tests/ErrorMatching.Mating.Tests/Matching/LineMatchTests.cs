@@ -50,7 +50,12 @@ public sealed class LineMatchTests
     public void More_points_are_a_least_squares_line()
     {
         // 0.05, 0.2, 0.05 at 10, 25, 40: mean 0.1, no slope. What is left is reported.
-        var match = new MatchCase(Programs.ToolBelow) { Theoretical = "1 10 0; 2 25 0; 3 40 0", Part = "1 10 0.05; 2 25 0.2; 3 40 0.05", Features = [MatchCase.Feature("line", "L1", "N50", """["1..3"]""")] };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Theoretical = "1 10 0; 2 25 0; 3 40 0",
+            Part = "1 10 0.05; 2 25 0.2; 3 40 0.05",
+            Features = [MatchCase.Feature("line", "L1", "N50", """["1..3"]""")]
+        };
 
         Assert.Equal(["N40 G1 X0. Y-2.9 F300"], match.Changed());
         // Counterpart - part along (0, -1): (0.1 - 0.05) * -1, (0.1 - 0.2) * -1.
@@ -92,7 +97,8 @@ public sealed class LineMatchTests
     [Fact]
     public void A_quarter_turn_turns_the_correction()
     {
-        // (x, y) to (-y, x), then 80 to the left: the boundary stands upright at x = -80, the tool is right of it, and 0.1 up is 0.1 to the left.
+        // (x, y) to (-y, x), then 80 to the left: the boundary stands upright at x = -80, the tool is right of it,
+        // and 0.1 up is 0.1 to the left.
         var program = "N20 G0 X-60. Y0.\nN40 G1 X-77. F300\nN50 Y50.\nN60 X-60.\nN70 M30\n";
         var match = new MatchCase(program) { Frame = """{ "rotateDeg": 90, "translateMm": [-80, 0] }""" };
         var point = match.Report().KeyPoints[0];
@@ -127,11 +133,29 @@ public sealed class LineMatchTests
     }
 
     [Theory]
-    [InlineData("ZX", "N10 G21 G90 G18\nN20 G0 X0. Z-20. Y7.\nN40 G1 Z-3. F300\nN50 X50.\nN60 Z-20.\nN70 M30\n", "1 10 7 0; 2 40 7 0", "1 10 7.02 0.1; 2 40 7 0.1", "N40 G1 Z-2.9 F300", 0.02)]
-    [InlineData("YZ", "N10 G21 G90 G19\nN20 G0 Y0. Z-20. X7.\nN40 G1 Z-3. F300\nN50 Y50.\nN60 Z-20.\nN70 M30\n", "1 7 10 0; 2 7 40 0", "1 7.03 10 0.1; 2 7 40 0.1", "N40 G1 Z-2.9 F300", 0.03)]
-    public void A_feature_in_another_plane_is_matched_there_and_says_what_stands_out(string plane, string program, string theoretical, string part, string changed, double standsOut)
+    [InlineData(
+        "ZX",
+        "N10 G21 G90 G18\nN20 G0 X0. Z-20. Y7.\nN40 G1 Z-3. F300\nN50 X50.\nN60 Z-20.\nN70 M30\n",
+        "1 10 7 0; 2 40 7 0",
+        "1 10 7.02 0.1; 2 40 7 0.1",
+        "N40 G1 Z-2.9 F300",
+        0.02)]
+    [InlineData(
+        "YZ",
+        "N10 G21 G90 G19\nN20 G0 Y0. Z-20. X7.\nN40 G1 Z-3. F300\nN50 Y50.\nN60 Z-20.\nN70 M30\n",
+        "1 7 10 0; 2 7 40 0",
+        "1 7.03 10 0.1; 2 7 40 0.1",
+        "N40 G1 Z-2.9 F300",
+        0.03)]
+    public void A_feature_in_another_plane_is_matched_there_and_says_what_stands_out(
+        string plane, string program, string theoretical, string part, string changed, double standsOut)
     {
-        var match = new MatchCase(program) { Theoretical = theoretical, Part = part, Features = [MatchCase.Line("L1", "N50", "1", "2", $""" "toleranceMm": [0, 0], "plane": "{plane}" """)] };
+        var match = new MatchCase(program)
+        {
+            Theoretical = theoretical,
+            Part = part,
+            Features = [MatchCase.Line("L1", "N50", "1", "2", $""" "toleranceMm": [0, 0], "plane": "{plane}" """)]
+        };
         var report = match.Report();
 
         Assert.Equal([changed], match.Changed());

@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating.Tests;
 
-/// <summary>The comment that keeps a correction from being applied twice: where it stands, that it is found again, what it refuses.</summary>
+/// <summary>The comment that keeps a correction from being applied twice:
+/// where it stands, that it is found again, what it refuses.</summary>
 public sealed class MarkerTests
 {
     private const string Body = "N20 G0 X0. Y-20.\nN40 G1 X0. Y-3. F300\nN50 X50.\nN60 Y-20.\nN70 M30";
@@ -20,7 +21,10 @@ public sealed class MarkerTests
         Assert.Equal($"(ERRORMATCH MEASUREMENT={Hash(csv)} BASE={Hash(Programs.ToolBelow)})", match.Match().Marker!.TextIn(NcSyntax.Iso));
         Assert.Equal(match.Match().Marker!.TextIn(NcSyntax.Iso), match.Match().Proof.Marker);
         Assert.Equal(match.Match().Marker!.TextIn(NcSyntax.Iso), match.Report().Proof.Marker);
-        Assert.Contains("\nO1000 (COVER)\n" + match.Match().Marker!.TextIn(NcSyntax.Iso) + "\nN10 ", Encoding.ASCII.GetString(match.Match().Program.Span), StringComparison.Ordinal);
+        Assert.Contains(
+            "\nO1000 (COVER)\n" + match.Match().Marker!.TextIn(NcSyntax.Iso) + "\nN10 ",
+            Encoding.ASCII.GetString(match.Match().Program.Span),
+            StringComparison.Ordinal);
     }
 
     [Theory]
@@ -46,7 +50,8 @@ public sealed class MarkerTests
     public void Behind_a_mark_of_UTF_8_the_first_block_stays_first()
     {
         var program = NcProgram.FromText("\uFEFFN10 G21\n" + Body);
-        Assert.Equal("\uFEFFN10 G21\n" + Text + "\n" + Body, Encoding.UTF8.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(program)));
+        Assert.Equal(
+            "\uFEFFN10 G21\n" + Text + "\n" + Body, Encoding.UTF8.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(program)));
     }
 
     [Fact]
@@ -71,7 +76,11 @@ public sealed class MarkerTests
     [InlineData("counterpart", Marker.MarkerDamaged)]
     public void A_marker_that_an_editor_damaged_refuses_all_the_same(string from, string code)
     {
-        var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = $$"""{ "from": "{{from}}" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 -0.04; 2 40 -0.04",
+            Compensation = $$"""{ "from": "{{from}}" }"""
+        };
         var marked = match with { Program = Encoding.ASCII.GetString(match.Match().Program.Span) };
 
         foreach (var damaged in new[]
@@ -90,9 +99,14 @@ public sealed class MarkerTests
     [Fact]
     public void Letters_of_another_case_are_the_same_marker()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 -0.04; 2 40 -0.04",
+            Compensation = """{ "from": "counterpart" }"""
+        };
         var marker = match.Match().Marker!;
-        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(marker.TextIn(NcSyntax.Iso), marker.TextIn(NcSyntax.Iso).ToLowerInvariant(), StringComparison.Ordinal);
+        var lower = Encoding.ASCII.GetString(match.Match().Program.Span).Replace(
+            marker.TextIn(NcSyntax.Iso), marker.TextIn(NcSyntax.Iso).ToLowerInvariant(), StringComparison.Ordinal);
 
         Assert.Equal([(2, marker)], Marker.Find(NcProgram.FromText(lower)));
     }
@@ -112,7 +126,11 @@ public sealed class MarkerTests
     public void Feedback_goes_on_from_a_compensated_program_but_never_twice_with_one_measurement()
     {
         // Part at 0.1. The nominal program cut at -0.04, so it goes to -2.86; that one cut at 0.09, so it goes 0.01 further.
-        var first = new MatchCase(Programs.ToolBelow) { Counterpart = "1 10 -0.04; 2 40 -0.04", Compensation = """{ "from": "counterpart" }""" };
+        var first = new MatchCase(Programs.ToolBelow)
+        {
+            Counterpart = "1 10 -0.04; 2 40 -0.04",
+            Compensation = """{ "from": "counterpart" }"""
+        };
         var cut = Encoding.ASCII.GetString(first.Match().Program.Span);
         var second = first with { Program = cut, Counterpart = "1 10 0.09; 2 40 0.09" };
         var result = second.Match();
@@ -141,7 +159,8 @@ public sealed class MarkerTests
         Assert.Single(Marker.Find(result.After.Program));
     }
 
-    private static string Inserted(string program) => Encoding.ASCII.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(NcProgram.FromText(program)));
+    private static string Inserted(string program) =>
+        Encoding.ASCII.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(NcProgram.FromText(program)));
 
     private static (string Code, string? Block, int Line) Place(MatingRefusal refusal) => (refusal.Code, refusal.Block, refusal.Line);
 

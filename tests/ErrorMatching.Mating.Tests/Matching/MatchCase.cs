@@ -5,7 +5,8 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>
-/// A match in text: a job with one line unless it says otherwise, points as <c>label x y[ z]; ...</c>, and a program. Tool diameter 6 mm, no tolerance, a gauge without error.
+/// A match in text: a job with one line unless it says otherwise, points as <c>label x y[ z]; ...</c>, and a program.
+/// Tool diameter 6 mm, no tolerance, a gauge without error.
 /// </summary>
 internal sealed record MatchCase(string Program)
 {
@@ -49,7 +50,12 @@ internal sealed record MatchCase(string Program)
         "job.json");
 
     public MatchInput Input => new(
-        Job, Points("theoretical.csv", Theoretical), Points("part.csv", Part), Counterpart is null ? null : Points("counterpart.csv", Counterpart), "counterpart.nc", Encoding.Latin1.GetBytes(Program));
+        Job,
+        Points("theoretical.csv", Theoretical),
+        Points("part.csv", Part),
+        Counterpart is null ? null : Points("counterpart.csv", Counterpart),
+        "counterpart.nc",
+        Encoding.Latin1.GetBytes(Program));
 
     public MatchOutcome Outcome => Matcher.Match(Input);
 
@@ -88,7 +94,8 @@ internal sealed record MatchCase(string Program)
     public NcMotion Motion(string number)
     {
         var result = Match();
-        var block = Enumerable.Range(0, result.Before.Program.BlockCount).Single(i => result.Before.Program.NumberOf(result.Before.Program[i]) == number);
+        var block = Enumerable.Range(0, result.Before.Program.BlockCount).Single(
+            i => result.Before.Program.NumberOf(result.Before.Program[i]) == number);
         return result.After.Motions[result.Before.MotionOf(block)];
     }
 
@@ -96,6 +103,7 @@ internal sealed record MatchCase(string Program)
     {
         var rows = points.Split(';', StringSplitOptions.TrimEntries).Select(r => r.Replace(' ', ',')).ToArray();
         var header = rows[0].Count(c => c == ',') == 3 ? "point,x_mm,y_mm,z_mm" : "point,x_mm,y_mm";
-        return MeasurementReader.Read(Encoding.UTF8.GetBytes(header + "\n" + string.Join('\n', rows) + "\n"), file, MeasurementFormat.Points);
+        return MeasurementReader.Read(
+            Encoding.UTF8.GetBytes(header + "\n" + string.Join('\n', rows) + "\n"), file, MeasurementFormat.Points);
     }
 }

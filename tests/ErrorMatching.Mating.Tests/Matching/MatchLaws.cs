@@ -11,13 +11,22 @@ public sealed class MatchLaws
 {
     /// <summary>A line, a notch with a fillet and a hill in one contour under G41; the tool is above.</summary>
     private const string Contour =
-        "%\nO1000\nN10 G21 G90 G17\nN20 G0 X-20. Y20.\nN30 G1 G41 D1 Y0. F300\nN40 X0.\nN50 X12.6 Y-16.8\nN55 G3 X17.4 Y-16.8 I2.4 J1.8\nN60 G1 X30. Y0.\nN70 X50.\nN80 G2 X70. Y0. I10. J0.\nN90 G1 X90.\nN100 G40 Y20.\nN110 M30\n%\n";
+        "%\nO1000\nN10 G21 G90 G17\nN20 G0 X-20. Y20.\nN30 G1 G41 D1 Y0. F300\nN40 X0.\nN50 X12.6 Y-16.8\nN55 G3 X17.4 Y-16.8 I2.4 "
+            + "J1.8\nN60 G1 X30. Y0.\nN70 X50.\nN80 G2 X70. Y0. I10. J0.\nN90 G1 X90.\nN100 G40 Y20.\nN110 M30\n%\n";
 
     private static readonly (string Label, double X, double Y, double NormalX, double NormalY)[] Places =
     [
         ("1", -15, 0, 0, 1), ("2", -5, 0, 0, 1),
         ("3", 3, -4, 0.8, 0.6), ("4", 9, -12, 0.8, 0.6), ("5", 21, -12, -0.8, 0.6), ("6", 27, -4, -0.8, 0.6),
-        .. Enumerable.Range(0, 6).Select(i => (i + 7, Angle: (160 - (28 * i)) * Math.PI / 180)).Select(p => (p.Item1.ToString(CultureInfo.InvariantCulture), 60 + (10 * Math.Cos(p.Angle)), 10 * Math.Sin(p.Angle), Math.Cos(p.Angle), Math.Sin(p.Angle))),
+        .. Enumerable.Range(0, 6)
+            .Select(i => (i + 7, Angle: (160 - (28 * i)) * Math.PI / 180))
+            .Select(
+                p => (
+                    p.Item1.ToString(CultureInfo.InvariantCulture),
+                    60 + (10 * Math.Cos(p.Angle)),
+                    10 * Math.Sin(p.Angle),
+                    Math.Cos(p.Angle),
+                    Math.Sin(p.Angle))),
     ];
 
     private static readonly string[] Features =
@@ -34,7 +43,12 @@ public sealed class MatchLaws
     public void The_order_of_lines_and_features_does_not_matter() => Check(Deviations, d =>
     {
         var match = Case(d, 1);
-        var shuffled = match with { Theoretical = Reverse(match.Theoretical), Part = Reverse(match.Part), Features = [.. Features.Reverse()] };
+        var shuffled = match with
+        {
+            Theoretical = Reverse(match.Theoretical),
+            Part = Reverse(match.Part),
+            Features = [.. Features.Reverse()]
+        };
 
         Assert.Equal(match.Rewritten(), shuffled.Rewritten());
     });
@@ -59,13 +73,18 @@ public sealed class MatchLaws
         var match = Case(d, 1);
         if (match.Match().Marker is not null)
         {
-            Assert.Equal(Marker.AlreadyCompensated, (match with { Program = Encoding.ASCII.GetString(match.Match().Program.Span) }).Refusal().Code);
+            Assert.Equal(
+                Marker.AlreadyCompensated, (match with { Program = Encoding.ASCII.GetString(match.Match().Program.Span) }).Refusal().Code);
         }
     });
 
     [Fact]
     public void Feedback_from_a_nominal_counterpart_is_feed_forward() => Check(Deviations, d =>
-        Assert.Equal(Case(d, 1).Rewritten(), (Case(d, 1) with { Counterpart = Points(new int[Places.Length], 1), Compensation = """{ "from": "counterpart" }""" }).Rewritten()));
+        Assert.Equal(
+            Case(d, 1).Rewritten(),
+            (
+                Case(d, 1) with { Counterpart = Points(new int[Places.Length], 1), Compensation = """{ "from": "counterpart" }""" })
+                .Rewritten()));
 
     // Two points determine a line or flank, so only the rounding of the program is left there.
     [Fact]
@@ -86,7 +105,10 @@ public sealed class MatchLaws
             foreach (var (decimals, groups, minus) in new[] { (",", ".", "-"), (".", ",", "\u2212"), ("\u066B", "\u066C", "\u200E-") })
             {
                 var other = (CultureInfo)CultureInfo.InvariantCulture.Clone();
-                (other.NumberFormat.NumberDecimalSeparator, other.NumberFormat.NumberGroupSeparator, other.NumberFormat.NegativeSign) = (decimals, groups, minus);
+                (
+                    other.NumberFormat.NumberDecimalSeparator,
+                    other.NumberFormat.NumberGroupSeparator,
+                    other.NumberFormat.NegativeSign) = (decimals, groups, minus);
                 CultureInfo.CurrentCulture = other;
 
                 Assert.Equal(program, match.Match().Program.ToArray());
@@ -110,12 +132,19 @@ public sealed class MatchLaws
         Assert.All(programs, p => Assert.Equal(programs[0], p));
     }
 
-    private static void Check(Arbitrary<int[]> deviations, Action<int[]> law) => FsCheck.Check.One(Config.QuickThrowOnFailure.WithMaxTest(60), Prop.ForAll(deviations, law));
+    private static void Check(Arbitrary<int[]> deviations, Action<int[]> law) =>
+        FsCheck.Check.One(Config.QuickThrowOnFailure.WithMaxTest(60), Prop.ForAll(deviations, law));
 
-    private static MatchCase Case(int[] micrometers, double scale) => new(Contour) { Theoretical = Points(new int[Places.Length], 1), Part = Points(micrometers, scale), Features = Features };
+    private static MatchCase Case(int[] micrometers, double scale) =>
+        new(Contour) { Theoretical = Points(new int[Places.Length], 1), Part = Points(micrometers, scale), Features = Features };
 
-    private static string Points(int[] micrometers, double scale) => string.Join("; ", Places.Select((p, i) => FormattableString.Invariant(
-        $"{p.Label} {p.X + (p.NormalX * micrometers[i] * scale / 1000):0.000000000} {p.Y + (p.NormalY * micrometers[i] * scale / 1000):0.000000000}")));
+    private static string Points(int[] micrometers, double scale) => string.Join(
+        "; ",
+        Places.Select(
+            (p, i) => string.Create(
+                CultureInfo.InvariantCulture,
+                $"{p.Label} {p.X + (p.NormalX * micrometers[i] * scale / 1000):0.000000000} "
+                    + $"{p.Y + (p.NormalY * micrometers[i] * scale / 1000):0.000000000}")));
 
     private static string Reverse(string points) => string.Join("; ", points.Split("; ").Reverse());
 }

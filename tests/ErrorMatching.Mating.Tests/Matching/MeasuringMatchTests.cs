@@ -5,7 +5,8 @@ public sealed class MeasuringMatchTests
 {
     private const string Ball = """ "uncertaintyMm": 1e-7, "reports": "stylus-center", "stylusDiameterMm": 2 """;
 
-    // The part fills the tool's room below y = 0; its gauge touches it from above, so the ball's center is 1 mm over the boundary. The tool above: all the other way round.
+    // The part fills the tool's room below y = 0; its gauge touches it from above, so the ball's center is 1 mm over the boundary.
+    // The tool above: all the other way round.
     [Theory]
     [InlineData(Programs.ToolBelow, "1 10 1.1; 2 40 1.1", "N40 G1 X0. Y-2.9 F300")]
     [InlineData(Programs.ToolAbove, "1 10 -0.9; 2 40 -0.9", "N40 G1 X0. Y3.1 F300")]
@@ -22,7 +23,13 @@ public sealed class MeasuringMatchTests
     public void The_ball_on_the_counterpart_stands_where_the_tool_was()
     {
         // The counterpart came out at -0.04: its ball's center is 1 mm below that. Part at 0.1: 0.14 to go.
-        var match = new MatchCase(Programs.ToolBelow) { Gauge = Ball, Part = "1 10 1.1; 2 40 1.1", Counterpart = "1 10 -1.04; 2 40 -1.04", Compensation = """{ "from": "counterpart" }""" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Gauge = Ball,
+            Part = "1 10 1.1; 2 40 1.1",
+            Counterpart = "1 10 -1.04; 2 40 -1.04",
+            Compensation = """{ "from": "counterpart" }"""
+        };
 
         Assert.Equal(["N40 G1 X0. Y-2.86 F300"], match.Changed());
         Assert.Equal(-0.04, match.Report().KeyPoints[0].Counterpart!.Value.Y, 9);
@@ -77,20 +84,30 @@ public sealed class MeasuringMatchTests
     [Fact]
     public void A_best_fit_hides_an_error_that_looks_like_clamping_unless_it_is_locked()
     {
-        var match = new MatchCase(Programs.ToolBelow) { Part = "1 10.2 0.1; 2 40.2 0.1", More = """ "alignment": { "kind": "best-fit" }, """ };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Part = "1 10.2 0.1; 2 40.2 0.1",
+            More = """ "alignment": { "kind": "best-fit" }, """
+        };
 
         Assert.Equal(Decision.WithinTolerance, match.Match().Decision.Features[0].Decision);
 
         var locked = match with { More = """ "alignment": { "kind": "best-fit", "locked": ["y", "rotation"] }, """ };
         Assert.Equal(["N40 G1 X0. Y-2.9 F300"], locked.Changed());
-        Assert.Equal((10, 0.1), (Math.Round(locked.Report().KeyPoints[0].Actual.X, 9), Math.Round(locked.Report().KeyPoints[0].Actual.Y, 9)));
+        Assert.Equal(
+            (10, 0.1), (Math.Round(locked.Report().KeyPoints[0].Actual.X, 9), Math.Round(locked.Report().KeyPoints[0].Actual.Y, 9)));
     }
 
     [Fact]
     public void A_turn_that_is_locked_stays_in_the_deviation()
     {
-        // 0.1 at 10 and 0.2 at 40: the shift of 0.15 is free and goes, the slope stays: -0.05 and 0.05, which is -0.0833 at 0 and 0.0833 at 50.
-        var match = new MatchCase(Programs.ToolBelow) { Part = "1 10 0.1; 2 40 0.2", More = """ "alignment": { "kind": "best-fit", "locked": ["rotation"] }, """ };
+        // 0.1 at 10 and 0.2 at 40: the shift of 0.15 is free and goes, the slope stays:
+        // -0.05 and 0.05, which is -0.0833 at 0 and 0.0833 at 50.
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Part = "1 10 0.1; 2 40 0.2",
+            More = """ "alignment": { "kind": "best-fit", "locked": ["rotation"] }, """
+        };
 
         Assert.Equal(["N40 G1 X0. Y-3.083 F300", "N50 X50. Y-2.917"], match.Changed());
         Assert.Equal(0.05, match.Report().Alignments[0].RmsMm, 9);

@@ -34,7 +34,10 @@ public sealed class MistakenUnitTests
         Assert.Equal(count, problems.Count);
         Assert.Equal(("limit-implausible", "$.features[0].toleranceMm"), (problems[0].Code, problems[0].Path));
         Assert.Contains("of which a has -20 to 30", problems[0].Message, StringComparison.Ordinal);
-        Assert.NotNull((Limited($"\"{source}\"") with { More = Chain.Replace("[-20, 30]", "[-0.02, 0.03]", StringComparison.Ordinal) }).Outcome.Result);
+        Assert.NotNull(
+            (
+                Limited($"\"{source}\"") with { More = Chain.Replace("[-20, 30]", "[-0.02, 0.03]", StringComparison.Ordinal) })
+                .Outcome.Result);
     }
 
     // Twice 0.5 mm is the limit of 1 mm; compared with a measured counterpart the uncertainty is 1.414 times as large.
@@ -71,7 +74,8 @@ public sealed class MistakenUnitTests
         var refusal = (Limited("[-9.5, 9.5]") with { Compensation = """{ "limitMm": 10 }""" }).Refusal();
         Assert.Equal(("limit-implausible", "L1", "$.features[0].toleranceMm"), (refusal.Code, refusal.Feature, refusal.Path));
         Assert.True(refusal.Place is { Line: > 1, Column: > 1 });
-        Assert.Contains("allow 9.5 mm, and no point of it is more than 0.0900 mm off: are they in um", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "allow 9.5 mm, and no point of it is more than 0.0900 mm off: are they in um", refusal.Message, StringComparison.Ordinal);
     }
 
     // Wide beside what is off, and meant: one good piece, a general tolerance, a part as designed, what the gauge cannot see.

@@ -9,15 +9,36 @@ public sealed class RefusalMatchTests
 
     [Fact]
     public void A_wrong_frame_shows_at_the_first_point() =>
-        Refused(Good with { Frame = """{ "translateMm": [0, 0.6] }""" }, FeatureMapper.PointOffPath, "L1", "1", "N50", 7, "lies 3.600 mm from the path, expected 3 mm");
+        Refused(
+            Good with { Frame = """{ "translateMm": [0, 0.6] }""" },
+            FeatureMapper.PointOffPath,
+            "L1",
+            "1",
+            "N50",
+            7,
+            "lies 3.600 mm from the path, expected 3 mm");
 
     [Fact]
     public void A_wrong_tool_diameter_shows_at_the_first_point() =>
-        Refused(Good with { ToolDiameterMm = 8 }, FeatureMapper.PointOffPath, "L1", "1", "N50", 7, "lies 3.000 mm from the path, expected 4 mm");
+        Refused(
+            Good with { ToolDiameterMm = 8 },
+            FeatureMapper.PointOffPath,
+            "L1",
+            "1",
+            "N50",
+            7,
+            "lies 3.000 mm from the path, expected 4 mm");
 
     [Fact]
     public void Under_cutter_compensation_a_point_must_lie_on_the_path() =>
-        Refused(new MatchCase(Programs.CompensatedLeft) { Theoretical = "1 10 0; 2 40 0.6" }, FeatureMapper.PointOffPath, "L1", "2", "N50", 7, "on the path");
+        Refused(
+            new MatchCase(Programs.CompensatedLeft) { Theoretical = "1 10 0; 2 40 0.6" },
+            FeatureMapper.PointOffPath,
+            "L1",
+            "2",
+            "N50",
+            7,
+            "on the path");
 
     [Fact]
     public void A_point_beyond_the_end_of_its_blocks_is_off_the_path() =>
@@ -31,20 +52,41 @@ public sealed class RefusalMatchTests
     public void Cuts_of_one_feature_must_have_the_material_on_the_same_side()
     {
         // N50 goes below the boundary, N150 above it: the boundary cannot be that of one piece.
-        var both = "N20 G0 X0. Y-20.\nN30 Z-2.\nN40 G1 Y-3. F300\nN50 X50.\nN60 Y-20.\nN70 G0 Z5.\nN120 X0. Y20.\nN130 Z-2.\nN140 G1 Y3.\nN150 X50.\nN160 Y20.\nN170 M30\n";
+        var both = "N20 G0 X0. Y-20.\nN30 Z-2.\nN40 G1 Y-3. F300\nN50 X50.\nN60 Y-20.\nN70 G0 Z5.\nN120 X0. Y20.\nN130 Z-2.\nN140 G1 "
+            + "Y3.\nN150 X50.\nN160 Y20.\nN170 M30\n";
 
-        Refused(new MatchCase(both) { Features = [MatchCase.Line("L1", "N50 N150", "1", "2")] }, FeatureMapper.SidesDiffer, "L1", "1", "N150", 10);
+        Refused(
+            new MatchCase(both) { Features = [MatchCase.Line("L1", "N50 N150", "1", "2")] },
+            FeatureMapper.SidesDiffer,
+            "L1",
+            "1",
+            "N150",
+            10);
     }
 
     [Fact]
     public void Blocks_in_another_plane_do_not_cut_the_feature() =>
         Refused(
-            Good with { Theoretical = "1 10 0 0; 2 40 0 0", Part = "1 10 0 0.1; 2 40 0 0.1", Features = [MatchCase.Line("L1", "N50", "1", "2", """ "toleranceMm": [0, 0], "plane": "ZX" """)] },
+            Good with
+            {
+                Theoretical = "1 10 0 0; 2 40 0 0",
+                Part = "1 10 0 0.1; 2 40 0 0.1",
+                Features = [MatchCase.Line("L1", "N50", "1", "2", """ "toleranceMm": [0, 0], "plane": "ZX" """)]
+            },
             FeatureMapper.PlaneDiffers, "L1", null, "N50", 7);
 
     [Fact]
     public void The_plane_must_not_change_within_a_cut() =>
-        Refused(new MatchCase("N10 G0 Z0.\nN20 X0. Y-20.\nN40 G1 Y-3. F300\nN50 X45.\nN52 G18 X50.\nN60 G17 Y-20.\nN70 M30\n") { Features = [MatchCase.Line("L1", "N50..N52", "1", "2")] }, FeatureMapper.PlaneDiffers, "L1", null, "N52", 5);
+        Refused(
+            new MatchCase("N10 G0 Z0.\nN20 X0. Y-20.\nN40 G1 Y-3. F300\nN50 X45.\nN52 G18 X50.\nN60 G17 Y-20.\nN70 M30\n")
+            {
+                Features = [MatchCase.Line("L1", "N50..N52", "1", "2")]
+            },
+            FeatureMapper.PlaneDiffers,
+            "L1",
+            null,
+            "N52",
+            5);
 
     [Fact]
     public void A_block_belongs_to_one_feature() =>
@@ -82,7 +124,9 @@ public sealed class RefusalMatchTests
         var match = Good with { Part = "1 10 1.001; 2 40 1.2" };
 
         Assert.Null(match.Outcome.Result);
-        Assert.Equal([(Decider.ImplausibleDeviation, "L1", "1"), (Decider.ImplausibleDeviation, "L1", "2")], match.Outcome.Refusals.Select(r => (r.Code, r.Feature!, r.Point!)));
+        Assert.Equal(
+            [(Decider.ImplausibleDeviation, "L1", "1"), (Decider.ImplausibleDeviation, "L1", "2")],
+            match.Outcome.Refusals.Select(r => (r.Code, r.Feature!, r.Point!)));
         Assert.NotNull((match with { Part = "1 10 1; 2 40 1" }).Outcome.Result);
         Assert.NotNull((match with { Compensation = """{ "limitMm": 1.3 }""" }).Outcome.Result);
     }
@@ -111,7 +155,9 @@ public sealed class RefusalMatchTests
             {
                 Theoretical = "1 10 0 0; 2 40 0 0; 3 10 7 0; 4 40 7 0",
                 Part = "1 10 0.1 0; 2 40 0.1 0; 3 10 7 0; 4 40 7 0",
-                Features = [MatchCase.Line("L1", "N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4", """ "toleranceMm": [0, 0], "plane": "ZX" """)],
+                Features = [
+                    MatchCase.Line("L1", "N50", "1", "2"),
+                    MatchCase.Line("L2", "N60", "3", "4", """ "toleranceMm": [0, 0], "plane": "ZX" """)],
                 More = """ "alignment": { "kind": "best-fit" }, """,
             },
             AlignedMeasurement.AlignmentNeedsOnePlane, null, null, null, 0);

@@ -18,7 +18,9 @@ public sealed class SampleChainTests
         var again = Match(feedback, "counterpart-after.csv", forward.Program);
 
         Assert.True(again.Proof.Holds);
-        Assert.All(again.Maps.Zip(forward.Maps), m => Assert.Equal(m.Second.Passes.Select(p => (p.First, p.Last)), m.First.Passes.Select(p => (p.First, p.Last))));
+        Assert.All(
+            again.Maps.Zip(forward.Maps),
+            m => Assert.Equal(m.Second.Passes.Select(p => (p.First, p.Last)), m.First.Passes.Select(p => (p.First, p.Last))));
     }
 
     private static MatchResult Match(MatingJob job, string? counterpart, ReadOnlyMemory<byte> program)

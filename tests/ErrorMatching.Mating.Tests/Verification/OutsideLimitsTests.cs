@@ -3,8 +3,9 @@ namespace ErrorMatching.Mating.Tests;
 /// <summary>Which points a compensation leaves outside of their limits, and which it drives out itself.</summary>
 public sealed class OutsideLimitsTests
 {
-    // Part - design is 0.09, -0.03, 0.09 in y at 10, 25, 40: the line's mean is 0.05. So counterpart - part is -0.04, 0.08, -0.04 afterwards, and was -0.09, 0.03, -0.09.
-    // The normal is (0, -1): along it 0.04, -0.08, 0.04 afterwards, and 0.09, -0.03, 0.09 before. A mating error has the limits of the part with the other sign.
+    // Part - design is 0.09, -0.03, 0.09 in y at 10, 25, 40: the line's mean is 0.05. So counterpart - part is -0.04, 0.08, -0.04
+    // afterwards, and was -0.09, 0.03, -0.09. The normal is (0, -1): along it 0.04, -0.08, 0.04 afterwards, and 0.09, -0.03, 0.09 before. A
+    // mating error has the limits of the part with the other sign.
     [Theory]
     [InlineData("[-0.05, 0.05]", "2", "")]
     [InlineData("[-0.03, 0.03]", "2", "1 3")]
@@ -21,13 +22,15 @@ public sealed class OutsideLimitsTests
         }.Report();
 
         Assert.Equal((drivenOut, staying), (string.Join(' ', report.Outside.DrivenOut), string.Join(' ', report.Outside.Staying)));
-        Assert.Equal(drivenOut.Split(' ').Concat(staying.Split(' ')).Where(p => p.Length > 0).Order(StringComparer.Ordinal), report.Outside.Points);
+        Assert.Equal(
+            drivenOut.Split(' ').Concat(staying.Split(' ')).Where(p => p.Length > 0).Order(StringComparer.Ordinal), report.Outside.Points);
     }
 
     [Fact]
     public void A_point_without_limits_is_never_outside()
     {
-        var outside = OutsideLimits.Of([("1", null, 0, 5), ("2", new(-0.1, 0.2), 0, 0.2), ("3", new(-0.1, 0.2), -0.11, -0.12), ("4", new(-0.1, 0.2), 0.2, 0.21)]);
+        var outside = OutsideLimits.Of(
+            [("1", null, 0, 5), ("2", new(-0.1, 0.2), 0, 0.2), ("3", new(-0.1, 0.2), -0.11, -0.12), ("4", new(-0.1, 0.2), 0.2, 0.21)]);
 
         Assert.Equal(["3", "4"], outside.Points);
         Assert.Equal(["4"], outside.DrivenOut);

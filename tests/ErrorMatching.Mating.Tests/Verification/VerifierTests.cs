@@ -16,7 +16,8 @@ public sealed class VerifierTests
 
         var result = Verifier.Verify(job, Samples.Verified(Complex, job));
 
-        // Section 4.3: straight line 81 % by the angle between L1 and L2, triangle 87 % by the angle between L2 and L3, curve 79 % from 0.137 to 0.029 mm.
+        // Section 4.3: straight line 81 % by the angle between L1 and L2, triangle 87 % by the angle between L2 and L3,
+        // curve 79 % from 0.137 to 0.029 mm.
         AssertFeature(result, "L1-L2", VerifiedQuantity.Angle, 118.948, 119.542, 119.061, 81, 3);
         AssertFeature(result, "L2L3", VerifiedQuantity.Angle, 63.948, 64.878, 63.83, 87, 3);
         AssertFeature(result, "C1 without the corner", VerifiedQuantity.DeviationX, 0, 0.137, 0.029, 79, 9);
@@ -59,7 +60,8 @@ public sealed class VerifierTests
     }
 
     [Fact]
-    public void A_mating_error_has_the_parts_limits_the_other_way_round() => Assert.Equal(new ToleranceBand(-0.05, 0.02), new VerifiedBoundary("C1", new(-0.02, 0.05), [], []).ErrorBand);
+    public void A_mating_error_has_the_parts_limits_the_other_way_round() =>
+        Assert.Equal(new ToleranceBand(-0.05, 0.02), new VerifiedBoundary("C1", new(-0.02, 0.05), [], []).ErrorBand);
 
     [Fact]
     public void The_line_of_the_paper_is_as_long_as_its_points_are_apart()
@@ -69,7 +71,9 @@ public sealed class VerifierTests
         var length = Verifier.Verify(job, Samples.Verified(Complex, job)).Features.Single(f => f.Quantity == VerifiedQuantity.Length);
 
         // Tables 5 to 7: the distances of points 1 and 2. The paper prints 17.592 for the last, which its points do not have.
-        Assert.Equal(("L1", 17.649, 17.308, 17.562), (length.Name, Math.Round(length.Wanted, 3), Math.Round(length.Before, 3), Math.Round(length.After, 3)));
+        Assert.Equal(
+            ("L1", 17.649, 17.308, 17.562),
+            (length.Name, Math.Round(length.Wanted, 3), Math.Round(length.Before, 3), Math.Round(length.After, 3)));
     }
 
     [Fact]
@@ -77,7 +81,8 @@ public sealed class VerifierTests
     {
         var job = Samples.Job("curve-mating");
 
-        var deviation = Verifier.Verify(job, Samples.Verified("curve-mating", job)).Features.Single(f => f.Quantity == VerifiedQuantity.DeviationX);
+        var deviation = Verifier.Verify(job, Samples.Verified("curve-mating", job)).Features.Single(
+            f => f.Quantity == VerifiedQuantity.DeviationX);
 
         // The direct difference of tables 3 and 2, and that of 4 and 2 with point 7 read as 1.339.
         Assert.Equal(0.320, deviation.Before, 9);
@@ -119,7 +124,8 @@ public sealed class VerifierTests
     public void An_error_that_grew_is_a_negative_improvement_and_no_error_has_none()
     {
         var (job, points) = SmallCase(before: new(0.1, 0), after: new(-0.3, 0));
-        Assert.Equal(-200, Verifier.Verify(job, points).Features.First(f => f.Quantity == VerifiedQuantity.DeviationX).ImprovementPercent!.Value, 9);
+        Assert.Equal(
+            -200, Verifier.Verify(job, points).Features.First(f => f.Quantity == VerifiedQuantity.DeviationX).ImprovementPercent!.Value, 9);
 
         (job, points) = SmallCase(before: new(0, 0.1), after: new(0, 0.1));
         Assert.Null(Verifier.Verify(job, points).Features.First(f => f.Quantity == VerifiedQuantity.DeviationX).ImprovementPercent);
@@ -128,8 +134,21 @@ public sealed class VerifierTests
     [Fact]
     public void Elements_that_go_straight_on_enclose_180_degrees()
     {
-        var job = SampleJob.With() with { Verify = [new AngleComparison("straight", new("L1", null), new("L2L3", 1)), new AngleComparison("corner", new("L2L3", 1), new("L2L3", 2))] };
-        var places = new Dictionary<string, Point2>(StringComparer.Ordinal) { ["1"] = new(0, 0), ["2"] = new(1, 0), ["2a"] = new(2, 0), ["3a"] = new(3, 0), ["3b"] = new(3, 1), ["4"] = new(0, 4) };
+        var job = SampleJob.With() with
+        {
+            Verify = [
+                new AngleComparison("straight", new("L1", null), new("L2L3", 1)),
+                new AngleComparison("corner", new("L2L3", 1), new("L2L3", 2))]
+        };
+        var places = new Dictionary<string, Point2>(StringComparer.Ordinal)
+        {
+            ["1"] = new(0, 0),
+            ["2"] = new(1, 0),
+            ["2a"] = new(2, 0),
+            ["3a"] = new(3, 0),
+            ["3b"] = new(3, 1),
+            ["4"] = new(0, 4)
+        };
 
         var result = Verifier.Verify(job, Points(job, l => places.GetValueOrDefault(l, Point2.Origin)));
 
@@ -160,7 +179,15 @@ public sealed class VerifierTests
     private static VerifiedPoint[][] Points(MatingJob job, Func<string, Point2> place) =>
         [.. job.Features.Select(f => f.Points.Select(l => new VerifiedPoint(l, place(l), place(l), place(l), new(1, 0))).ToArray())];
 
-    private static void AssertFeature(VerificationResult result, string name, VerifiedQuantity quantity, double wanted, double before, double after, double improvement, int digits)
+    private static void AssertFeature(
+        VerificationResult result,
+        string name,
+        VerifiedQuantity quantity,
+        double wanted,
+        double before,
+        double after,
+        double improvement,
+        int digits)
     {
         var feature = Assert.Single(result.Features, f => f.Name == name && f.Quantity == quantity);
         Assert.Equal(wanted, feature.Wanted, digits);

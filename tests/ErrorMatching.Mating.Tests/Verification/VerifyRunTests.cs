@@ -13,8 +13,12 @@ public sealed class VerifyRunTests
     {
         var report = Report(new MatchCase(program), "1 10 0; 2 40 0", "1 10 0.09; 2 40 0.09");
 
-        Assert.All(report.Result.Points, p => Assert.Equal((before, after), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
-        Assert.All(report.Result.Points, p => Assert.Equal((0, -0.1), (Math.Round(p.BeforeError.Vector.X, 9), Math.Round(p.BeforeError.Vector.Y, 9))));
+        Assert.All(
+            report.Result.Points,
+            p => Assert.Equal((before, after), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
+        Assert.All(
+            report.Result.Points,
+            p => Assert.Equal((0, -0.1), (Math.Round(p.BeforeError.Vector.X, 9), Math.Round(p.BeforeError.Vector.Y, 9))));
         Assert.Equal((0.1, 0.01), (Math.Round(report.Result.MaxBeforeMm, 9), Math.Round(report.Result.MaxAfterMm, 9)));
         Assert.Equal(90, report.Result.Features[0].ImprovementPercent!.Value, 6);
     }
@@ -40,20 +44,29 @@ public sealed class VerifyRunTests
         };
         var report = Report(match, "1 10 -1; 2 40 -1; O 0 0; D 50 0", "1 10 -0.9; 2 40 -0.9; O 0 0; D 50 0");
 
-        Assert.All(report.Result.Points, p => Assert.Equal((0.1, 0), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
+        Assert.All(
+            report.Result.Points,
+            p => Assert.Equal((0.1, 0), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
     }
 
     [Fact]
     public void A_counterpart_that_nobody_measured_is_taken_as_designed()
     {
         // The ball's radius belongs to what was measured, and not to what is designed.
-        var match = new MatchCase(Programs.ToolBelow) { Gauge = """ "uncertaintyMm": 0, "reports": "stylus-center", "stylusDiameterMm": 2 """, Part = "1 10 1.1; 2 40 1.1" };
+        var match = new MatchCase(Programs.ToolBelow)
+        {
+            Gauge = """ "uncertaintyMm": 0, "reports": "stylus-center", "stylusDiameterMm": 2 """,
+            Part = "1 10 1.1; 2 40 1.1"
+        };
         var report = VerifyRun.Report(Input(match, "1 10 0; 2 40 0", "1 10 -0.91; 2 40 -0.91") with { Before = null }, out _)!;
 
-        Assert.All(report.Result.Points, p => Assert.Equal((0.1, 0.01), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
+        Assert.All(
+            report.Result.Points,
+            p => Assert.Equal((0.1, 0.01), (Math.Round(p.BeforeError.NormalMm, 9), Math.Round(p.AfterError.NormalMm, 9))));
         Assert.False(report.IsBeforeMeasured);
         Assert.Equal(["theoretical", "part", "counterpart-after", "program"], report.Inputs.Select(i => i.Role));
-        Assert.StartsWith("No counterpart that was cut without compensation is measured", report.Warnings.Single(), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "No counterpart that was cut without compensation is measured", report.Warnings.Single(), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -89,7 +102,8 @@ public sealed class VerifyRunTests
             More = """ "originCheck": { "point": "O", "limitMm": 0.01 }, """,
         };
 
-        Assert.Null(VerifyRun.Report(Input(match, "1 10 0; 2 40 0; O 0 0", "1 10 0; 2 40 0; O 0 " + (wrongFrame ? "0.009" : "0.011")), out var refusals));
+        Assert.Null(VerifyRun.Report(
+            Input(match, "1 10 0; 2 40 0; O 0 0", "1 10 0; 2 40 0; O 0 " + (wrongFrame ? "0.009" : "0.011")), out var refusals));
         Assert.Equal(code, Assert.Single(refusals).Code);
     }
 

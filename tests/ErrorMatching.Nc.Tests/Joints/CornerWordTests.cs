@@ -70,7 +70,8 @@ public sealed class CornerWordTests
             Bench.Normal(
                 "G90 G17 G0 X0. Y0. Z0.\nN10 G1 X10. ,R2. F100\nN20 Y10.\nN30 X0. Y10.\nG0 Z5.\n", 0.1, "N30", NcDialects.FanucMill));
 
-    // N30 goes 0.4 mm up, and the end of N20 0.5 mm along its own direction (3, 4)/5, to (25.3, 20.4): no digit is rounded here, but it could be.
+    // N30 goes 0.4 mm up, and the end of N20 0.5 mm along its own direction (3, 4)/5, to (25.3, 20.4):
+    // no digit is rounded here, but it could be.
     [Theory]
     [InlineData("N20 X25. Y20.", false)]
     [InlineData("N20 Y20.", true)]

@@ -7,8 +7,9 @@ public sealed class CenterGridTests
 {
     private static readonly Arc2 Quarter = new(new(0, 0), 10, Angle.FromDegrees(0), Angle.FromDegrees(90));
 
-    // The radii from (0, 0) differ by 0.4 or by 0.8 of the increment of 0.0001. Half of it is free. Beyond that a center that is an increment off
-    // and sees both ends alike is better: (-0.0001, 0), from where the radii are 10.0001 and 10.00008.
+    // The radii from (0, 0) differ by 0.4 or by 0.8 of the increment of 0.0001. Half of it is free.
+    // Beyond that a center that is an increment off and sees both ends alike is better:
+    // (-0.0001, 0), from where the radii are 10.0001 and 10.00008.
     [Theory]
     [InlineData(10.00004, 0)]
     [InlineData(10.00008, -1)]
@@ -30,8 +31,8 @@ public sealed class CenterGridTests
         Assert.Equal(stay ? (null, null) : (0L, 0L), found);
     }
 
-    // 300 degrees about a center that lies beside the grid. From (0, -0.001) the radii agree to 0.00006 mm, but the middle lies 0.0013 mm off;
-    // from (0, 0) they differ by 0.0007 mm, and the middle lies where it is wanted to 0.0001 mm.
+    // 300 degrees about a center that lies beside the grid. From (0, -0.001) the radii agree to 0.00006 mm,
+    // but the middle lies 0.0013 mm off; from (0, 0) they differ by 0.0007 mm, and the middle lies where it is wanted to 0.0001 mm.
     [Fact]
     public void Beyond_half_a_turn_the_middle_is_worth_radii_that_differ_a_little()
     {

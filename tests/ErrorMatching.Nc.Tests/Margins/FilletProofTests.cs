@@ -1,8 +1,8 @@
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// The arc N20 of radius 5 rounds the corner of N10, which goes 0.1 mm to the left, and N30, which goes 0.3 mm: to y = 0.1 and x = 14.7. Its radius
-/// changes by the mean of the two, to 4.8; so it lies about (9.9, 4.9) and touches the lines at (9.9, 0.1) and (14.7, 4.9).
+/// The arc N20 of radius 5 rounds the corner of N10, which goes 0.1 mm to the left, and N30, which goes 0.3 mm: to y = 0.1 and x = 14.7.
+/// Its radius changes by the mean of the two, to 4.8; so it lies about (9.9, 4.9) and touches the lines at (9.9, 0.1) and (14.7, 4.9).
 /// </summary>
 public sealed class FilletProofTests
 {
@@ -10,12 +10,15 @@ public sealed class FilletProofTests
     private const string After = "G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X9.9 Y0.1 F100\nN20 G3 X14.7 Y4.9 I0. J4.8\nN30 G1 X14.7 Y15.\nG0 Z5.\n";
 
     // The same corner from its end to its start, with the material on the other side.
-    private const string BeforeClockwise = "G90 G17\nG0 X15. Y15. Z0.\nN30 G1 X15. Y5. F100\nN20 G2 X10. Y0. I-5. J0.\nN10 G1 X0. Y0.\nG0 Z5.\n";
-    private const string AfterClockwise = "G90 G17\nG0 X14.7 Y15. Z0.\nN30 G1 X14.7 Y4.9 F100\nN20 G2 X9.9 Y0.1 I-4.8 J0.\nN10 G1 X0. Y0.1\nG0 Z5.\n";
+    private const string BeforeClockwise =
+        "G90 G17\nG0 X15. Y15. Z0.\nN30 G1 X15. Y5. F100\nN20 G2 X10. Y0. I-5. J0.\nN10 G1 X0. Y0.\nG0 Z5.\n";
+    private const string AfterClockwise =
+        "G90 G17\nG0 X14.7 Y15. Z0.\nN30 G1 X14.7 Y4.9 F100\nN20 G2 X9.9 Y0.1 I-4.8 J0.\nN10 G1 X0. Y0.1\nG0 Z5.\n";
 
     // A corner of 270 degrees: the lines cross at (0, 0) behind the arc's start and before its end, the arc of radius 5 lies about (5, -5).
     private const string BeforeLoop = "G90 G17\nG0 X-10. Y0. Z0.\nN10 G1 X5. Y0. F100\nN20 G2 X0. Y-5. I0. J-5.\nN30 G1 X0. Y10.\nG0 Z5.\n";
-    private const string AfterLoop = "G90 G17\nG0 X-10. Y0.1 Z0.\nN10 G1 X5. Y0.1 F100\nN20 G2 X-0.3 Y-5.2 I0. J-5.3\nN30 G1 X-0.3 Y10.\nG0 Z5.\n";
+    private const string AfterLoop =
+        "G90 G17\nG0 X-10. Y0.1 Z0.\nN10 G1 X5. Y0.1 F100\nN20 G2 X-0.3 Y-5.2 I0. J-5.3\nN30 G1 X-0.3 Y10.\nG0 Z5.\n";
 
     [Fact]
     public void A_fillet_is_where_both_lines_and_its_radius_put_it()
@@ -24,7 +27,8 @@ public sealed class FilletProofTests
         Assert.Empty(Verdict.OnElements(BeforeClockwise, AfterClockwise, ("N10", -0.1), ("N30", -0.3)).Failures);
     }
 
-    // To the left of both lines lies the outside of a clockwise arc: its radius grows by 0.2 to 5.2. It touches y = 0.1 and x = -0.3 about (4.9, -5.1).
+    // To the left of both lines lies the outside of a clockwise arc: its radius grows by 0.2 to 5.2.
+    // It touches y = 0.1 and x = -0.3 about (4.9, -5.1).
     [Fact]
     public void A_fillet_of_more_than_half_a_turn_is_measured_alike()
     {
@@ -67,7 +71,8 @@ public sealed class FilletProofTests
         Assert.False(Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
     }
 
-    // An arc that leaves its line by 2.8 degrees rounds a corner, at 3.0 degrees it does not: then it follows its ends, about another center.
+    // An arc that leaves its line by 2.8 degrees rounds a corner, at 3.0 degrees it does not:
+    // then it follows its ends, about another center.
     [Theory]
     [InlineData(2.8, true)]
     [InlineData(3.0, false)]
@@ -77,7 +82,11 @@ public sealed class FilletProofTests
         var before = FormattableString.Invariant($"G90 G17\nG0 X{-10 * cosine:0.000000} Y{-10 * sine:0.000000} Z0.\nN10 G1 X0. Y0. F100\n")
             + "N20 G3 X5. Y5. I0. J5.\nN30 G1 X5. Y15.\nG0 Z5.\n";
         var path = Bench.Read(before);
-        var elements = new[] { "N10", "N30" }.Select(b => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, b)[0]), 0.1, 0.1, 0.1));
+        var elements = new[]
+        {
+            "N10",
+            "N30"
+        }.Select(b => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, b)[0]), 0.1, 0.1, 0.1));
         var wish = DisplacementWish.OfElements([.. elements]);
         var proof = Prover.Check(path, Bench.Usable(Rewriter.Apply(path, wish)).Program, wish, 0.001);
 
@@ -85,7 +94,8 @@ public sealed class FilletProofTests
         Assert.Equal(isFillet ? NeighborRole.Fillet : NeighborRole.Follows, proof.Neighbors.Single(n => n.Block == "N20").Role);
     }
 
-    // Both ends are right, but the center lies aside by d to the right and d down: the middle lies 0.414 d off. 1.6 increments are allowed, 0.0016 mm.
+    // Both ends are right, but the center lies aside by d to the right and d down: the middle lies 0.414 d off.
+    // 1.6 increments are allowed, 0.0016 mm.
     [Theory]
     [InlineData("I0.0038 J4.7962", true)]
     [InlineData("I0.004 J4.796", false)]
@@ -122,12 +132,14 @@ public sealed class FilletProofTests
     [Fact]
     public void A_fillet_in_two_blocks_that_nobody_named_goes_along()
     {
-        var path = Bench.Read(Before.Replace("N20 G3 X15. Y5. I0. J5.\n", "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n", StringComparison.Ordinal));
+        var path = Bench.Read(Before.Replace(
+            "N20 G3 X15. Y5. I0. J5.\n", "N20 G3 X13. Y1. I0. J5.\nN21 X15. Y5. I-3. J4.\n", StringComparison.Ordinal));
         var elements = new[] { ("N10", 0.1), ("N30", 0.3) }
             .Select(w => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, w.Item1)[0]), w.Item2, w.Item2, w.Item2));
         var rewrite = Bench.Rewritten(path, DisplacementWish.OfElements([.. elements]));
 
-        Assert.Contains("N20 G3 X12.78 Y1.06 I0. J4.8\nN21 X14.7 Y4.9 I-2.88 J3.84\n", Bench.Text(rewrite.Program), StringComparison.Ordinal);
+        Assert.Contains(
+            "N20 G3 X12.78 Y1.06 I0. J4.8\nN21 X14.7 Y4.9 I-2.88 J3.84\n", Bench.Text(rewrite.Program), StringComparison.Ordinal);
     }
 
     // In two arcs that meet at 3 to 4 below the center: at (13, 1) before and at (9.9 + 0.6 * 4.8, 4.9 - 0.8 * 4.8) = (12.78, 1.06) behind.

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Where an origin is set the tool stands where it stood: else all that follows would move along on the piece, although no word of it changes.</summary>
+/// <summary>Where an origin is set the tool stands where it stood:
+/// else all that follows would move along on the piece, although no word of it changes.</summary>
 public sealed class PlaceDependentTests
 {
     private const string Before = "G90 G17 G40\nG0 X0. Y0. Z0.\nN10 G1 X10. Y0. F100\nG92 X0. Y0.\nN20 G1 X5. Y5.\n";

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// What the rewriter refuses to change, the proof does not let pass either, by what it knows itself: a changed word says where a motion goes only if nothing
-/// else has a say in it.
+/// What the rewriter refuses to change, the proof does not let pass either, by what it knows itself:
+/// a changed word says where a motion goes only if nothing else has a say in it.
 /// </summary>
 public sealed class PlainMotionTests
 {

@@ -3,12 +3,13 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// How far an end may go: 13 times the largest displacement asked for and two increments, 1.302 mm for 0.1 mm. An end at (1.298, 0.1) from its old
-/// place went 1.30185 mm, one at (1.299, 0.1) went 1.30284 mm.
+/// How far an end may go: 13 times the largest displacement asked for and two increments, 1.302 mm for 0.1 mm.
+/// An end at (1.298, 0.1) from its old place went 1.30185 mm, one at (1.299, 0.1) went 1.30284 mm.
 /// </summary>
 public sealed class ReachTests
 {
-    // N20 rises by 0.01 in 1. Displaced by 0.1 and by (0.1 - 0.01 * 1.2985) / sqrt(1.0001) = 0.0870107 mm, the two meet 1.2985 mm behind their corner.
+    // N20 rises by 0.01 in 1. Displaced by 0.1 and by (0.1 - 0.01 * 1.2985) / sqrt(1.0001) = 0.0870107 mm,
+    // the two meet 1.2985 mm behind their corner.
     [Theory]
     [InlineData("X11.298", true)]
     [InlineData("X11.299", false)]
@@ -47,8 +48,10 @@ public sealed class ReachTests
         var center = new Point2(Math.Round(10 + x, 3), Math.Round(y, 3));
         var from = End(center);
         var now = new Point2(double.Parse(corner[1..], System.Globalization.CultureInfo.InvariantCulture), 0.1);
-        var before = Text($"G90 G17\nG0 X{from.X:0.000} Y{from.Y:0.000} Z0.\nF100\n") + $"{Arc("G3", center, from, new(10, 0))}\nN10 G1 X0. Y0.\nG0 Z5.\n";
-        var after = Text($"G90 G17\nG0 X{from.X:0.000} Y{from.Y:0.000} Z0.\nF100\n") + $"{Arc("G3", center, from, now)}\nN10 G1 X0. Y0.1\nG0 Z5.\n";
+        var before = Text($"G90 G17\nG0 X{from.X:0.000} Y{from.Y:0.000} Z0.\nF100\n")
+            + $"{Arc("G3", center, from, new(10, 0))}\nN10 G1 X0. Y0.\nG0 Z5.\n";
+        var after = Text($"G90 G17\nG0 X{from.X:0.000} Y{from.Y:0.000} Z0.\nF100\n")
+            + $"{Arc("G3", center, from, now)}\nN10 G1 X0. Y0.1\nG0 Z5.\n";
 
         Assert.Equal(holds, Verdict.OnElements(before, after, ("N10", -0.1)).Holds);
     }

@@ -3,7 +3,8 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>How far off a result may be: what the rounding of its words explains, and no more.</summary>
 public sealed class ToleranceTests
 {
-    // Both coordinates of an end are rounded by half an increment at most: 0.00071 mm at 45 degrees; three quarters of an increment are allowed.
+    // Both coordinates of an end are rounded by half an increment at most: 0.00071 mm at 45 degrees;
+    // three quarters of an increment are allowed.
     [Theory]
     [InlineData("0.10075", true)]
     [InlineData("0.09925", true)]

@@ -9,7 +9,8 @@ internal static class Verdict
     public static NcProof OnElements(string before, string result, params (string Block, double Left)[] wishes)
     {
         var path = Bench.Read(before);
-        var elements = wishes.Select(w => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, w.Block)[0]), w.Left, w.Left, w.Left));
+        var elements = wishes.Select(w => ElementWish.AlongNormals(
+            path, path.MotionOf(Bench.Blocks(path, w.Block)[0]), w.Left, w.Left, w.Left));
         return Prover.Check(path, NcProgram.FromText(result), DisplacementWish.OfElements([.. elements]), 0.001);
     }
 

@@ -5,12 +5,14 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>
-/// Damaged programs through everything that reads, displaces and proves. <c>tests/mutate COUNT SEED</c> runs more of them: it sets the two variables read here.
+/// Damaged programs through everything that reads, displaces and proves. <c>tests/mutate COUNT SEED</c> runs more of them:
+/// it sets the two variables read here.
 /// </summary>
 public sealed class HostileInputTests
 {
-    // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks, or for a loop that is given up after
-    // half a million blocks, and so much for each byte of the program. A machine that is busy with something else gets another try.
+    // What one reading in one dialect may take: a constant, since a block of a few bytes may stand for a hundred thousand pecks,
+    // or for a loop that is given up after half a million blocks, and so much for each byte of the program.
+    // A machine that is busy with something else gets another try.
     private const double SecondsAtMost = 10;
     private const double SecondsPerByte = 1e-6;
     private const long BytesAtMost = 512 << 20;
@@ -22,7 +24,8 @@ public sealed class HostileInputTests
     private static readonly long FirstSeed = Setting("ERRORMATCH_MUTATION_SEED", 1);
 
     [Fact]
-    public void Each_program_of_the_corpus_is_read_and_displaced_without_an_exception() => Assert.All(Mutator.Corpus, p => Abuse(p.Bytes, 1));
+    public void Each_program_of_the_corpus_is_read_and_displaced_without_an_exception() =>
+        Assert.All(Mutator.Corpus, p => Abuse(p.Bytes, 1));
 
     [Fact]
     public void No_damaged_program_throws_hangs_or_changes_elsewhere()
@@ -68,7 +71,9 @@ public sealed class HostileInputTests
         var (isNormal, isLevel) = (draw.Below(2) == 0, draw.Below(3) != 0);
         var (wish, rewrite) = Within(path.Program.Bytes.Length, $"{path.Dialect.Name}: displacing", () =>
         {
-            var wish = isNormal ? DisplacementWish.Normal(path, blocks, d) : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, isLevel ? 0 : d / 2));
+            var wish = isNormal
+                ? DisplacementWish.Normal(path, blocks, d)
+                : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, isLevel ? 0 : d / 2));
             return (wish, Rewrite: wish.IsUsable ? Rewriter.Apply(path, wish.Value) : null);
         });
         if (wish.Value is not { } wanted || rewrite is not { IsUsable: true, Value: { } result })
@@ -76,7 +81,10 @@ public sealed class HostileInputTests
             return;
         }
 
-        var proof = Within(path.Program.Bytes.Length, $"{path.Dialect.Name}: proving", () => Prover.Check(path, result.Program, wanted, result.LeastIncrementMm));
+        var proof = Within(
+            path.Program.Bytes.Length,
+            $"{path.Dialect.Name}: proving",
+            () => Prover.Check(path, result.Program, wanted, result.LeastIncrementMm));
         if (proof.Holds)
         {
             OnlyTheseDiffer(path.Program, result.Program, [.. blocks, .. proof.Neighbors.Select(n => n.Line - 1)]);
@@ -85,7 +93,8 @@ public sealed class HostileInputTests
 
     private static int[] Blocks(NcProgram program, Mutator draw)
     {
-        if (draw.Below(4) == 0 && BlockSelector.Select(program, [BlockSelector.Parse("/[XY]-?[0-9]/")]) is { IsUsable: true, Value: var chosen })
+        if (draw.Below(4) == 0
+            && BlockSelector.Select(program, [BlockSelector.Parse("/[XY]-?[0-9]/")]) is { IsUsable: true, Value: var chosen })
         {
             return chosen;
         }
@@ -105,7 +114,9 @@ public sealed class HostileInputTests
         for (var i = 0; i < before.BlockCount; i++)
         {
             Assert.True(
-                allowed.Contains(i) || before.Bytes.Span.Slice(before[i].Start, before[i].FullLength).SequenceEqual(after.Bytes.Span.Slice(after[i].Start, after[i].FullLength)),
+                allowed.Contains(i)
+                    || before.Bytes.Span.Slice(before[i].Start, before[i].FullLength).SequenceEqual(
+                        after.Bytes.Span.Slice(after[i].Start, after[i].FullLength)),
                 $"line {i + 1} changed from \"{before.TextOf(before[i])}\" to \"{after.TextOf(after[i])}\" without having been named");
         }
     }
@@ -127,5 +138,6 @@ public sealed class HostileInputTests
         }
     }
 
-    private static long Setting(string name, long otherwise) => Environment.GetEnvironmentVariable(name) is { } text ? long.Parse(text, CultureInfo.InvariantCulture) : otherwise;
+    private static long Setting(string name, long otherwise) =>
+        Environment.GetEnvironmentVariable(name) is { } text ? long.Parse(text, CultureInfo.InvariantCulture) : otherwise;
 }

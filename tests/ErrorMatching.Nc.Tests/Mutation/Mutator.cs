@@ -8,14 +8,18 @@ internal sealed class Mutator
 {
     private static readonly string[] Extremes =
     [
-        "0", "-0", "+0.", ".", "-", "1e9", "999999999999999999", "-999999999999999999", "9223372036854775807", "9223372036854775808", "0.000000000000000000001", "1000000000", "-1000000000.0001",
-        "123456789.123456789", "00000000000000000001", "2147483647", "2147483648", "-.5", "5.", "+3.", "1.7976931348623157e308", "#1", "[1/0]", "=R1+5", "[[[[[1]]]]]", "1 2", "NaN", "",
+        "0", "-0", "+0.", ".", "-", "1e9", "999999999999999999", "-999999999999999999", "9223372036854775807", "9223372036854775808",
+        "0.000000000000000000001", "1000000000", "-1000000000.0001",
+        "123456789.123456789", "00000000000000000001", "2147483647", "2147483648", "-.5", "5.", "+3.", "1.7976931348623157e308", "#1",
+        "[1/0]", "=R1+5", "[[[[[1]]]]]", "1 2", "NaN", "",
     ];
 
     private static readonly string[] Pieces =
     [
-        "(", ")", "[", "]", "#", "=", ";", "%", "/", "\"", "\n", "\r", "\r\n", "\0", "\x1a", "\t", " ", "G1", "G2", "G3", "G91", "G90.1", "G20", "G18", "G41", "G68 X0 Y0 R30.", "G51 P2000", "G92 X0", "G10 L2 P1 X1", "M98 P1", "M99", "M30",
-        "O1 call", "o1 while [1]", "GOTO10", "WHILE[1]DO1", "END1", "LOOP", "ENDLOOP", "REPEAT", "GOTOB A", "A:", "MSG(\"", "CYCLE81(,,,", "TRANS X5", "ROT", "X=IC(1)", "CR=5", "TURN=2", "P3", "L999999999", ",R1.", "N10", "$A", "@",
+        "(", ")", "[", "]", "#", "=", ";", "%", "/", "\"", "\n", "\r", "\r\n", "\0", "\x1a", "\t", " ", "G1", "G2", "G3", "G91", "G90.1",
+        "G20", "G18", "G41", "G68 X0 Y0 R30.", "G51 P2000", "G92 X0", "G10 L2 P1 X1", "M98 P1", "M99", "M30",
+        "O1 call", "o1 while [1]", "GOTO10", "WHILE[1]DO1", "END1", "LOOP", "ENDLOOP", "REPEAT", "GOTOB A", "A:", "MSG(\"", "CYCLE81(,,,",
+        "TRANS X5", "ROT", "X=IC(1)", "CR=5", "TURN=2", "P3", "L999999999", ",R1.", "N10", "$A", "@",
     ];
 
     private static readonly Lazy<(string Name, byte[] Bytes)[]> Programs = new(ReadCorpus);
@@ -86,7 +90,8 @@ internal sealed class Mutator
                 break;
             case 6: // Nests deep.
                 var depth = Below(20) == 0 ? 5000 : 1 + Below(40);
-                bytes.InsertRange(at, Encoding.Latin1.GetBytes($"{"XYZR#FP"[Below(7)]}{new string('[', depth)}1{new string(']', Below(depth + 1))}"));
+                bytes.InsertRange(
+                    at, Encoding.Latin1.GetBytes($"{"XYZR#FP"[Below(7)]}{new string('[', depth)}1{new string(']', Below(depth + 1))}"));
                 break;
             case 7: // Swaps two lines.
                 var (a, b) = (Line(bytes, at), Line(bytes, Below(bytes.Count + 1)));

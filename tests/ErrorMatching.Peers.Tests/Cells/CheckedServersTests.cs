@@ -28,7 +28,11 @@ public sealed class CheckedServersTests
         await FindsAsync(cell, right with { Port = Nobody }, FtpPeer.Password, "machine-away");
         if (tls != FtpTls.None)
         {
-            await FindsAsync(cell, right with { PinnedKey = "sha256//" + Convert.ToBase64String(new byte[32]) }, FtpPeer.Password, "machine-wrong-server");
+            await FindsAsync(
+                cell,
+                right with { PinnedKey = "sha256//" + Convert.ToBase64String(new byte[32]) },
+                FtpPeer.Password,
+                "machine-wrong-server");
         }
 
         Untouched(peer.Folder);
@@ -41,8 +45,12 @@ public sealed class CheckedServersTests
         using var peer = new FtpPeer(FtpTls.None, "cmds_denied=STOR,DELE,RNFR,RNTO");
         Put(peer.Folder);
         await using var cell = Cell();
-        var check = await FindsAsync(cell, new FtpSettings("127.0.0.1", peer.Port, "ftp", peer.Folder, FtpTls.None, null), FtpPeer.Password, null);
-        Assert.StartsWith("mill: whether programs may be written, renamed and deleted there was not tried", Assert.Single(check.Untried), StringComparison.Ordinal);
+        var check = await FindsAsync(
+            cell, new FtpSettings("127.0.0.1", peer.Port, "ftp", peer.Folder, FtpTls.None, null), FtpPeer.Password, null);
+        Assert.StartsWith(
+            "mill: whether programs may be written, renamed and deleted there was not tried",
+            Assert.Single(check.Untried),
+            StringComparison.Ordinal);
         Assert.Contains("logs may be renamed and deleted", check.Untried.Single(), StringComparison.Ordinal);
         Untouched(peer.Folder);
     }
@@ -68,7 +76,9 @@ public sealed class CheckedServersTests
     public async Task An_SSH_server_lets_the_cell_in_by_a_password_or_says_what_is_wrong()
     {
         SshPeer.IsNeeded();
-        Assert.SkipUnless(Environment.IsPrivilegedProcess && OperatingSystem.IsLinux(), "Only the system's administrator can give PAM a service of the tests' own.");
+        Assert.SkipUnless(
+            Environment.IsPrivilegedProcess && OperatingSystem.IsLinux(),
+            "Only the system's administrator can give PAM a service of the tests' own.");
         using var peer = new SshPeer(passwords: true);
         Put(peer.Folder);
         await using var cell = Cell();
@@ -121,7 +131,8 @@ public sealed class CheckedServersTests
             var error = Assert.Single(Assert.Single(check.Away).Errors);
             Assert.True(code == error.Code, $"{code} expected: {error.Code}: {error.Message}");
             Assert.StartsWith("mill: ", error.Message, StringComparison.Ordinal);
-            Assert.DoesNotContain(password ?? "no password", error.Message.Replace("wrong server", "", StringComparison.Ordinal), StringComparison.Ordinal);
+            Assert.DoesNotContain(
+                password ?? "no password", error.Message.Replace("wrong server", "", StringComparison.Ordinal), StringComparison.Ordinal);
             Assert.Empty(check.Untried);
         }
 
@@ -130,8 +141,12 @@ public sealed class CheckedServersTests
 
     private static string Text(TransportSettings transport) => transport switch
     {
-        FtpSettings f => string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "{{f.Host}}", "port": {{f.Port}}, "user": "{{f.User}}", "folder": "{{f.Folder}}", "tls": "{{f.Tls.ToString().ToLowerInvariant()}}"{{(f.PinnedKey is null ? "" : $", \"pinnedKey\": \"{f.PinnedKey}\"")}} }"""),
-        SftpSettings s => string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "sftp", "host": "{{s.Host}}", "port": {{s.Port}}, "user": "{{s.User}}", "folder": "{{s.Folder}}", "hostKey": "{{s.HostKey}}"{{(s.KeyFile is null ? "" : $", \"keyFile\": \"{s.KeyFile}\"")}} }"""),
+        FtpSettings f => string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "kind": "ftp", "host": "{{f.Host}}", "port": {{f.Port}}, "user": "{{f.User}}", "folder": "{{f.Folder}}", "tls": "{{f.Tls.ToString().ToLowerInvariant()}}"{{(f.PinnedKey is null ? "" : $", \"pinnedKey\": \"{f.PinnedKey}\"")}} }"""),
+        SftpSettings s => string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "kind": "sftp", "host": "{{s.Host}}", "port": {{s.Port}}, "user": "{{s.User}}", "folder": "{{s.Folder}}", "hostKey": "{{s.HostKey}}"{{(s.KeyFile is null ? "" : $", \"keyFile\": \"{s.KeyFile}\"")}} }"""),
         _ => throw new ArgumentOutOfRangeException(nameof(transport)),
     };
 
@@ -143,7 +158,9 @@ public sealed class CheckedServersTests
 
     private static void Untouched(string folder)
     {
-        Assert.Equal(["FINISH.MPF", "PROBE.LOG"], Directory.EnumerateFileSystemEntries(folder).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["FINISH.MPF", "PROBE.LOG"],
+            Directory.EnumerateFileSystemEntries(folder).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
         Assert.Equal("M30\n", File.ReadAllText(Path.Combine(folder, "FINISH.MPF")));
     }
 }

@@ -19,7 +19,9 @@ public sealed class KilledTransferTests
         using var cell = await FtpCell.Of(peer, slots: 1);
         using var temporary = new TemporaryFolder();
         File.WriteAllText(cell.Configuration, File.ReadAllText(cell.Configuration).Replace(
-            string.Create(CultureInfo.InvariantCulture, $"\"port\": {peer.Port}"), string.Create(CultureInfo.InvariantCulture, $"\"port\": {proxy.Port}"), StringComparison.Ordinal));
+            string.Create(CultureInfo.InvariantCulture, $"\"port\": {peer.Port}"),
+            string.Create(CultureInfo.InvariantCulture, $"\"port\": {proxy.Port}"),
+            StringComparison.Ordinal));
         proxy.Arm(new() { StallWriting = 10 });
         var slot = cell.Slots[0];
         using (var killed = Start(cell, temporary.Path))
@@ -36,7 +38,9 @@ public sealed class KilledTransferTests
         try
         {
             await ConfiguredCell.Until(() => left.All(f => !File.Exists(f)));
-            await ConfiguredCell.Until(() => !File.ReadAllBytes(Path.Combine(peer.Folder, FireCell.ProgramOf(slot))).SequenceEqual(File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc"))));
+            await ConfiguredCell.Until(
+                () => !File.ReadAllBytes(Path.Combine(peer.Folder, FireCell.ProgramOf(slot))).SequenceEqual(
+                    File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc"))));
         }
         finally
         {
@@ -50,7 +54,13 @@ public sealed class KilledTransferTests
 
     private static Process Start(FireCell cell, string temporary)
     {
-        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", cell.Configuration]) { UseShellExecute = false, WorkingDirectory = cell.Folder, RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", cell.Configuration])
+        {
+            UseShellExecute = false,
+            WorkingDirectory = cell.Folder,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true
+        };
         start.Environment["TMPDIR"] = temporary;
         var process = Process.Start(start)!;
         process.BeginOutputReadLine();

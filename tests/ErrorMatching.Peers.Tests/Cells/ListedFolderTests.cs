@@ -83,13 +83,15 @@ public sealed class ListedFolderTests
                     "PWD" => "257 \"/\"",
                     "CWD" => "250 Of course.",
                     "TYPE" => "200 Yes.",
-                    "EPSV" => FormattableString.Invariant($"229 Entering Extended Passive Mode (|||{((IPEndPoint)data.LocalEndpoint).Port}|)"),
+                    "EPSV" =>
+                        FormattableString.Invariant($"229 Entering Extended Passive Mode (|||{((IPEndPoint)data.LocalEndpoint).Port}|)"),
                     "QUIT" => "221 Bye.",
                     _ => "550 No such file or directory.",
                 });
             }
         }
 
-        private static async Task Say(NetworkStream stream, string line) => await stream.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"));
+        private static async Task Say(NetworkStream stream, string line) =>
+            await stream.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"));
     }
 }

@@ -4,7 +4,8 @@ using ErrorMatching.Cell.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A cell with the job of <see cref="ProbedPiece"/>: the log comes from the machine that gets the finishing program, or is dropped as a file.</summary>
+/// <summary>A cell with the job of <see cref="ProbedPiece"/>: the log comes from the machine that gets the finishing program,
+/// or is dropped as a file.</summary>
 internal static class ProbedCell
 {
     public const string Log = "PROBE.LOG";
@@ -12,7 +13,11 @@ internal static class ProbedCell
 
     /// <summary>A cell whose machine is behind an FTP server.</summary>
     public static Task<ConfiguredCell> OfAsync(FtpPeer peer, bool keeps, int? port = null) => OfAsync(
-        string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port ?? peer.Port}}, "user": "ftp", "folder": "{{peer.Folder}}", "tls": "none" }"""), keeps, FtpPeer.Password);
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port ?? peer.Port}}, "user": "ftp", "folder": "{{peer.Folder}}", "tls": "none" }"""),
+        keeps,
+        FtpPeer.Password);
 
     /// <summary>A cell whose machine is behind an SFTP server.</summary>
     public static Task<ConfiguredCell> OfAsync(SshPeer peer, bool keeps, int? port = null) => OfAsync(
@@ -29,7 +34,8 @@ internal static class ProbedCell
         return cell;
     }
 
-    /// <summary>Waits until the finishing program of a log is verified at the machine, and fails the test unless it is what the console makes of the log.</summary>
+    /// <summary>Waits until the finishing program of a log is verified at the machine,
+    /// and fails the test unless it is what the console makes of the log.</summary>
     public static async Task FinishedAsync(ConfiguredCell cell, string machine, long id = 1)
     {
         var verified = await cell.Until(id, CorrectionState.Verified);
@@ -38,7 +44,8 @@ internal static class ProbedCell
         Assert.Null(cell.Store.VerifyAudit());
     }
 
-    private static async Task<ConfiguredCell> OfAsync(string transport, bool keeps, string? password = null, string finished = """{ "endMark": "END" }""")
+    private static async Task<ConfiguredCell> OfAsync(
+        string transport, bool keeps, string? password = null, string finished = """{ "endMark": "END" }""")
     {
         var cell = new ConfiguredCell($$"""
             "gauges": [

@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>The sample surface as a job with a short tool path, the log that its probing program writes, and the finishing program that the console makes of it.</summary>
+/// <summary>The sample surface as a job with a short tool path, the log that its probing program writes,
+/// and the finishing program that the console makes of it.</summary>
 internal static class ProbedPiece
 {
     private static readonly Lazy<Task<string>> PlanOnce = new(PlanAsync);
@@ -18,7 +19,9 @@ internal static class ProbedPiece
         File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), Path.Combine(folder, "surface.igs"));
         var job = File.ReadAllText(Repository.PathTo("samples", "surface-one", "job.json"));
         Assert.Contains("\"scallopMm\": 0.001, \"chordMm\": 0.001", job, StringComparison.Ordinal);
-        File.WriteAllText(Path.Combine(folder, "job.json"), job.Replace("\"scallopMm\": 0.001, \"chordMm\": 0.001", "\"scallopMm\": 0.05, \"chordMm\": 0.01", StringComparison.Ordinal));
+        File.WriteAllText(
+            Path.Combine(folder, "job.json"),
+            job.Replace("\"scallopMm\": 0.001, \"chordMm\": 0.001", "\"scallopMm\": 0.05, \"chordMm\": 0.01", StringComparison.Ordinal));
     }
 
     /// <summary>The number of the plan, as the console says it.</summary>
@@ -35,7 +38,9 @@ internal static class ProbedPiece
         var log = new StringBuilder($"ERRORMATCH PROBE PLAN {plan ?? await Plan} MM\n");
         foreach (var row in File.ReadLines(Repository.PathTo("samples", "surface-one", "measured.csv")).Skip(1).Select(l => l.Split(',')))
         {
-            log.Append(CultureInfo.InvariantCulture, $"P{row[0]} S X{row[1]} Y{row[2]} Z{double.Parse(row[3], CultureInfo.InvariantCulture) + zMm:0.0000}\n");
+            log.Append(
+                CultureInfo.InvariantCulture,
+                $"P{row[0]} S X{row[1]} Y{row[2]} Z{double.Parse(row[3], CultureInfo.InvariantCulture) + zMm:0.0000}\n");
         }
 
         return log.Append("END\n").ToString();

@@ -3,7 +3,8 @@ using ErrorMatching.Cell.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>The process ends on the way from the log on the control to the finishing program there. The next one goes on, and the end is the same: one correction, one program, the log removed.</summary>
+/// <summary>The process ends on the way from the log on the control to the finishing program there. The next one goes on, and the end is
+/// the same: one correction, one program, the log removed.</summary>
 public sealed class ProbedPieceRestartTests
 {
     [Theory]

@@ -3,7 +3,8 @@ using ErrorMatching.Cell.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A running cell and a free-form job: from the probing log to the finishing program of the piece that waits on the machine. What the console makes of the same log is what the machine must have, byte by byte.</summary>
+/// <summary>A running cell and a free-form job: from the probing log to the finishing program of the piece that waits on the machine. What
+/// the console makes of the same log is what the machine must have, byte by byte.</summary>
 public sealed class ProbedPieceTests
 {
     [Fact]
@@ -155,7 +156,9 @@ public sealed class ProbedPieceTests
         await LookedAsync(watched, 2);
         Assert.Null(cell.Store.Find(2));
         Assert.Equal(keeps, File.Exists(log));
-        Assert.Equal(keeps ? [ProbedCell.Program, ProbedCell.Log] : [ProbedCell.Program], Directory.EnumerateFiles(machine).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            keeps ? [ProbedCell.Program, ProbedCell.Log] : [ProbedCell.Program],
+            Directory.EnumerateFiles(machine).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
 
         // Another run of the probe makes another program, when the slot is free.
         var next = await ProbedPiece.LogAsync(zMm: 0.002);

@@ -31,16 +31,31 @@ public sealed class SampleProbedCellTests
         }
 
         var control = Directory.CreateDirectory(folder["samples/probed-cell/control"]).FullName;
-        var made = await ConsoleRun.Of(folder.Path, "surface", "compensate", "samples/surface-one/job.json", "--measured", "samples/probed-cell/probe.log", "--out", "out");
+        var made = await ConsoleRun.Of(
+            folder.Path,
+            "surface",
+            "compensate",
+            "samples/surface-one/job.json",
+            "--measured",
+            "samples/probed-cell/probe.log",
+            "--out",
+            "out");
         Assert.True(made.Exit == 0, made.Output + made.Error);
-        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", "samples/probed-cell/cell.json"]) { UseShellExecute = false, WorkingDirectory = folder.Path, RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", "samples/probed-cell/cell.json"])
+        {
+            UseShellExecute = false,
+            WorkingDirectory = folder.Path,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true
+        };
         using var cell = Process.Start(start)!;
         try
         {
             cell.BeginOutputReadLine();
             cell.BeginErrorReadLine();
             File.Copy(folder["samples/probed-cell/probe.log"], Path.Combine(control, "PROBE.LOG"));
-            await ConfiguredCell.Until(() => File.Exists(Path.Combine(control, "FINISH.MPF")) && !File.Exists(Path.Combine(control, "PROBE.LOG")));
+            await ConfiguredCell.Until(
+                () => File.Exists(Path.Combine(control, "FINISH.MPF")) && !File.Exists(Path.Combine(control, "PROBE.LOG")));
             Assert.Equal(File.ReadAllBytes(folder["out/finishing.nc"]), File.ReadAllBytes(Path.Combine(control, "FINISH.MPF")));
         }
         finally

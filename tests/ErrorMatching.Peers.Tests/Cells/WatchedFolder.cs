@@ -15,11 +15,14 @@ internal sealed class WatchedFolder(IMachineFolder folder, Action<string, bool>?
 
     public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => Do("list", () => folder.ListAsync(cancellation));
 
-    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) => Do("read " + name, () => folder.ReadAsync(name, mostBytes, cancellation));
+    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) =>
+        Do("read " + name, () => folder.ReadAsync(name, mostBytes, cancellation));
 
-    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => Do("write", () => folder.WriteAsync(name, bytes, cancellation));
+    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation) =>
+        Do("write", () => folder.WriteAsync(name, bytes, cancellation));
 
-    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) => Do("rename " + to, () => folder.RenameAsync(from, to, mostBytes, cancellation));
+    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation) =>
+        Do("rename " + to, () => folder.RenameAsync(from, to, mostBytes, cancellation));
 
     public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation) =>
         Do("replace " + to, () => folder.ReplaceAsync(from, to, aside, mostBytes, cancellation));

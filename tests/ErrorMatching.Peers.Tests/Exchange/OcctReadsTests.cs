@@ -19,14 +19,22 @@ public sealed class OcctReadsTests
     public void A_written_surface_is_the_same_to_a_nanometer(bool step)
     {
         OcctDraw.IsNeeded();
-        PartSurface[] surfaces = [PaperDesign.One, PaperDesign.Two, PaperDesign.Three, PaperDesign.Three with { Spline = PaperDesign.Three.Spline.Swap(), Outside = -1 }, .. Enumerable.Range(1, 10).Select(n => SurfaceSamples.Of(n)), .. Enumerable.Range(11, 6).Select(n => SurfaceSamples.Of(n, limited: true))];
+        PartSurface[] surfaces = [
+            PaperDesign.One,
+            PaperDesign.Two,
+            PaperDesign.Three,
+            PaperDesign.Three with { Spline = PaperDesign.Three.Spline.Swap(), Outside = -1 },
+            .. Enumerable.Range(1, 10).Select(n => SurfaceSamples.Of(n)),
+            .. Enumerable.Range(11, 6).Select(n => SurfaceSamples.Of(n, limited: true))];
         var random = new Random(1);
         var script = new StringBuilder();
         var expected = new List<Point3>();
         for (var n = 0; n < surfaces.Length; n++)
         {
             var spline = surfaces[n].Spline;
-            script.Append(CultureInfo.InvariantCulture, $"{ReadCommand(n, step)}\nmksurface s f{n}\nset c [checkshape r{n}]\nputs \"valid [string match *valid* $c]\"\n");
+            script.Append(
+                CultureInfo.InvariantCulture,
+                $"{ReadCommand(n, step)}\nmksurface s f{n}\nset c [checkshape r{n}]\nputs \"valid [string match *valid* $c]\"\n");
             for (var i = 0; i < Places; i++)
             {
                 var (u, v) = (RandomSpline.Inside(random, spline.KnotsU), RandomSpline.Inside(random, spline.KnotsV));
@@ -35,7 +43,12 @@ public sealed class OcctReadsTests
             }
         }
 
-        var output = OcctDraw.Run(script.ToString(), [.. surfaces.Select((s, n) => ($"{n}{(step ? ".stp" : ".igs")}", Encoding.ASCII.GetString(step ? StepWriter.Write(s) : IgesWriter.Write(s))))]);
+        var output = OcctDraw.Run(
+            script.ToString(),
+            [
+                .. surfaces.Select(
+                    (s, n) => (
+                        $"{n}{(step ? ".stp" : ".igs")}", Encoding.ASCII.GetString(step ? StepWriter.Write(s) : IgesWriter.Write(s))))]);
         var points = OcctSurface.Lines(output, "at");
         Assert.Equal(expected.Count, points.Length);
         Assert.All(points.Zip(expected), p => Assert.True((new Point3(p.First[0], p.First[1], p.First[2]) - p.Second).Length < Nanometer));
@@ -51,14 +64,19 @@ public sealed class OcctReadsTests
         // A flat piece of 60 x 40 with a corner cut off and a rectangular hole: 2400 - 10 * 8 / 2 - 12 * 10.
         Point3[] poles = [new(0, 0, 5), new(0, 40, 5), new(60, 0, 5), new(60, 40, 5)];
         var knots = KnotVector.Clamped(1, [0, 1]);
-        IReadOnlyList<Point2>[] loops = [[new(0, 0), new(50 / 60.0, 0), new(1, 8 / 40.0), new(1, 1), new(0, 1)], [new(0.2, 0.25), new(0.2, 0.5), new(0.4, 0.5), new(0.4, 0.25)]];
+        IReadOnlyList<Point2>[] loops = [
+            [new(0, 0), new(50 / 60.0, 0), new(1, 8 / 40.0), new(1, 1), new(0, 1)],
+            [new(0.2, 0.25), new(0.2, 0.5), new(0.4, 0.5), new(0.4, 0.25)]];
         var surface = new PartSurface("PLATE", new(knots, knots, poles), new(loops), 1);
         var text = Encoding.ASCII.GetString(step ? StepWriter.Write(surface) : IgesWriter.Write(surface));
-        var output = OcctDraw.Run($"{ReadCommand(0, step)}\nset p [sprops r0 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\n", (step ? "0.stp" : "0.igs", text));
+        var output = OcctDraw.Run(
+            $"{ReadCommand(0, step)}\nset p [sprops r0 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\n",
+            (step ? "0.stp" : "0.igs", text));
         Assert.Equal(2400 - 40 - 120, OcctSurface.Lines(output, "area")[0][0], 1e-6);
     }
 
-    // The surface is z = x² / 100: its element of area is sqrt(1 + (x/50)²), the integral of which is 25 (s sqrt(1 + s²) + asinh s) with s = x / 50.
+    // The surface is z = x² / 100: its element of area is sqrt(1 + (x/50)²), the integral of which is 25 (s sqrt(1 + s²) + asinh s) with s
+    // = x / 50.
     [Theory]
     [MemberData(nameof(Formats))]
     public void A_written_limit_of_few_corners_lies_on_a_curved_surface(bool step)
@@ -68,7 +86,10 @@ public sealed class OcctReadsTests
         IReadOnlyList<Point2>[] loops = [[new(0.1, 0.25), new(0.9, 0.25), new(0.9, 0.75), new(0.1, 0.75)]];
         var surface = new PartSurface("TROUGH", new(KnotVector.Clamped(2, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), new(loops), 1);
         var text = Encoding.ASCII.GetString(step ? StepWriter.Write(surface) : IgesWriter.Write(surface));
-        var output = OcctDraw.Run($"{ReadCommand(0, step)}\nset p [sprops r0 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\nregexp {{EDGE\\s+: MAX=([-0-9.e+]+)}} [tolerance r0] all most\nputs \"off $most\"\n", (step ? "0.stp" : "0.igs", text));
+        var output = OcctDraw.Run(
+            $"{ReadCommand(0, step)}\nset p [sprops r0 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\nregexp "
+                + $"{{EDGE\\s+: MAX=([-0-9.e+]+)}} [tolerance r0] all most\nputs \"off $most\"\n",
+            (step ? "0.stp" : "0.igs", text));
         Assert.Equal(20 * (Integral(54) - Integral(6)), OcctSurface.Lines(output, "area")[0][0], 0.01);
         Assert.InRange(OcctSurface.Lines(output, "off")[0][0], 0, 0.0015);
 

@@ -67,7 +67,8 @@ public sealed class OcctWritesTests
         Assert.Equal(area, AreaOf(read), 1e-3 * area);
     }
 
-    // The plane is level in IGES: the kernel writes an ellipse there as a spline that has lost its weights, 0.15 mm off, as it reads it again itself.
+    // The plane is level in IGES: the kernel writes an ellipse there as a spline that has lost its weights, 0.15 mm off,
+    // as it reads it again itself.
     [Theory]
     [InlineData(true, "cylinder c 0 0 0 0 1 0 50\nmkface g c -1 1 0 63\n")]
     [InlineData(false, "cylinder c 0 0 0 0 1 0 50\nmkface g c -1 1 0 63\n")]
@@ -78,7 +79,11 @@ public sealed class OcctWritesTests
     public void A_face_with_a_drilled_hole_and_a_cut_side_has_the_kernels_area(bool step, string face)
     {
         OcctDraw.IsNeeded();
-        var read = ReadWritten($"{face}pcylinder d 8 200\nttranslate d 5 30 -50\nbox b -100 -100 -100 70 300 300\nbcut h g d\nbcut k h b\nexplode k f\nrenamevar k_1 f\n", step, out var area);
+        var read = ReadWritten(
+            $"{face}pcylinder d 8 200\nttranslate d 5 30 -50\nbox b -100 -100 -100 70 300 300\nbcut h g d\nbcut k h b\nexplode k "
+                + $"f\nrenamevar k_1 f\n",
+            step,
+            out var area);
         Assert.Equal(2, read.Region.Loops.Count);
         Assert.Equal(area, AreaOf(read), 2e-3 * area);
 
@@ -99,7 +104,9 @@ public sealed class OcctWritesTests
     private static PartSurface ReadWritten(string script, bool step, out double area)
     {
         var write = step ? "stepwrite a f w.stp\nset h [open w.stp]" : "brepiges f w.igs\nset h [open w.igs]";
-        var output = OcctDraw.Run($"{script}set p [sprops f 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\n{write}\nputs \"<<<[read $h]>>>\"\n");
+        var output = OcctDraw.Run(
+            $"{script}set p [sprops f 1e-9]\nregexp {{Mass :\\s+([-0-9.e+]+)}} $p all mass\nputs \"area $mass\"\n{write}\nputs "
+                + $"\"<<<[read $h]>>>\"\n");
         area = Math.Abs(OcctSurface.Lines(output, "area")[0][0]);
         var (from, to) = (output.IndexOf("<<<", StringComparison.Ordinal) + 3, output.IndexOf(">>>", StringComparison.Ordinal));
         return SurfaceReader.Read(Encoding.ASCII.GetBytes(output[from..to]), step ? "w.stp" : "w.igs", entity: null, outsideIsUp: true);

@@ -25,9 +25,14 @@ public sealed class OcctChangesTests
             var (u, v) = (RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
             var (degreeU, degreeV) = (surface.KnotsU.Degree + 1 + random.Next(2), surface.KnotsV.Degree + 1);
             script.Append(OcctSurface.Command("s", surface))
-                .Append(CultureInfo.InvariantCulture, $"insertuknot s {OcctSurface.Number(u)} 2\ninsertvknot s {OcctSurface.Number(v)} 1\n{Print("inserted")}")
+                .Append(
+                    CultureInfo.InvariantCulture,
+                    $"insertuknot s {OcctSurface.Number(u)} 2\ninsertvknot s {OcctSurface.Number(v)} 1\n{Print("inserted")}")
                 .Append(CultureInfo.InvariantCulture, $"incudeg s {degreeU}\nincvdeg s {degreeV}\n{Print("raised")}")
-                .Append(CultureInfo.InvariantCulture, $"segsur s {OcctSurface.Number(u)} {OcctSurface.Number(surface.KnotsU.End)} {OcctSurface.Number(surface.KnotsV.Start)} {OcctSurface.Number(v)}\n{Print("part")}")
+                .Append(
+                    CultureInfo.InvariantCulture,
+                    $"segsur s {OcctSurface.Number(u)} {OcctSurface.Number(surface.KnotsU.End)} "
+                        + $"{OcctSurface.Number(surface.KnotsV.Start)} {OcctSurface.Number(v)}\n{Print("part")}")
                 .Append(CultureInfo.InvariantCulture, $"exchuv s\n{Print("exchanged")}");
             var inserted = surface.InsertKnotU(u, 2).InsertKnotV(v);
             var raised = inserted.ElevateTo(degreeU, degreeV);
@@ -45,18 +50,23 @@ public sealed class OcctChangesTests
 
     private static string Print(string name) => $"save s {name}\nset f [open {name}]\nputs [read $f]\nclose $f\n";
 
-    // Kind, rational twice, periodic twice, degrees, poles and knots in each direction; then poles, v running faster, each with its weight if rational; then knots with how often they count.
+    // Kind, rational twice, periodic twice, degrees, poles and knots in each direction; then poles, v running faster, each with its weight
+    // if rational; then knots with how often they count.
     private static void Compare(SplineSurface ours, string written)
     {
         var numbers = written.Split((char[])[' ', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries);
         double Number(int i) => double.Parse(numbers[i], CultureInfo.InvariantCulture);
-        Assert.Equal([ours.KnotsU.Degree, ours.KnotsV.Degree, ours.CountU, ours.CountV], Enumerable.Range(5, 4).Select(i => (int)Number(i)).ToArray());
+        Assert.Equal(
+            [ours.KnotsU.Degree, ours.KnotsV.Degree, ours.CountU, ours.CountV],
+            Enumerable.Range(5, 4).Select(i => (int)Number(i)).ToArray());
         var rational = Number(1) != 0 || Number(2) != 0;
         var size = rational ? 4 : 3;
         for (var i = 0; i < ours.Poles.Length; i++)
         {
             var at = 11 + (i * size);
-            Assert.True((ours.Poles[i] - new Point3(Number(at), Number(at + 1), Number(at + 2))).Length < Tolerance, $"pole {i}: {ours.Poles[i]} is not {numbers[at]} {numbers[at + 1]} {numbers[at + 2]}");
+            Assert.True(
+                (ours.Poles[i] - new Point3(Number(at), Number(at + 1), Number(at + 2))).Length < Tolerance,
+                $"pole {i}: {ours.Poles[i]} is not {numbers[at]} {numbers[at + 1]} {numbers[at + 2]}");
             if (rational)
             {
                 Assert.Equal(Number(at + 3), ours.Weights[i], 1e-12);

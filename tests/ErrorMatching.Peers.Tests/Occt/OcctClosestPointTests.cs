@@ -29,7 +29,9 @@ public sealed partial class OcctClosestPointTests
                 var at = $"{OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}";
 
                 // Distance from the face with its edges; and all feet, for their places.
-                script.Append(CultureInfo.InvariantCulture, $"vertex p {at}\ndistmini d p f\nputs \"at [dval d_val]\"\nputs \"feet [string map [list \\n \\;] [proj s {at}]]\"\n");
+                script.Append(
+                    CultureInfo.InvariantCulture,
+                    $"vertex p {at}\ndistmini d p f\nputs \"at [dval d_val]\"\nputs \"feet [string map [list \\n \\;] [proj s {at}]]\"\n");
             }
         }
 
@@ -68,7 +70,10 @@ public sealed partial class OcctClosestPointTests
             {
                 var p = new Point3(120 * random.NextDouble(), 120 * random.NextDouble(), 120 * random.NextDouble());
                 expected.Add(curve.ClosestPoint(p).Distance);
-                script.Append(CultureInfo.InvariantCulture, $"vertex p {OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}\ndistmini d p e\nputs \"at [dval d_val]\"\n");
+                script.Append(
+                    CultureInfo.InvariantCulture,
+                    $"vertex p {OcctSurface.Number(p.X)} {OcctSurface.Number(p.Y)} {OcctSurface.Number(p.Z)}\ndistmini d p e\nputs \"at "
+                        + $"[dval d_val]\"\n");
             }
         }
 
@@ -78,7 +83,10 @@ public sealed partial class OcctClosestPointTests
     }
 
     private static IEnumerable<(double U, double V)> Feet(string line) => Parameters().Matches(line)
-        .Select(m => (double.Parse(m.Groups["u"].ValueSpan, CultureInfo.InvariantCulture), double.Parse(m.Groups["v"].ValueSpan, CultureInfo.InvariantCulture)));
+        .Select(
+            m => (
+                double.Parse(m.Groups["u"].ValueSpan, CultureInfo.InvariantCulture),
+                double.Parse(m.Groups["v"].ValueSpan, CultureInfo.InvariantCulture)));
 
     [GeneratedRegex("Parameters: (?<u>[-+0-9.e]+) (?<v>[-+0-9.e]+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Parameters();

@@ -4,7 +4,8 @@ using System.Runtime.InteropServices;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// The CAD kernel OCCT as a program: its Tcl interpreter DRAW, from Debian's package occt-draw. Curves and surfaces, IGES and STEP are judged by it.
+/// The CAD kernel OCCT as a program: its Tcl interpreter DRAW, from Debian's package occt-draw.
+/// Curves and surfaces, IGES and STEP are judged by it.
 /// </summary>
 internal static class OcctDraw
 {
@@ -28,7 +29,8 @@ internal static class OcctDraw
         Assert.SkipUnless(Executable is not null, $"occt-draw is not installed (package {Package}).");
     }
 
-    /// <summary>Runs a Tcl script with the commands of modeling and data exchange, and fails the test if it does not come to its end.</summary>
+    /// <summary>Runs a Tcl script with the commands of modeling and data exchange, and fails the test if it does not come to its
+    /// end.</summary>
     /// <param name="script">The script. What DRAW's commands answer is printed only by <c>puts</c>.</param>
     /// <param name="files">Files that the script finds where it runs: their names and contents.</param>
     /// <returns>What the script printed.</returns>
@@ -73,7 +75,9 @@ internal static class OcctDraw
         }
 
         var said = output.GetAwaiter().GetResult();
-        Assert.True(said.Contains(Done, StringComparison.Ordinal), $"occt-draw stopped, exit {process.ExitCode}:\n{said}\n{error.GetAwaiter().GetResult()}");
+        Assert.True(
+            said.Contains(Done, StringComparison.Ordinal),
+            $"occt-draw stopped, exit {process.ExitCode}:\n{said}\n{error.GetAwaiter().GetResult()}");
         return said;
     }
 
@@ -84,7 +88,9 @@ internal static class OcctDraw
         var triplet = RuntimeInformation.OSArchitecture == Architecture.Arm64 ? "aarch64-linux-gnu" : "x86_64-linux-gnu";
         foreach (var library in new[] { "libTKTopTest.so", "libTKXSDRAW.so" })
         {
-            var installed = Directory.EnumerateFiles(Path.Combine("/usr/lib", triplet), library + "*").Order(StringComparer.Ordinal).FirstOrDefault();
+            var installed = Directory.EnumerateFiles(Path.Combine("/usr/lib", triplet), library + "*")
+                .Order(StringComparer.Ordinal)
+                .FirstOrDefault();
             Assert.True(installed is not null, $"{library} is missing in /usr/lib/{triplet}.");
             File.CreateSymbolicLink(Path.Combine(links, library), installed);
         }

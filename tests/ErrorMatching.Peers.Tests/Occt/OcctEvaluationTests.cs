@@ -12,7 +12,9 @@ public sealed class OcctEvaluationTests
     private const double Tolerance = 1e-10;
 
     private static readonly string[] Names =
-        ["x", "y", "z", "dux", "duy", "duz", "dvx", "dvy", "dvz", "d2ux", "d2uy", "d2uz", "d2vx", "d2vy", "d2vz", "d2uvx", "d2uvy", "d2uvz"];
+        [
+            "x", "y", "z", "dux", "duy", "duz", "dvx", "dvy", "dvz", "d2ux", "d2uy", "d2uz", "d2vx", "d2vy", "d2vz", "d2uvx", "d2uvy",
+            "d2uvz"];
 
     [Fact]
     public void Surfaces_and_their_derivatives_are_those_of_the_kernel()
@@ -28,9 +30,14 @@ public sealed class OcctEvaluationTests
             for (var i = 0; i < Places; i++)
             {
                 var (u, v) = (RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
-                script.Append(CultureInfo.InvariantCulture, $"svalue s {OcctSurface.Number(u)} {OcctSurface.Number(v)} {string.Join(' ', Names)}\nputs \"at {Values(Names)}\"\n");
+                script.Append(
+                    CultureInfo.InvariantCulture,
+                    $"svalue s {OcctSurface.Number(u)} {OcctSurface.Number(v)} {string.Join(' ', Names)}\nputs \"at {Values(Names)}\"\n");
                 var at = surface.At(u, v);
-                expected.Add([at.Position.X, at.Position.Y, at.Position.Z, .. Parts(at.Du), .. Parts(at.Dv), .. Parts(at.Duu), .. Parts(at.Dvv), .. Parts(at.Duv)]);
+                expected.Add(
+                    [
+                        at.Position.X, at.Position.Y, at.Position.Z, .. Parts(at.Du), .. Parts(at.Dv), .. Parts(at.Duu), .. Parts(at.Dvv),
+                        .. Parts(at.Duv)]);
             }
         }
 
@@ -52,7 +59,9 @@ public sealed class OcctEvaluationTests
             for (var i = 0; i < Places; i++)
             {
                 var t = RandomSpline.Inside(random, curve.Knots);
-                script.Append(CultureInfo.InvariantCulture, $"cvalue c {OcctSurface.Number(t)} {string.Join(' ', names)}\nputs \"at {Values(names)}\"\n");
+                script.Append(
+                    CultureInfo.InvariantCulture,
+                    $"cvalue c {OcctSurface.Number(t)} {string.Join(' ', names)}\nputs \"at {Values(names)}\"\n");
                 var d = new Vector3[2];
                 curve.Derivatives(t, d);
                 expected.Add([.. Parts(d[0]), .. Parts(d[1])]);

@@ -25,9 +25,13 @@ public sealed class OcctHitTests
             {
                 // Through the inside of the surface, every other one flat enough to meet it more than once.
                 var through = surface.PointAt(RandomSpline.Inside(random, surface.KnotsU), RandomSpline.Inside(random, surface.KnotsV));
-                var direction = new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, i % 2 == 0 ? 1 : 0.1 * random.NextDouble());
+                var direction = new Vector3(
+                    random.NextDouble() - 0.5, random.NextDouble() - 0.5, i % 2 == 0 ? 1 : 0.1 * random.NextDouble());
                 expected.Add(surface.Hits(through, direction));
-                script.Append(CultureInfo.InvariantCulture, $"foreach x [info vars r_*] {{unset $x}}\nline l {Numbers(through.X, through.Y, through.Z)} {Numbers(direction.X, direction.Y, direction.Z)}\n")
+                script.Append(
+                    CultureInfo.InvariantCulture,
+                    $"foreach x [info vars r_*] {{unset $x}}\nline l {Numbers(through.X, through.Y, through.Z)} "
+                        + $"{Numbers(direction.X, direction.Y, direction.Z)}\n")
                     .Append("intersect r l s\nset names [info vars r_*]\nif {[llength $names] == 0} {set names r}\nputs \"line 0\"\n")
                     .Append("foreach x $names {coord $x a b c\nputs \"at [dval a] [dval b] [dval c]\"}\n");
             }
@@ -44,5 +48,6 @@ public sealed class OcctHitTests
         Assert.Contains(expected, h => h.Count > 1);
     }
 
-    private static string Numbers(double x, double y, double z) => $"{OcctSurface.Number(x)} {OcctSurface.Number(y)} {OcctSurface.Number(z)}";
+    private static string Numbers(double x, double y, double z) =>
+        $"{OcctSurface.Number(x)} {OcctSurface.Number(y)} {OcctSurface.Number(z)}";
 }

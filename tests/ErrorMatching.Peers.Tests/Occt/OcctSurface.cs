@@ -41,7 +41,11 @@ internal static class OcctSurface
     /// <summary>The lines that the script printed behind a word, as numbers.</summary>
     public static double[][] Lines(string output, string word) => [.. output.Split('\n')
         .Where(l => l.StartsWith(word + " ", StringComparison.Ordinal))
-        .Select(l => l.Split(' ', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(n => double.Parse(n, CultureInfo.InvariantCulture)).ToArray())];
+        .Select(
+            l => l.Split(' ', StringSplitOptions.RemoveEmptyEntries)
+                .Skip(1)
+                .Select(n => double.Parse(n, CultureInfo.InvariantCulture))
+                .ToArray())];
 
     private static void Append(StringBuilder text, Point3 pole, double weight) =>
         text.Append(' ').AppendJoin(' ', Number(pole.X), Number(pole.Y), Number(pole.Z), Number(weight));

@@ -50,7 +50,10 @@ internal static class RandomSpline
     }
 
     private static Point3[] Poles(Random random, int count) =>
-        [.. Enumerable.Range(0, count).Select(_ => new Point3(100 * random.NextDouble(), 100 * random.NextDouble(), 100 * random.NextDouble()))];
+        [
+            .. Enumerable.Range(0, count).Select(_ => new Point3(
+                100 * random.NextDouble(), 100 * random.NextDouble(), 100 * random.NextDouble()))];
 
-    private static double[] Weights(Random random, int count) => random.Next(2) == 0 ? [] : [.. Enumerable.Range(0, count).Select(_ => 0.5 + random.NextDouble())];
+    private static double[] Weights(Random random, int count) =>
+        random.Next(2) == 0 ? [] : [.. Enumerable.Range(0, count).Select(_ => 0.5 + random.NextDouble())];
 }

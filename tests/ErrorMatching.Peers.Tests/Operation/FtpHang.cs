@@ -5,7 +5,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>Stands before an FTP server's control port and hangs when a command comes: from then on nothing passes, in this session or, if it shall, in any.</summary>
+/// <summary>Stands before an FTP server's control port and hangs when a command comes:
+/// from then on nothing passes, in this session or, if it shall, in any.</summary>
 internal sealed class FtpHang : IDisposable
 {
     private readonly LoopbackServer _loopback;
@@ -44,7 +45,8 @@ internal sealed class FtpHang : IDisposable
 
         using var server = new TcpClient();
         await server.ConnectAsync(IPAddress.Loopback, _server, _loopback.End);
-        await Task.WhenAny(CommandsAsync(client.GetStream(), server.GetStream()), server.GetStream().CopyToAsync(client.GetStream(), _loopback.End));
+        await Task.WhenAny(
+            CommandsAsync(client.GetStream(), server.GetStream()), server.GetStream().CopyToAsync(client.GetStream(), _loopback.End));
     }
 
     private async Task CommandsAsync(NetworkStream from, NetworkStream to)

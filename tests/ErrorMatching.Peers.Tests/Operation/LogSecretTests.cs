@@ -20,7 +20,11 @@ public sealed partial class LogSecretTests
     {
         Daemon.IsNeeded("curl", "curl");
         using var ftp = new TellingFtp();
-        using var cell = new FireCell(slots: 1, transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{ftp.Port}}, "user": "cell", "folder": "/", "tls": "none" }"""));
+        using var cell = new FireCell(
+            slots: 1,
+            transport: string.Create(
+                CultureInfo.InvariantCulture,
+                $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{ftp.Port}}, "user": "cell", "folder": "/", "tls": "none" }"""));
         Assert.Equal(0, (await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator"], Annas)).Exit);
         Assert.Equal(0, (await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna"], Annas, Machines)).Exit);
         var piece = new FireFiles().Next(cell.Slots[0], 1);
@@ -39,7 +43,8 @@ public sealed partial class LogSecretTests
         await cell.Stop();
         var keys = Directory.EnumerateFiles(cell["keys"]).Select(File.ReadAllText).ToArray();
         var key = Directory.EnumerateFiles(cell["keys"], "*.xml").Single();
-        await File.WriteAllTextAsync(key, (await File.ReadAllTextAsync(key, TestContext.Current.CancellationToken))[..^20], TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(
+            key, (await File.ReadAllTextAsync(key, TestContext.Current.CancellationToken))[..^20], TestContext.Current.CancellationToken);
         var broken = cell.Start();
         await broken.WaitForExitAsync(TestContext.Current.CancellationToken);
         Assert.Equal(3, broken.ExitCode);
@@ -58,7 +63,13 @@ public sealed partial class LogSecretTests
         });
         var all = log + cell.Said;
         Assert.All(new[] { "machine-login", key }, named => Assert.Contains(named, all, StringComparison.Ordinal));
-        var secrets = new[] { Machines, Annas, Wrong, Token }.SelectMany(Spelled).Concat(keys.SelectMany(k => Material().Matches(k).Select(m => m.Value))).ToArray();
+        var secrets = new[]
+        {
+            Machines,
+            Annas,
+            Wrong,
+            Token
+        }.SelectMany(Spelled).Concat(keys.SelectMany(k => Material().Matches(k).Select(m => m.Value))).ToArray();
         Assert.True(secrets.Length > 14, "The keys' files have no key.");
         Assert.All(secrets, secret => Assert.DoesNotContain(secret, all, StringComparison.OrdinalIgnoreCase));
     }
@@ -66,10 +77,12 @@ public sealed partial class LogSecretTests
     // As it is, as an URL, as JSON and as Base64 write it.
     private static IEnumerable<string> Spelled(string secret) =>
     [
-        secret, Uri.EscapeDataString(secret), JsonEncodedText.Encode(secret).ToString(), Convert.ToBase64String(Encoding.UTF8.GetBytes(secret)).TrimEnd('='),
+        secret, Uri.EscapeDataString(secret), JsonEncodedText.Encode(secret).ToString(),
+        Convert.ToBase64String(Encoding.UTF8.GetBytes(secret)).TrimEnd('='),
     ];
 
-    private static Task<ConsoleRun> Type(FireCell cell, IReadOnlyList<string> words, params string[] lines) => ConsoleRun.Typed(cell.Folder, [.. words, "--password-stdin"], lines);
+    private static Task<ConsoleRun> Type(FireCell cell, IReadOnlyList<string> words, params string[] lines) =>
+        ConsoleRun.Typed(cell.Folder, [.. words, "--password-stdin"], lines);
 
     // Long runs of the digits of Base64 and hexadecimal numbers: keys, but no words.
     [GeneratedRegex("(?=[A-Za-z+/]*[0-9])[A-Za-z0-9+/]{40,}", RegexOptions.None, 1000)]

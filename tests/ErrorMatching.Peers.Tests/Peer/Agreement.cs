@@ -15,7 +15,8 @@ internal static class Agreement
     /// <param name="path">Ours.</param>
     /// <param name="mostUnknown">The part of all coordinates that we may not know.</param>
     /// <param name="peerStops">True where the peer refused a block, so that we may have motions behind it.</param>
-    public static string? FirstDifference(IReadOnlyList<PeerMotion> peer, NcPath path, double mostUnknown = MostUnknown, bool peerStops = false)
+    public static string? FirstDifference(
+        IReadOnlyList<PeerMotion> peer, NcPath path, double mostUnknown = MostUnknown, bool peerStops = false)
     {
         var unknown = 0;
         for (var i = 0; i < Math.Min(peer.Count, path.Motions.Length); i++)
@@ -24,7 +25,8 @@ internal static class Agreement
             unknown += System.Numerics.BitOperations.PopCount((uint)ours.UnknownEnd);
             if (Difference(peer[i], ours) is { } difference)
             {
-                return $"motion {i}, line {ours.Block + 1} \"{path.Program.TextOf(path.Program[ours.Block])}\": {difference}\n  rs274: {Show(peer[i])}\n  ours:  {Show(ours)}";
+                return $"motion {i}, line {ours.Block + 1} \"{path.Program.TextOf(path.Program[ours.Block])}\": {difference}\n  rs274: "
+                    + $"{Show(peer[i])}\n  ours:  {Show(ours)}";
             }
         }
 
@@ -62,12 +64,16 @@ internal static class Agreement
 
         // Half of the last digit, and the noise of binary fractions.
         var tolerance = (0.5 * peer.ResolutionMm) + 1e-7;
-        if (!Agree(AxisSet.X, peer.End.X, ours.End.X) || !Agree(AxisSet.Y, peer.End.Y, ours.End.Y) || !Agree(AxisSet.Z, peer.End.Z, ours.End.Z))
+        if (!Agree(AxisSet.X, peer.End.X, ours.End.X)
+            || !Agree(AxisSet.Y, peer.End.Y, ours.End.Y)
+            || !Agree(AxisSet.Z, peer.End.Z, ours.End.Z))
         {
             return "end";
         }
 
-        if (ours.IsArc && (ours.UnknownStart & ours.Plane.Axes()) == AxisSet.None && !(Math.Abs(peer.Center.X - ours.Center.X) <= tolerance && Math.Abs(peer.Center.Y - ours.Center.Y) <= tolerance))
+        if (ours.IsArc
+            && (ours.UnknownStart & ours.Plane.Axes()) == AxisSet.None
+            && !(Math.Abs(peer.Center.X - ours.Center.X) <= tolerance && Math.Abs(peer.Center.Y - ours.Center.Y) <= tolerance))
         {
             return "center";
         }
@@ -79,12 +85,24 @@ internal static class Agreement
 
         return kind != MotionKind.Rapid && peer.Feed is { } feed && !(Math.Abs(feed - ours.Feed) <= tolerance) ? "feed" : null;
 
-        bool Agree(AxisSet axis, double theirs, double own) => (ours.UnknownEnd & axis) != AxisSet.None || Math.Abs(theirs - own) <= tolerance;
+        bool Agree(AxisSet axis, double theirs, double own) =>
+            (ours.UnknownEnd & axis) != AxisSet.None || Math.Abs(theirs - own) <= tolerance;
     }
 
-    private static AxisSet Axes(this CoordinatePlane plane) => plane switch { CoordinatePlane.XY => AxisSet.X | AxisSet.Y, CoordinatePlane.ZX => AxisSet.Z | AxisSet.X, _ => AxisSet.Y | AxisSet.Z };
+    private static AxisSet Axes(this CoordinatePlane plane) => plane switch
+    {
+        CoordinatePlane.XY => AxisSet.X | AxisSet.Y,
+        CoordinatePlane.ZX => AxisSet.Z | AxisSet.X,
+        _ => AxisSet.Y | AxisSet.Z
+    };
 
-    private static string Show(PeerMotion m) => string.Create(CultureInfo.InvariantCulture, $"N{m.Line} {m.Kind} {m.Plane} to {m.End.X:0.####} {m.End.Y:0.####} {m.End.Z:0.####} about {m.Center.X:0.####} {m.Center.Y:0.####} turns {m.Turns} feed {m.Feed:0.####}");
+    private static string Show(PeerMotion m) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"N{m.Line} {m.Kind} {m.Plane} to {m.End.X:0.####} {m.End.Y:0.####} {m.End.Z:0.####} about {m.Center.X:0.####} "
+            + $"{m.Center.Y:0.####} turns {m.Turns} feed {m.Feed:0.####}");
 
-    private static string Show(NcMotion m) => string.Create(CultureInfo.InvariantCulture, $"N{m.Block + 1} {m.Kind} {m.Plane} to {m.End.X:0.####} {m.End.Y:0.####} {m.End.Z:0.####} about {m.Center.X:0.####} {m.Center.Y:0.####} turns {m.Turns} feed {m.Feed:0.####} unknown {m.UnknownEnd}");
+    private static string Show(NcMotion m) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"N{m.Block + 1} {m.Kind} {m.Plane} to {m.End.X:0.####} {m.End.Y:0.####} {m.End.Z:0.####} about {m.Center.X:0.####} "
+            + $"{m.Center.Y:0.####} turns {m.Turns} feed {m.Feed:0.####} unknown {m.UnknownEnd}");
 }

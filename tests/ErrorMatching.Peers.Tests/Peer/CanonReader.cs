@@ -4,7 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>Reads the canonical commands that the peer prints, one a line, such as <c>9 N2 STRAIGHT_FEED(5.0000, 2.0000, 3.0000, 0.0000, 0.0000, 0.0000)</c>.</summary>
+/// <summary>Reads the canonical commands that the peer prints, one a line, such as <c>9 N2 STRAIGHT_FEED(5.0000, 2.0000, 3.0000, 0.0000,
+/// 0.0000, 0.0000)</c>.</summary>
 internal sealed class CanonReader
 {
     private const double LastDigit = 0.0001;
@@ -95,5 +96,6 @@ internal sealed class CanonReader
         _motions.Add(new(_line, kind, _plane, end, new(n[2] * _unit, n[3] * _unit), (int)Math.Abs(n[4]) - 1, Feed, _unit * LastDigit));
     }
 
-    private static double[] Numbers(string arguments) => [.. arguments.Split(',').Select(a => double.Parse(a.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture))];
+    private static double[] Numbers(string arguments) =>
+        [.. arguments.Split(',').Select(a => double.Parse(a.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture))];
 }

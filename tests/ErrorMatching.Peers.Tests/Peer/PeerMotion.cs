@@ -13,4 +13,13 @@ namespace ErrorMatching.Peers.Tests;
 /// <param name="Feed">Feed, mm/min; null where it is not one per minute.</param>
 /// <param name="ResolutionMm">The unit of the last digit that is printed.</param>
 /// <param name="IsSpline">True for a spline, whose end is not printed.</param>
-internal sealed record PeerMotion(int? Line, MotionKind Kind, CoordinatePlane Plane, Point3 End, Point2 Center, int Turns, double? Feed, double ResolutionMm, bool IsSpline = false);
+internal sealed record PeerMotion(
+    int? Line,
+    MotionKind Kind,
+    CoordinatePlane Plane,
+    Point3 End,
+    Point2 Center,
+    int Turns,
+    double? Feed,
+    double ResolutionMm,
+    bool IsSpline = false);

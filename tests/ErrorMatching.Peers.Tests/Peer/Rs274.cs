@@ -3,7 +3,8 @@ using System.Diagnostics;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// LinuxCNC's own interpreter as a program, from Debian's package linuxcnc-uspace. Each run has a home of its own: instances share a file in it and stop each other otherwise.
+/// LinuxCNC's own interpreter as a program, from Debian's package linuxcnc-uspace. Each run has a home of its own:
+/// instances share a file in it and stop each other otherwise.
 /// </summary>
 internal static class Rs274
 {
@@ -82,7 +83,10 @@ internal static class Rs274
         var said = error.GetAwaiter().GetResult().Replace("executing\n", "", StringComparison.Ordinal).Trim();
         return new(new CanonReader().Read(lines), process.ExitCode == 0 ? null : $"exit {process.ExitCode}: {said}")
         {
-            Log = [.. lines.Select(l => l.IndexOf(" LOG(\"", StringComparison.Ordinal) is >= 0 and var at ? l[(at + 6)..l.LastIndexOf('"')] : null).OfType<string>()],
+            Log = [
+                .. lines.Select(
+                    l => l.IndexOf(" LOG(\"", StringComparison.Ordinal) is >= 0 and var at ? l[(at + 6)..l.LastIndexOf('"')] : null)
+                    .OfType<string>()],
         };
     }
 }

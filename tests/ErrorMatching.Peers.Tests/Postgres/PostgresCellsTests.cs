@@ -26,14 +26,20 @@ public sealed class PostgresCellsTests : IDisposable
         var (here, there) = (Open(), Open());
         var correction = Archive(here, "one");
         here.Step(correction, CorrectionState.Recognized, "cell", "by name");
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => there.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+        Assert.Equal(
+            StoreError.Conflict,
+            Assert.Throws<StoreException>(() => there.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
     }
 
     [Fact]
     public void Two_cells_that_open_an_empty_database_at_once_make_one_store()
     {
         var stores = new CellStore[8];
-        Parallel.For(0, stores.Length, new ParallelOptions { MaxDegreeOfParallelism = stores.Length }, i => stores[i] = CellStore.Open(_settings, TimeProvider.System));
+        Parallel.For(
+            0,
+            stores.Length,
+            new ParallelOptions { MaxDegreeOfParallelism = stores.Length },
+            i => stores[i] = CellStore.Open(_settings, TimeProvider.System));
         _opened.AddRange(stores);
         Assert.Equal(1, stores[0].ChangeCount());
         Assert.All(stores, s => Assert.Null(s.VerifyAudit()));
@@ -55,7 +61,8 @@ public sealed class PostgresCellsTests : IDisposable
         Assert.False(taken.IsHeld);
     }
 
-    // A connection that only ended is seen by the server some time later, when it has much to do: who asked next was told that the slot is taken.
+    // A connection that only ended is seen by the server some time later, when it has much to do:
+    // who asked next was told that the slot is taken.
     [Fact]
     public void A_slot_that_was_given_back_is_there_at_once()
     {
@@ -80,7 +87,9 @@ public sealed class PostgresCellsTests : IDisposable
         try
         {
             Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Find(correction.Id)).Error);
-            Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+            Assert.Equal(
+                StoreError.Away,
+                Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
             Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.TryLockSlot("mill", "2")).Error);
             Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => Open()).Error);
             Assert.False(taken!.IsHeld);
@@ -123,7 +132,9 @@ public sealed class PostgresCellsTests : IDisposable
         Assert.True(holds.Wait(TimeSpan.FromMinutes(3), TestContext.Current.CancellationToken));
         try
         {
-            Assert.Equal(StoreError.Locked, Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+            Assert.Equal(
+                StoreError.Locked,
+                Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
             Assert.Equal(correction, store.Find(correction.Id));
         }
         finally
@@ -139,7 +150,10 @@ public sealed class PostgresCellsTests : IDisposable
     public void A_server_that_cannot_keep_every_text_or_forgets_is_refused()
     {
         var latin = _server.NewDatabase("ENCODING 'LATIN1' TEMPLATE template0");
-        Assert.Contains("createdb --encoding=UTF8", Assert.Throws<StoreException>(() => CellStore.Open(latin, TimeProvider.System)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "createdb --encoding=UTF8",
+            Assert.Throws<StoreException>(() => CellStore.Open(latin, TimeProvider.System)).Message,
+            StringComparison.Ordinal);
         _server.Execute("postgres", "ALTER SYSTEM SET fsync = off");
         _server.Execute("postgres", "SELECT pg_reload_conf()");
         try
@@ -164,7 +178,9 @@ public sealed class PostgresCellsTests : IDisposable
         _server.Execute("postgres", $"ALTER DATABASE {_settings.Database} SET default_transaction_read_only = on");
         var standby = Open();
         Assert.Equal(correction, standby.Find(correction.Id));
-        Assert.Equal(StoreError.ReadOnly, Assert.Throws<StoreException>(() => standby.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
+        Assert.Equal(
+            StoreError.ReadOnly,
+            Assert.Throws<StoreException>(() => standby.Step(correction, CorrectionState.Recognized, "cell", "by name")).Error);
         Assert.Equal(correction, store.Find(correction.Id));
     }
 
@@ -181,9 +197,16 @@ public sealed class PostgresCellsTests : IDisposable
             Assert.DoesNotContain("wrong", refused.Message, StringComparison.Ordinal);
 
             PostgresServer.SetMode(wrong, "604");
-            Assert.Equal(StoreError.Denied, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong }, TimeProvider.System)).Error);
-            Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong + ".none" }, TimeProvider.System)).Error);
-            Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => CellStore.Open(_settings with { Database = "none" }, TimeProvider.System)).Error);
+            Assert.Equal(
+                StoreError.Denied,
+                Assert.Throws<StoreException>(() => CellStore.Open(_settings with { PasswordFile = wrong }, TimeProvider.System)).Error);
+            Assert.Equal(
+                StoreError.Missing,
+                Assert.Throws<StoreException>(() => CellStore.Open(
+                    _settings with { PasswordFile = wrong + ".none" }, TimeProvider.System)).Error);
+            Assert.Equal(
+                StoreError.Missing,
+                Assert.Throws<StoreException>(() => CellStore.Open(_settings with { Database = "none" }, TimeProvider.System)).Error);
         }
         finally
         {
@@ -235,7 +258,8 @@ public sealed class PostgresCellsTests : IDisposable
         }
     }
 
-    private static Correction Archive(CellStore store, string key) => store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction;
+    private static Correction Archive(CellStore store, string key) =>
+        store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction;
 
     private CellStore Open()
     {

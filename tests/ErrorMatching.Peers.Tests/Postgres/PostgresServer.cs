@@ -5,7 +5,8 @@ using Npgsql;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A real PostgreSQL server of the tests' own, from Debian's package postgresql-15: a fresh cluster in a temporary folder on a free loopback port, with passwords.</summary>
+/// <summary>A real PostgreSQL server of the tests' own, from Debian's package postgresql-15: a fresh cluster in a temporary folder on a
+/// free loopback port, with passwords.</summary>
 public sealed class PostgresServer : IDisposable
 {
     private const string Package = "postgresql-15";
@@ -25,7 +26,17 @@ public sealed class PostgresServer : IDisposable
         File.WriteAllText(PasswordFile, $"127.0.0.1:*:*:{User}:{Password}\n");
         SetMode(PasswordFile, "600");
         if (Environment.UserName == "root") Run("chown", "-R", "postgres", _folder);
-        Run(AsServer(Path.Combine(Programs, "initdb"), "-D", Data, "-U", User, "--auth=scram-sha-256", $"--pwfile={Path.Combine(_folder, "password")}", "--encoding=UTF8", "--no-locale", "--no-sync"));
+        Run(AsServer(
+            Path.Combine(Programs, "initdb"),
+            "-D",
+            Data,
+            "-U",
+            User,
+            "--auth=scram-sha-256",
+            $"--pwfile={Path.Combine(_folder, "password")}",
+            "--encoding=UTF8",
+            "--no-locale",
+            "--no-sync"));
 
 
         // Another program may have the port.
@@ -74,7 +85,9 @@ public sealed class PostgresServer : IDisposable
     /// <summary>Runs one of PostgreSQL's own programs with the server's address and password, and fails the test if it fails.</summary>
     public void RunProgram(string program, params string[] arguments)
     {
-        var start = new ProcessStartInfo(Path.Combine(Programs!, program), ["--host=127.0.0.1", string.Create(CultureInfo.InvariantCulture, $"--port={Port}"), $"--username={User}", .. arguments]);
+        var start = new ProcessStartInfo(
+            Path.Combine(Programs!, program),
+            ["--host=127.0.0.1", string.Create(CultureInfo.InvariantCulture, $"--port={Port}"), $"--username={User}", .. arguments]);
         start.Environment["PGPASSFILE"] = PasswordFile;
         Run(start);
     }
@@ -82,7 +95,8 @@ public sealed class PostgresServer : IDisposable
     /// <summary>Starts the server again at its port and waits until it answers.</summary>
     public void Start()
     {
-        // What a cut left is put in order here, without waiting for the disk: alone the server would first write out every file of every database that the tests have made.
+        // What a cut left is put in order here, without waiting for the disk:
+        // alone the server would first write out every file of every database that the tests have made.
         Run(AsServer(Path.Combine(Programs!, "postgres"), "--single", "-D", Data, "-c", "fsync=off", "postgres"));
 
         // It refuses to as long as it takes the number of its process before, which a file tells, for that of a living one.
@@ -97,7 +111,17 @@ public sealed class PostgresServer : IDisposable
     private bool TryStart(int port)
     {
         var start = AsServer(
-            Path.Combine(Programs!, "postgres"), "-D", Data, "-p", port.ToString(CultureInfo.InvariantCulture), "-c", "listen_addresses=127.0.0.1", "-c", "unix_socket_directories=", "-c", "shared_buffers=16MB");
+            Path.Combine(Programs!, "postgres"),
+            "-D",
+            Data,
+            "-p",
+            port.ToString(CultureInfo.InvariantCulture),
+            "-c",
+            "listen_addresses=127.0.0.1",
+            "-c",
+            "unix_socket_directories=",
+            "-c",
+            "shared_buffers=16MB");
         start.UseShellExecute = false;
         start.RedirectStandardError = true;
         start.RedirectStandardOutput = true;
@@ -165,7 +189,10 @@ public sealed class PostgresServer : IDisposable
 
     // The server refuses to run as root.
     private static ProcessStartInfo AsServer(string program, params string[] arguments) => Environment.UserName == "root"
-        ? new ProcessStartInfo("setpriv", ["--reuid=postgres", "--regid=postgres", "--clear-groups", program, .. arguments]) { WorkingDirectory = "/" }
+        ? new ProcessStartInfo("setpriv", ["--reuid=postgres", "--regid=postgres", "--clear-groups", program, .. arguments])
+        {
+            WorkingDirectory = "/"
+        }
         : new ProcessStartInfo(program, arguments);
 
     private static void Run(string program, params string[] arguments) => Run(new ProcessStartInfo(program, arguments));
@@ -185,7 +212,10 @@ public sealed class PostgresServer : IDisposable
             Assert.Fail($"{start.FileName} runs longer than {Limit}.");
         }
 
-        Assert.True(process.ExitCode == 0, $"{start.FileName} {string.Join(' ', start.ArgumentList)}: exit {process.ExitCode}\n{output.GetAwaiter().GetResult()}\n{error.GetAwaiter().GetResult()}");
+        Assert.True(
+            process.ExitCode == 0,
+            $"{start.FileName} {string.Join(' ', start.ArgumentList)}: exit "
+                + $"{process.ExitCode}\n{output.GetAwaiter().GetResult()}\n{error.GetAwaiter().GetResult()}");
     }
 
     private static string? FindPrograms() => (Environment.GetEnvironmentVariable("PATH") ?? "")

@@ -18,7 +18,8 @@ public sealed class ProbingProgramTests
         var peer = Rs274.Run(Numbered(program.Bytes));
         Assert.Null(peer.Refusal);
         Assert.Equal(program.Plan.Points.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
-        Assert.Null(Agreement.FirstDifference(peer.Motions, NcInterpreter.Run(NcProgram.Read(program.Bytes, NcSyntax.LinuxCnc), NcDialects.LinuxCnc), mostUnknown: 0.5));
+        Assert.Null(Agreement.FirstDifference(
+            peer.Motions, NcInterpreter.Run(NcProgram.Read(program.Bytes, NcSyntax.LinuxCnc), NcDialects.LinuxCnc), mostUnknown: 0.5));
     }
 
     [Fact]
@@ -26,7 +27,8 @@ public sealed class ProbingProgramTests
     {
         Rs274.IsNeeded();
         var program = Program();
-        var merged = program.MergeAfter("G21 G90 G17 G54\nM3 S10000\nG0 X0 Y0 Z30\nG1 Z10 F1200\nX75\nG0 Z30\nM5\nM2\n"u8.ToArray(), "semi.ngc");
+        var merged = program.MergeAfter(
+            "G21 G90 G17 G54\nM3 S10000\nG0 X0 Y0 Z30\nG1 Z10 F1200\nX75\nG0 Z30\nM5\nM2\n"u8.ToArray(), "semi.ngc");
         var peer = Rs274.Run(Numbered(merged));
         Assert.Null(peer.Refusal);
         Assert.Equal(program.Plan.Points.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
@@ -41,19 +43,27 @@ public sealed class ProbingProgramTests
         Assert.Null(run.Refusal);
         var log = Encoding.ASCII.GetBytes(string.Join('\n', run.Log));
 
-        // Nothing trips the simulated probe: it stops where the measuring move ends, which the reader lets pass only where it is told that the surface may be so far off.
+        // Nothing trips the simulated probe: it stops where the measuring move ends, which the reader lets pass only where it is told that
+        // the surface may be so far off.
         var far = program.Plan.Measuring with { ApproachMm = 5, OvertravelMm = 5 };
         var measured = MeasuredSurfaceReader.Read(log, "errormatch-probe.log", program.Plan, far);
         Assert.Empty(measured.Warnings);
         Assert.All(measured.Points, p => Assert.True((p.Contact - (p.Planned.Position + (p.Planned.Normal * (0.2 - 2)))).Length < 1e-3));
-        Assert.Equal("far-off-point", Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(log, "errormatch-probe.log", program.Plan, program.Plan.Measuring)).Code);
+        Assert.Equal(
+            "far-off-point",
+            Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+                log, "errormatch-probe.log", program.Plan, program.Plan.Measuring)).Code);
     }
 
     // A saddle, so that normals lean in all directions: z = (x/75 - 1/2)(y/63 - 1/2) 20, bilinear.
     private static ProbingProgram Program()
     {
         var knots = KnotVector.Clamped(1, [0, 1]);
-        var surface = new PartSurface("saddle", new SplineSurface(knots, knots, [new(0, 0, 5), new(0, Depth, -5), new(Width, 0, -5), new(Width, Depth, 5)]), SurfaceRegion.Whole, 1);
+        var surface = new PartSurface(
+            "saddle",
+            new SplineSurface(knots, knots, [new(0, 0, 5), new(0, Depth, -5), new(Width, 0, -5), new(Width, Depth, 5)]),
+            SurfaceRegion.Whole,
+            1);
         var measuring = new JobMeasuring
         {
             Curves = 5,
@@ -69,10 +79,15 @@ public sealed class ProbingProgramTests
             UncertaintyMm = 0.000125,
             BestFit = false,
         };
-        return ProbingProgram.Of(MeasuringPlanner.Plan(surface, measuring, 0.2), "saddle", NcDialects.LinuxCnc, ProbingTemplate.Named("linuxcnc"));
+        return ProbingProgram.Of(
+            MeasuringPlanner.Plan(surface, measuring, 0.2), "saddle", NcDialects.LinuxCnc, ProbingTemplate.Named("linuxcnc"));
     }
 
     // Line numbers, so that the peer says which block a motion is of.
     private static string Numbered(ReadOnlyMemory<byte> program) =>
-        string.Join('\n', Encoding.ASCII.GetString(program.Span).Split('\n').Select((l, i) => l.Length == 0 || l[0] == '(' ? l : FormattableString.Invariant($"N{i + 1} {l}")));
+        string.Join(
+            '\n',
+            Encoding.ASCII.GetString(program.Span)
+                .Split('\n')
+                .Select((l, i) => l.Length == 0 || l[0] == '(' ? l : FormattableString.Invariant($"N{i + 1} {l}")));
 }

@@ -3,7 +3,8 @@ using System.Net.Sockets;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A loopback port at which nobody listens and, as long as this is not disposed, nobody can: whoever connects is refused.</summary>
+/// <summary>A loopback port at which nobody listens and, as long as this is not disposed, nobody can:
+/// whoever connects is refused.</summary>
 internal sealed class ClosedPort : IDisposable
 {
     private readonly Socket _bound = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A server program of a test on a loopback port of its own, with a folder for its files; ended with all its sessions when disposed.</summary>
+/// <summary>A server program of a test on a loopback port of its own, with a folder for its files;
+/// ended with all its sessions when disposed.</summary>
 internal sealed class Daemon : IDisposable
 {
     private const int Tries = 20;
@@ -33,7 +34,8 @@ internal sealed class Daemon : IDisposable
 
     public int Port { get; private set; }
 
-    /// <summary>A port below those that Linux gives to connections (ip_local_port_range) and below vsftpd's for data: it stays free while a server is started again.</summary>
+    /// <summary>A port below those that Linux gives to connections (ip_local_port_range) and below vsftpd's for data:
+    /// it stays free while a server is started again.</summary>
     public static int AnyPort() => Random.Shared.Next(10_000, 20_000);
 
     /// <summary>The path of a server program, or null if it is not installed. System programs are not in every user's PATH.</summary>
@@ -62,7 +64,13 @@ internal sealed class Daemon : IDisposable
     {
         End();
         Port = AnyPort();
-        var start = new ProcessStartInfo(program, arguments(Port)) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true, RedirectStandardInput = true };
+        var start = new ProcessStartInfo(program, arguments(Port))
+        {
+            UseShellExecute = false,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            RedirectStandardInput = true
+        };
         _process = Process.Start(start)!;
         _process.OutputDataReceived += Keep;
         _process.ErrorDataReceived += Keep;

@@ -39,7 +39,8 @@ internal static class ProcessTable
     }
 
     /// <summary>True if a process listens at a loopback port, and nobody in its place.</summary>
-    /// <remarks>What another user's process has open is shown to the privileged alone. To others a server that goes on while somebody listens at its port is the one that listens.</remarks>
+    /// <remarks>What another user's process has open is shown to the privileged alone. To others a server that goes on while somebody
+    /// listens at its port is the one that listens.</remarks>
     public static bool Listens(int id, int port)
     {
         var sockets = Sockets(Listening, port, isRemote: false);
@@ -122,7 +123,11 @@ internal static class ProcessTable
                 continue;
             var stat = Read(id, "stat");
             if (stat.Length > 0)
-                all.Add((id, stat[(stat.IndexOf('(', StringComparison.Ordinal) + 1)..stat.LastIndexOf(')')], int.Parse(AfterName(stat)[1], CultureInfo.InvariantCulture)));
+                all.Add(
+                    (
+                        id,
+                        stat[(stat.IndexOf('(', StringComparison.Ordinal) + 1)..stat.LastIndexOf(')')],
+                        int.Parse(AfterName(stat)[1], CultureInfo.InvariantCulture)));
         }
 
         return all;

@@ -126,7 +126,9 @@ internal sealed partial class RandomProgram
     private void WriteSubprogram()
     {
         var label = _labels++;
-        var name = Chance(0.3) ? string.Create(CultureInfo.InvariantCulture, $"<part{label}>") : label.ToString(CultureInfo.InvariantCulture);
+        var name = Chance(0.3)
+            ? string.Create(CultureInfo.InvariantCulture, $"<part{label}>")
+            : label.ToString(CultureInfo.InvariantCulture);
         Line($"o{name} sub");
         Cut("#1");
         Block("#3=[#1+#2] #<own>=4");

@@ -15,7 +15,9 @@ internal sealed partial class RandomProgram
         {
             case 0:
                 var system = 1 + Below(9);
-                Block($"G10 L2 P{system} X{Number(Length())} Y{Number(Length())} Z{Number(Length())}{(rotated ? " R" + Number(Any(0, 10.0, 30.0, -45.0, 90.0, 17.5)) : "")}");
+                Block(
+                    $"G10 L2 P{system} X{Number(Length())} Y{Number(Length())} "
+                        + $"Z{Number(Length())}{(rotated ? " R" + Number(Any(0, 10.0, 30.0, -45.0, 90.0, 17.5)) : "")}");
                 Block(Systems[system - 1]);
                 Shifted();
                 break;

@@ -9,7 +9,14 @@ internal sealed partial class RandomProgram
     {
         if (Chance(0.15))
         {
-            Line(Any("(a comment G1 X5)", "; a comment G1 X5", "", "   ", "(MSG, hello)", $"/N{_lines + 1} G1 X900 ; deleted or not", "( two ) ( comments )"));
+            Line(Any(
+                "(a comment G1 X5)",
+                "; a comment G1 X5",
+                "",
+                "   ",
+                "(MSG, hello)",
+                $"/N{_lines + 1} G1 X900 ; deleted or not",
+                "( two ) ( comments )"));
             if (_text[^2] == 't')
             {
                 Restate();

@@ -5,8 +5,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// A random program on one topic that LinuxCNC accepts. It states its units, modes and position first, and numbers each block by its line, so that motions can be matched by their blocks.
-/// The same seed gives the same program.
+/// A random program on one topic that LinuxCNC accepts. It states its units, modes and position first, and numbers each block by its line,
+/// so that motions can be matched by their blocks. The same seed gives the same program.
 /// </summary>
 internal sealed partial class RandomProgram
 {

@@ -4,7 +4,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>Stands between sftp and an SSH server, whose stream it cannot read: cuts it after so many bytes, holds it, or changes one.</summary>
+/// <summary>Stands between sftp and an SSH server, whose stream it cannot read:
+/// cuts it after so many bytes, holds it, or changes one.</summary>
 internal sealed class CutProxy : IDisposable
 {
     /// <summary>In place of a connection's number: whichever is the first to pass so many bytes.</summary>
@@ -64,7 +65,9 @@ internal sealed class CutProxy : IDisposable
         {
             await server.ConnectAsync(IPAddress.Loopback, _server, cut.Token);
             var fault = Volatile.Read(ref _fault) is { } armed && (armed.Connection == Any || armed.Connection == number) ? armed : null;
-            await Task.WhenAny(PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, cut), PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, cut));
+            await Task.WhenAny(
+                PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, cut),
+                PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, cut));
         }
         catch (Exception e) when (IsEnd(e))
         {
@@ -106,7 +109,8 @@ internal sealed class CutProxy : IDisposable
                 return;
             }
 
-            // OpenSSH holds a small packet back until the one before is acknowledged, which Linux does 40 ms later unless asked to do it at once, each time.
+            // OpenSSH holds a small packet back until the one before is acknowledged, which Linux does 40 ms later unless asked to do it at
+            // once, each time.
             if (OperatingSystem.IsLinux())
                 from.Client.SetRawSocketOption(Tcp, QuickAck, [1, 0, 0, 0]);
             var read = await from.GetStream().ReadAsync(buffer.AsMemory(0, room), cut.Token);

@@ -3,7 +3,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A real vsftpd behind a proxy that breaks what it is told to: the program there is the old one or the new one, whole, whatever breaks and wherever.</summary>
+/// <summary>A real vsftpd behind a proxy that breaks what it is told to:
+/// the program there is the old one or the new one, whole, whatever breaks and wherever.</summary>
 public sealed class FtpFaultTests : IDisposable
 {
     private const int Workers = 6;
@@ -158,14 +159,16 @@ public sealed class FtpFaultTests : IDisposable
         });
     }
 
-    private async Task<(TransportException? Failure, bool IsNew)> BreakAsync(FtpProxy proxy, SentProgram program, FtpFault fault, bool mend = true)
+    private async Task<(TransportException? Failure, bool IsNew)> BreakAsync(
+        FtpProxy proxy, SentProgram program, FtpFault fault, bool mend = true)
     {
         var (failure, isNew, happened) = await TryToBreakAsync(proxy, program, fault, FtpPeer.Patience, mend);
         Assert.True(happened, $"{fault} did not happen: {failure?.Message}");
         return (failure, isNew);
     }
 
-    private async Task<(TransportException? Failure, bool IsNew, bool Happened)> TryToBreakAsync(FtpProxy proxy, SentProgram program, FtpFault fault, double seconds, bool mend = true)
+    private async Task<(TransportException? Failure, bool IsNew, bool Happened)> TryToBreakAsync(
+        FtpProxy proxy, SentProgram program, FtpFault fault, double seconds, bool mend = true)
     {
         program.Reset();
         proxy.Arm(fault);
@@ -186,7 +189,10 @@ public sealed class FtpFaultTests : IDisposable
         var watch = Stopwatch.StartNew();
         var all = cases.ToArray();
         var folder = _peer.Value.Folder;
-        await Parallel.ForEachAsync(Enumerable.Range(0, Math.Min(Workers, all.Length)), new ParallelOptions { MaxDegreeOfParallelism = Workers, CancellationToken = Token }, async (worker, _) =>
+        await Parallel.ForEachAsync(
+            Enumerable.Range(0, Math.Min(Workers, all.Length)),
+            new ParallelOptions { MaxDegreeOfParallelism = Workers, CancellationToken = Token },
+            async (worker, _) =>
         {
             using var proxy = new FtpProxy(_peer.Value.Port);
             var program = new SentProgram(folder, $"P{worker}.MPF");

@@ -6,15 +6,18 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// A vsftpd of our own. It runs as who runs the tests and asks for a password from a list, which needs neither a user of the system nor its administrator:
+/// A vsftpd of our own. It runs as who runs the tests and asks for a password from a list,
+/// which needs neither a user of the system nor its administrator:
 /// logins are "anonymous" ones to vsftpd, allowed to do what a machine's login is.
 /// </summary>
 internal sealed class FtpPeer : IDisposable
 {
-    /// <summary>Has what curl's configuration, a shell, an URL and FTP could take for something else. No space: vsftpd takes one in a password of its list for an underscore.</summary>
+    /// <summary>Has what curl's configuration, a shell, an URL and FTP could take for something else. No space: vsftpd takes one in a
+    /// password of its list for an underscore.</summary>
     public const string Password = "se\"sa\\m'%41$HOME#:@/;-\\n";
 
-    /// <summary>The time limit of a transfer, in seconds, that no transfer reaches unless something holds it, however busy the computer is.</summary>
+    /// <summary>The time limit of a transfer, in seconds, that no transfer reaches unless something holds it,
+    /// however busy the computer is.</summary>
     public const double Patience = 120;
 
     private readonly Daemon _daemon;
@@ -53,7 +56,10 @@ internal sealed class FtpPeer : IDisposable
             {more}
 
             """) + (tls == FtpTls.None ? "" : Certificate(home)));
-        _daemon = new Daemon(Daemon.Find("vsftpd")!, home, port => [Path.Combine(home, "vsftpd.conf"), string.Create(CultureInfo.InvariantCulture, $"-olisten_port={port}")]);
+        _daemon = new Daemon(
+            Daemon.Find("vsftpd")!,
+            home,
+            port => [Path.Combine(home, "vsftpd.conf"), string.Create(CultureInfo.InvariantCulture, $"-olisten_port={port}")]);
     }
 
     /// <summary>Where the programs are on the disk.</summary>
@@ -69,15 +75,17 @@ internal sealed class FtpPeer : IDisposable
     public static void IsNeeded() => Daemon.IsNeeded("vsftpd", "vsftpd");
 
     /// <summary>The machine behind it.</summary>
-    public MachineSettings Machine(int? port = null, double seconds = Patience, int attempts = 1, string? pinned = null, string? folder = null) => new()
-    {
-        Name = "mill",
-        Transport = new FtpSettings("127.0.0.1", port ?? Port, "ftp", folder ?? Folder, Tls, pinned ?? PinnedKey),
-        Dialect = "siemens-840d",
-        Slots = [],
-        Timeout = TimeSpan.FromSeconds(seconds),
-        Attempts = attempts,
-    };
+    public MachineSettings Machine(
+        int? port = null, double seconds = Patience, int attempts = 1, string? pinned = null, string? folder = null) =>
+        new()
+        {
+            Name = "mill",
+            Transport = new FtpSettings("127.0.0.1", port ?? Port, "ftp", folder ?? Folder, Tls, pinned ?? PinnedKey),
+            Dialect = "siemens-840d",
+            Slots = [],
+            Timeout = TimeSpan.FromSeconds(seconds),
+            Attempts = attempts,
+        };
 
     public IMachineFolder Open(int? port = null, double seconds = Patience) => MachineFolders.Open(Machine(port, seconds), () => Password);
 
@@ -89,8 +97,10 @@ internal sealed class FtpPeer : IDisposable
         var request = new CertificateRequest("CN=mill", key, HashAlgorithmName.SHA256, RSASignaturePadding.Pkcs1);
 
         // Long over, as those of machines are: only the pinned key counts.
-        using var certificate = request.CreateSelfSigned(new DateTimeOffset(2010, 1, 1, 0, 0, 0, TimeSpan.Zero), new DateTimeOffset(2011, 1, 1, 0, 0, 0, TimeSpan.Zero));
-        File.WriteAllText(Path.Combine(home, "certificate.pem"), certificate.ExportCertificatePem() + "\n" + key.ExportPkcs8PrivateKeyPem() + "\n");
+        using var certificate = request.CreateSelfSigned(
+            new DateTimeOffset(2010, 1, 1, 0, 0, 0, TimeSpan.Zero), new DateTimeOffset(2011, 1, 1, 0, 0, 0, TimeSpan.Zero));
+        File.WriteAllText(
+            Path.Combine(home, "certificate.pem"), certificate.ExportCertificatePem() + "\n" + key.ExportPkcs8PrivateKeyPem() + "\n");
         PinnedKey = "sha256//" + Convert.ToBase64String(SHA256.HashData(certificate.PublicKey.ExportSubjectPublicKeyInfo()));
         return $"""
             ssl_enable=YES

@@ -8,8 +8,9 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// Stands between curl and an FTP server. It understands the control connection as far as it must: it puts ports of its own into the answers to PASV and EPSV,
-/// knows which data connection carries which file, and breaks what it is told to break.
+/// Stands between curl and an FTP server. It understands the control connection as far as it must:
+/// it puts ports of its own into the answers to PASV and EPSV, knows which data connection carries which file,
+/// and breaks what it is told to break.
 /// </summary>
 internal sealed partial class FtpProxy : IDisposable
 {
@@ -75,7 +76,8 @@ internal sealed partial class FtpProxy : IDisposable
             try
             {
                 await server.ConnectAsync(IPAddress.Loopback, proxy._server, _cut.Token);
-                var (up, down) = (CommandsAsync(client.GetStream(), server.GetStream()), AnswersAsync(server.GetStream(), client.GetStream()));
+                var (up, down) = (
+                    CommandsAsync(client.GetStream(), server.GetStream()), AnswersAsync(server.GetStream(), client.GetStream()));
                 await Task.WhenAny(up, down);
             }
             catch (Exception e) when (LoopbackServer.IsEnd(e))
@@ -146,7 +148,10 @@ internal sealed partial class FtpProxy : IDisposable
                 if (isLast && proxy.Takes(f => (last = f.Finally)?.Command == _command))
                     line = last!.Value.Answer;
                 if (Extended().Match(line) is { Success: true } extended)
-                    line = string.Create(CultureInfo.InvariantCulture, $"229 Entering Extended Passive Mode (|||{Listen(int.Parse(extended.Groups["port"].ValueSpan, CultureInfo.InvariantCulture))}|)");
+                    line = string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"229 Entering Extended Passive Mode (|||"
+                            + $"{Listen(int.Parse(extended.Groups["port"].ValueSpan, CultureInfo.InvariantCulture))}|)");
                 else if (Passive().Match(line) is { Success: true } passive)
                     line = PassiveAnswer(passive);
                 await WriteLineAsync(to, line);
@@ -195,13 +200,17 @@ internal sealed partial class FtpProxy : IDisposable
             var buffer = new byte[16 << 10];
             var passed = 0;
             FtpFault? fault = null;
-            if (isWriting && await MaySendAsync("STOR") && proxy.Takes(f => (fault = f) is { CutWriting: not null } or { StallWriting: not null } or { CorruptWriting: not null }))
+            if (isWriting
+                && await MaySendAsync("STOR")
+                && proxy.Takes(f => (fault = f) is { CutWriting: not null } or { StallWriting: not null } or { CorruptWriting: not null }))
             {
             }
             else if (!isWriting && await MaySendAsync("RETR"))
             {
                 var number = Interlocked.Increment(ref proxy._readings) - 1;
-                if (!proxy.Takes(f => (fault = f).Reading == number && f is { CutReading: not null } or { StallReading: not null } or { CorruptReading: not null }))
+                if (!proxy.Takes(
+                    f => (fault = f).Reading == number
+                        && f is { CutReading: not null } or { StallReading: not null } or { CorruptReading: not null }))
                     fault = null;
             }
             else
@@ -240,7 +249,8 @@ internal sealed partial class FtpProxy : IDisposable
             return _command == command;
         }
 
-        private async Task WriteLineAsync(NetworkStream to, string line) => await to.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"), _cut.Token);
+        private async Task WriteLineAsync(NetworkStream to, string line) =>
+            await to.WriteAsync(Encoding.Latin1.GetBytes(line + "\r\n"), _cut.Token);
     }
 
     [GeneratedRegex(@"\A229 .*\(\|\|\|(?<port>[0-9]+)\|\)", RegexOptions.ExplicitCapture, 1000)]

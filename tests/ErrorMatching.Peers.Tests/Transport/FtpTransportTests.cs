@@ -61,8 +61,16 @@ public sealed class FtpTransportTests
         FtpPeer.IsNeeded();
         using var peer = new FtpPeer(FtpTls.None);
         var settings = peer.Machine();
-        settings = settings with { Transport = (FtpSettings)settings.Transport with { Tls = FtpTls.Explicit, PinnedKey = "sha256//" + Convert.ToBase64String(new byte[32]) } };
-        await MachineFolderLaws.Fails(TransportError.WrongServer, () => MachineFolders.Open(settings, () => FtpPeer.Password).ListAsync(Token));
+        settings = settings with
+        {
+            Transport = (FtpSettings)settings.Transport with
+            {
+                Tls = FtpTls.Explicit,
+                PinnedKey = "sha256//" + Convert.ToBase64String(new byte[32])
+            }
+        };
+        await MachineFolderLaws.Fails(
+            TransportError.WrongServer, () => MachineFolders.Open(settings, () => FtpPeer.Password).ListAsync(Token));
     }
 
     [Theory]

@@ -2,7 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A server that does not rename over a file: vsftpd behind a proxy that says so in its place. Both programs lie there whole while neither has the name.</summary>
+/// <summary>A server that does not rename over a file: vsftpd behind a proxy that says so in its place.
+/// Both programs lie there whole while neither has the name.</summary>
 public sealed class FtpWithoutReplacingTests : IDisposable
 {
     private readonly Lazy<FtpPeer> _peer = new(() => new FtpPeer(FtpTls.None));

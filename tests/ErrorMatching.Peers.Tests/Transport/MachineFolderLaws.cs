@@ -39,7 +39,8 @@ internal static class MachineFolderLaws
         Assert.Equal(text, await open.WriteAsync(odd, text, Token));
         Assert.Equal(text, File.ReadAllBytes(On(odd)));
         Assert.Equal(text, await open.ReadAsync(odd, 100, Token));
-        Assert.Equal(new[] { "P1.MPF", "empty", odd }.Order(StringComparer.Ordinal), (await open.ListAsync(Token)).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            new[] { "P1.MPF", "empty", odd }.Order(StringComparer.Ordinal), (await open.ListAsync(Token)).Order(StringComparer.Ordinal));
         Assert.Equal(text, await open.RenameAsync(odd, "P1.MPF", 100, Token));
         await open.DeleteAsync("empty", Token);
         Assert.Equal(["P1.MPF"], await open.ListAsync(Token));

@@ -49,7 +49,8 @@ internal sealed class SentProgram(string folder, string name)
         }
     }
 
-    /// <summary>Fails the test unless the program is the old one or the new one, whole. Between two steps it may be absent with both halves beside it.</summary>
+    /// <summary>Fails the test unless the program is the old one or the new one, whole.
+    /// Between two steps it may be absent with both halves beside it.</summary>
     /// <returns>True for the new one.</returns>
     public bool IsWhole(string after, bool inTwoSteps = false)
     {
@@ -74,7 +75,8 @@ internal sealed class SentProgram(string folder, string name)
         Assert.Empty(Leftovers());
     }
 
-    /// <summary>Recovers and sends again, and fails the test unless the machine then has the new program and nothing else of this name.</summary>
+    /// <summary>Recovers and sends again, and fails the test unless the machine then has the new program and nothing else of this
+    /// name.</summary>
     public async Task MendAsync(IMachineFolder machine, string after)
     {
         await RecoverAsync(machine, after);
@@ -84,7 +86,8 @@ internal sealed class SentProgram(string folder, string name)
     }
 
     /// <summary>Files of transfers.</summary>
-    public string[] Leftovers() => [.. Directory.GetFiles(folder).Where(f => Path.GetFileName(f).StartsWith(name + ".", StringComparison.Ordinal))];
+    public string[] Leftovers() =>
+        [.. Directory.GetFiles(folder).Where(f => Path.GetFileName(f).StartsWith(name + ".", StringComparison.Ordinal))];
 
     private static byte[] MakeNew()
     {

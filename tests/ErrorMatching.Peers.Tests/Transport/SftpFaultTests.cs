@@ -3,7 +3,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A real sshd behind a proxy that cuts, holds and changes the stream: the program there is the old one or the new one, whole.</summary>
+/// <summary>A real sshd behind a proxy that cuts, holds and changes the stream:
+/// the program there is the old one or the new one, whole.</summary>
 public sealed class SftpFaultTests : IDisposable
 {
     private const int Workers = 4;
@@ -34,7 +35,10 @@ public sealed class SftpFaultTests : IDisposable
 
         Assert.True(faults.Count >= 200);
         var ends = new bool[faults.Count];
-        await EachAsync(faults.Select((f, n) => (f, n)).ToArray(), async (proxy, program, fault) => ends[fault.n] = (await BreakAsync(proxy, program, fault.f, FtpPeer.Patience, mend: fault.n % 8 == 0, TransportError.Away)).IsNew);
+        await EachAsync(
+            faults.Select((f, n) => (f, n)).ToArray(),
+            async (proxy, program, fault) => ends[fault.n] = (
+                await BreakAsync(proxy, program, fault.f, FtpPeer.Patience, mend: fault.n % 8 == 0, TransportError.Away)).IsNew);
         Assert.Contains(true, ends);
         Assert.Contains(false, ends);
     }
@@ -48,7 +52,8 @@ public sealed class SftpFaultTests : IDisposable
             .Concat(new[] { down / 2, down - 600, down - 200 }.Select(n => new CutFault(CutKind.Corrupt, 0, false, n)));
         await EachAsync([.. faults], async (proxy, program, fault) =>
         {
-            // Whoever receives a changed packet hangs up, which to us is a machine that went away. Where the change made a packet longer, it waits for the rest instead, which never comes.
+            // Whoever receives a changed packet hangs up, which to us is a machine that went away. Where the change made a packet longer,
+            // it waits for the rest instead, which never comes.
             var (failure, isNew) = await UntilItHappensAsync(proxy, program, fault, seconds: 10, TransportError.Away, TransportError.Slow);
             Assert.True(failure is not null, $"{fault} went unseen.");
             Assert.False(isNew);
@@ -60,7 +65,12 @@ public sealed class SftpFaultTests : IDisposable
     {
         SshPeer.IsNeeded();
         var (up, down) = (await LengthsAsync())[0];
-        await EachAsync([new CutFault(CutKind.Stall, 0, true, 0), new CutFault(CutKind.Stall, 0, true, up - 300), new CutFault(CutKind.Stall, 1, false, down / 2)], async (proxy, program, fault) =>
+        await EachAsync(
+            [
+                new CutFault(CutKind.Stall, 0, true, 0),
+                new CutFault(CutKind.Stall, 0, true, up - 300),
+                new CutFault(CutKind.Stall, 1, false, down / 2)],
+            async (proxy, program, fault) =>
         {
             var (failure, _) = await UntilItHappensAsync(proxy, program, fault, seconds: 2, TransportError.Slow);
             Assert.True(failure is not null, $"{fault} was not given up.");
@@ -93,7 +103,8 @@ public sealed class SftpFaultTests : IDisposable
     }
 
     // On a busy computer the time may be up before the transfer came as far as the fault: then it gets more.
-    private async Task<(TransportException? Failure, bool IsNew)> UntilItHappensAsync(CutProxy proxy, SentProgram program, CutFault fault, double seconds, params TransportError[] errors)
+    private async Task<(TransportException? Failure, bool IsNew)> UntilItHappensAsync(
+        CutProxy proxy, SentProgram program, CutFault fault, double seconds, params TransportError[] errors)
     {
         while (true)
         {
@@ -106,7 +117,8 @@ public sealed class SftpFaultTests : IDisposable
         }
     }
 
-    private async Task<(TransportException? Failure, bool IsNew, bool Happened)> BreakAsync(CutProxy proxy, SentProgram program, CutFault fault, double seconds, bool mend, params TransportError[] errors)
+    private async Task<(TransportException? Failure, bool IsNew, bool Happened)> BreakAsync(
+        CutProxy proxy, SentProgram program, CutFault fault, double seconds, bool mend, params TransportError[] errors)
     {
         program.Reset();
         proxy.Arm(fault);
@@ -133,7 +145,10 @@ public sealed class SftpFaultTests : IDisposable
     {
         var watch = Stopwatch.StartNew();
         var folder = _peer.Value.Folder;
-        await Parallel.ForEachAsync(Enumerable.Range(0, Math.Min(Workers, cases.Length)), new ParallelOptions { MaxDegreeOfParallelism = Workers, CancellationToken = Token }, async (worker, _) =>
+        await Parallel.ForEachAsync(
+            Enumerable.Range(0, Math.Min(Workers, cases.Length)),
+            new ParallelOptions { MaxDegreeOfParallelism = Workers, CancellationToken = Token },
+            async (worker, _) =>
         {
             using var proxy = new CutProxy(_peer.Value.Port);
             var program = new SentProgram(folder, $"P{worker}.MPF");

@@ -13,7 +13,9 @@ public sealed class SftpTransportTests
         SshPeer.IsNeeded();
         using var peer = new SshPeer();
         await MachineFolderLaws.HoldAsync(peer.Open(), peer.Folder);
-        Assert.True(OperatingSystem.IsWindows() || File.GetUnixFileMode(Path.Combine(peer.Folder, "P1.MPF")).HasFlag(UnixFileMode.GroupRead), "The control, another user, must read the program.");
+        Assert.True(
+            OperatingSystem.IsWindows() || File.GetUnixFileMode(Path.Combine(peer.Folder, "P1.MPF")).HasFlag(UnixFileMode.GroupRead),
+            "The control, another user, must read the program.");
     }
 
     [Fact]
@@ -26,7 +28,8 @@ public sealed class SftpTransportTests
         await MachineFolderLaws.HoldAsync(MachineFolders.Open(settings, () => SshPeer.Password), peer.Folder);
         foreach (var wrong in new[] { "wrong", "", null, SshPeer.Password.Trim() })
         {
-            var failure = await MachineFolderLaws.Fails(TransportError.Login, () => MachineFolders.Open(settings, () => wrong).ListAsync(Token));
+            var failure = await MachineFolderLaws.Fails(
+                TransportError.Login, () => MachineFolders.Open(settings, () => wrong).ListAsync(Token));
             Assert.False(failure.IsWorthAnotherTry);
         }
     }
@@ -50,8 +53,10 @@ public sealed class SftpTransportTests
     {
         SshPeer.IsNeeded();
         using var peer = new SshPeer();
-        await MachineFolderLaws.Fails(TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.StrangersKeyFile }).ListAsync(Token));
-        await MachineFolderLaws.Fails(TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.KeyFile + ".none" }).ListAsync(Token));
+        await MachineFolderLaws.Fails(
+            TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.StrangersKeyFile }).ListAsync(Token));
+        await MachineFolderLaws.Fails(
+            TransportError.Login, () => peer.Open(s => s with { KeyFile = peer.KeyFile + ".none" }).ListAsync(Token));
     }
 
     [Fact]
@@ -61,7 +66,8 @@ public sealed class SftpTransportTests
         using var peer = new SshPeer();
         using var off = new ClosedPort();
         await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Port = off.Number }).ListAsync(Token));
-        await MachineFolderLaws.Fails(TransportError.Away, () => peer.Open(s => s with { Host = "no-such-machine.invalid" }).ListAsync(Token));
+        await MachineFolderLaws.Fails(
+            TransportError.Away, () => peer.Open(s => s with { Host = "no-such-machine.invalid" }).ListAsync(Token));
     }
 
     [Fact]
@@ -141,7 +147,9 @@ public sealed class SftpTransportTests
         var edited = "edited at the control"u8.ToArray();
         var saving = new WatchedFolder(peer.Open(), (what, isDone) =>
         {
-            if (what == "replace P1.MPF" && !isDone && File.ReadAllBytes(Path.Combine(peer.Folder, "P1.MPF")).SequenceEqual(SentProgram.Old))
+            if (what == "replace P1.MPF"
+                && !isDone
+                && File.ReadAllBytes(Path.Combine(peer.Folder, "P1.MPF")).SequenceEqual(SentProgram.Old))
                 File.WriteAllBytes(Path.Combine(peer.Folder, "P1.MPF"), edited);
         });
         var changed = await Assert.ThrowsAsync<ChangedAtMachineException>(() => program.SendAsync(saving));

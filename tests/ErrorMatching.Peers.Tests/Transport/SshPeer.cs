@@ -4,7 +4,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>An sshd of our own with SFTP. It lets in who runs the tests, by a key made for it, and by a password where the tests may give PAM a service of their own.</summary>
+/// <summary>An sshd of our own with SFTP. It lets in who runs the tests, by a key made for it,
+/// and by a password where the tests may give PAM a service of their own.</summary>
 internal sealed class SshPeer : IDisposable
 {
     public const string Password = " se\"sa\\m 'für' %41$HOME`id` ";
@@ -46,7 +47,8 @@ internal sealed class SshPeer : IDisposable
 
             """));
         // -r: a session is a copy of the server instead of the program started anew, which costs a third of a login on this side.
-        _daemon = new Daemon(program, _home, port => ["-D", "-e", "-r", "-f", On("sshd.conf"), "-p", port.ToString(CultureInfo.InvariantCulture)]);
+        _daemon = new Daemon(
+            program, _home, port => ["-D", "-e", "-r", "-f", On("sshd.conf"), "-p", port.ToString(CultureInfo.InvariantCulture)]);
     }
 
     public string Folder { get; }
@@ -86,7 +88,8 @@ internal sealed class SshPeer : IDisposable
         };
     }
 
-    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience) => MachineFolders.Open(Machine(with, seconds), () => Password);
+    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience) =>
+        MachineFolders.Open(Machine(with, seconds), () => Password);
 
     public void Dispose()
     {
@@ -106,7 +109,10 @@ internal sealed class SshPeer : IDisposable
         File.WriteAllText(On("check"), $"#!/bin/sh\nIFS= read -r given\n[ \"$given\" = \"$(cat '{On("password")}')\" ]\n");
         File.SetUnixFileMode(On("check"), UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         var service = Path.Combine("/etc/pam.d", name);
-        File.WriteAllText(service, $"auth required pam_exec.so expose_authtok quiet {On("check")}\naccount required pam_permit.so\nsession required pam_permit.so\n");
+        File.WriteAllText(
+            service,
+            $"auth required pam_exec.so expose_authtok quiet {On("check")}\naccount required pam_permit.so\nsession required "
+                + $"pam_permit.so\n");
         return (link, service);
     }
 

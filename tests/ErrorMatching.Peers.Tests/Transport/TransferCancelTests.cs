@@ -20,7 +20,8 @@ public sealed partial class TransferCancelTests
         var program = new SentProgram(peer.Folder, "P1.MPF");
         program.Reset();
         proxy.Arm(new FtpFault { StallWriting = 1000 });
-        await HangsAsync(c => program.SendAsync(peer.Open(proxy.Port, seconds: 300), c), proxy.Port, () => !proxy.IsArmed, ["curl"], FtpPeer.Password);
+        await HangsAsync(
+            c => program.SendAsync(peer.Open(proxy.Port, seconds: 300), c), proxy.Port, () => !proxy.IsArmed, ["curl"], FtpPeer.Password);
         await proxy.QuietAsync();
         Assert.False(program.IsWhole("cancelling"));
         await program.MendAsync(peer.Open(), "cancelling");
@@ -45,7 +46,8 @@ public sealed partial class TransferCancelTests
     }
 
     // Starts a transfer, waits until it hangs, looks at its processes and files, cancels it.
-    private static async Task HangsAsync(Func<CancellationToken, Task<TransportException?>> send, int port, Func<bool> hangs, string[] programs, string secret)
+    private static async Task HangsAsync(
+        Func<CancellationToken, Task<TransportException?>> send, int port, Func<bool> hangs, string[] programs, string secret)
     {
         using var cancel = CancellationTokenSource.CreateLinkedTokenSource(Token);
         var sending = send(cancel.Token);
@@ -83,7 +85,8 @@ public sealed partial class TransferCancelTests
 
     // The folder of a transfer as its programs name it: curl has a file in it open, sftp is told of one.
     private static IEnumerable<string> FoldersOf(int process) =>
-        PrivateFolders().Matches(string.Join('\0', [ProcessTable.Read(process, "cmdline"), .. ProcessTable.Open(process)])).Select(m => m.Groups["folder"].Value);
+        PrivateFolders().Matches(string.Join(
+            '\0', [ProcessTable.Read(process, "cmdline"), .. ProcessTable.Open(process)])).Select(m => m.Groups["folder"].Value);
 
     [GeneratedRegex(@"(?<folder>/[^\0=""]*/errormatch-transfers-\w{6}/[0-9a-f]{32})/", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex PrivateFolders();

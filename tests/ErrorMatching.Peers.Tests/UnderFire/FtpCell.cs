@@ -3,7 +3,8 @@ using ErrorMatching.EndToEnd.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>A cell whose machine is behind an FTP server, set up at the console as its user does: an administrator, then the machine's password.</summary>
+/// <summary>A cell whose machine is behind an FTP server, set up at the console as its user does:
+/// an administrator, then the machine's password.</summary>
 internal static class FtpCell
 {
     private const string Administrator = "long enough for anna";
@@ -16,10 +17,13 @@ internal static class FtpCell
     {
         var cell = new FireCell(
             slots,
-            transport: string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port ?? ftp.Port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
+            transport: string.Create(
+                CultureInfo.InvariantCulture,
+                $$"""{ "kind": "ftp", "host": "127.0.0.1", "port": {{port ?? ftp.Port}}, "user": "ftp", "folder": "{{ftp.Folder}}", "tls": "none" }"""),
             machine: ftp.Folder);
         await Type(cell, ["user", "add", cell.Configuration, "anna", "--role", "administrator", "--password-stdin"], Administrator);
-        await Type(cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], Administrator, FtpPeer.Password);
+        await Type(
+            cell, ["cell", "secret", cell.Configuration, "vmc", "--user", "anna", "--password-stdin"], Administrator, FtpPeer.Password);
         return cell;
     }
 

@@ -3,10 +3,12 @@ using ErrorMatching.EndToEnd.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>As <see cref="FireKills"/> on a folder, with the machine behind a real FTP server: it too never has a program in part.</summary>
+/// <summary>As <see cref="FireKills"/> on a folder, with the machine behind a real FTP server:
+/// it too never has a program in part.</summary>
 public sealed class KillOverFtpTests
 {
-    private static readonly int Times = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "10", CultureInfo.InvariantCulture);
+    private static readonly int Times = int.Parse(
+        Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "10", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task An_FTP_server_never_has_a_program_in_part_however_often_the_process_dies()

@@ -6,7 +6,8 @@ using ErrorMatching.EndToEnd.Tests;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>Ten pieces a second through a real FTP server: all of them arrive, each once.</summary>
-/// <remarks>How fast they do, and in how much memory, is judged by <c>tests/fire load 60</c> alone, where the computer is the test's own; it gives the figures of the README.</remarks>
+/// <remarks>How fast they do, and in how much memory, is judged by <c>tests/fire load 60</c> alone, where the computer is the test's own;
+/// it gives the figures of the README.</remarks>
 public sealed class LoadTests
 {
     private const int PiecesPerSecond = 10;
@@ -17,7 +18,8 @@ public sealed class LoadTests
     private const double FlatMemory = 1.15;
 
     private static readonly bool IsJudged = Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") is not null;
-    private static readonly int Seconds = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") ?? "5", CultureInfo.InvariantCulture);
+    private static readonly int Seconds = int.Parse(
+        Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") ?? "5", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task Ten_pieces_a_second_reach_an_FTP_server()
@@ -55,20 +57,28 @@ public sealed class LoadTests
         var took = clock.Elapsed;
         process.Refresh();
         var processor = process.TotalProcessorTime - before;
-        await cell.Until(async () => (await cell.History()).Count(c => c.GetProperty("state").GetString() == "released") == pieces.Length, TimeSpan.FromMinutes(5), "all released");
+        await cell.Until(
+            async () => (await cell.History()).Count(c => c.GetProperty("state").GetString() == "released") == pieces.Length,
+            TimeSpan.FromMinutes(5),
+            "all released");
         await cell.Stop();
 
         Assert.Empty(machine.Wrong);
-        Assert.Equal(pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         using var store = CellStore.Open(new SqliteSettings(cell["store", "cell.db"]), TimeProvider.System);
         var latencies = store.InState(Enum.GetValues<CorrectionState>())
-            .Select(c => (store.StepsOf(c.Id).First(s => s.To == CorrectionState.Verified).At - dropped[c.FileName]).TotalMilliseconds).Order().ToArray();
+            .Select(
+                c => (store.StepsOf(c.Id).First(s => s.To == CorrectionState.Verified).At - dropped[c.FileName]).TotalMilliseconds)
+                .Order().ToArray();
         Assert.Equal(pieces.Length, latencies.Length);
         Assert.Null(store.VerifyAudit());
         var (median, most) = (latencies[latencies.Length / 2], latencies[latencies.Length * 99 / 100]);
         TestContext.Current.TestOutputHelper!.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{pieces.Length} pieces in {took.TotalSeconds:0.0} s, file to verified: median {median:0} ms, 99 % {most:0} ms, worst {latencies[^1]:0} ms; processor time {processor.TotalSeconds / took.TotalSeconds:0.00} s a second; memory {string.Join(" ", memory.Where((_, i) => i % Math.Max(1, memory.Count / 10) == 0).Select(m => m >> 20))} MiB"));
+            $"{pieces.Length} pieces in {took.TotalSeconds:0.0} s, file to verified: median {median:0} ms, 99 % {most:0} ms, worst "
+                + $"{latencies[^1]:0} ms; processor time {processor.TotalSeconds / took.TotalSeconds:0.00} s a second; memory "
+                + $"{string.Join(" ", memory.Where((_, i) => i % Math.Max(1, memory.Count / 10) == 0).Select(m => m >> 20))} MiB"));
         if (IsJudged)
         {
             // The first seconds load and compile what is needed.

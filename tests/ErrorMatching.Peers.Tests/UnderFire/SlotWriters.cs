@@ -2,7 +2,8 @@ using System.Collections.Concurrent;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>Hears from the system of every temporary file of a transfer in a machine's folder, in the order in which they come and go, and notes where two of one program lie there at once.</summary>
+/// <summary>Hears from the system of every temporary file of a transfer in a machine's folder, in the order in which they come and go, and
+/// notes where two of one program lie there at once.</summary>
 internal sealed class SlotWriters : IDisposable
 {
     private readonly FileSystemWatcher _watcher;

@@ -13,9 +13,17 @@ public sealed class TwoCellsTests(PostgresServer server)
         PostgresServer.IsNeeded();
         var token = TestContext.Current.CancellationToken;
         var settings = server.NewDatabase();
-        var store = string.Create(CultureInfo.InvariantCulture, $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}" }""");
+        var store = string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}" }""");
         using var first = new FireCell(slots: 3, store, name: "First");
-        using var second = new FireCell(slots: 3, store, transport: $$"""{ "kind": "folder", "folder": "{{first.Machine}}" }""", machine: first.Machine, name: "Second", keys: first["keys"]);
+        using var second = new FireCell(
+            slots: 3,
+            store,
+            transport: $$"""{ "kind": "folder", "folder": "{{first.Machine}}" }""",
+            machine: first.Machine,
+            name: "Second",
+            keys: first["keys"]);
         var files = new FireFiles();
         await using var machine = new FireMachine(first, () => files.FileByProgram);
         using var writers = new SlotWriters(first.Machine);
@@ -35,14 +43,18 @@ public sealed class TwoCellsTests(PostgresServer server)
         }
 
         await first.Until(() => Task.FromResult(machine.Cut.Count >= pieces.Length), TimeSpan.FromMinutes(5), "all cut");
-        await first.Until(async () => (await first.History()).Count(c => c.GetProperty("state").GetString() == "released") == pieces.Length, TimeSpan.FromMinutes(5), "all released");
+        await first.Until(
+            async () => (await first.History()).Count(c => c.GetProperty("state").GetString() == "released") == pieces.Length,
+            TimeSpan.FromMinutes(5),
+            "all released");
         await first.Stop();
         await second.Stop();
         await first.Until(() => Task.FromResult(writers.Seen >= pieces.Length), TimeSpan.FromMinutes(2), "a transfer seen for each piece");
 
         Assert.Empty(machine.Wrong);
         Assert.Empty(writers.AtOnce);
-        Assert.Equal(pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         await first.AuditHolds();
     }
 }

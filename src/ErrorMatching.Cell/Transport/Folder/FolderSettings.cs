@@ -16,5 +16,6 @@ public sealed record FolderSettings(string Folder) : TransportSettings
     internal override bool IsSamePlace(TransportSettings other) =>
         other is FolderSettings { Folder: var there } && (CellPaths.IsInside(Folder, there) || CellPaths.IsInside(there, Folder));
 
-    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) => new FolderTransport(machine, Folder, limit);
+    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) =>
+        new FolderTransport(machine, Folder, limit);
 }

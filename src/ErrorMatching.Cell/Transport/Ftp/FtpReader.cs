@@ -24,7 +24,8 @@ internal static class FtpReader
                 item["tls"],
                 "plain-ftp",
                 "FTP that is not encrypted",
-                "\"explicit\" or \"implicit\", or SFTP, where the control has it: anybody on this network can read the password and change programs");
+                "\"explicit\" or \"implicit\", or SFTP, where the control has it: anybody on this network can read the password and "
+                    + "change programs");
         }
         else if (pin is null)
         {

@@ -22,5 +22,6 @@ public sealed record FtpSettings(string Host, int Port, string User, string Fold
     internal override bool IsSamePlace(TransportSettings other) =>
         other is FtpSettings o && ServerFolder.AreSame((Host, Port, Folder), (o.Host, o.Port, o.Folder));
 
-    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) => new FtpTransport(machine, this, secret, limit);
+    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) =>
+        new FtpTransport(machine, this, secret, limit);
 }

@@ -90,7 +90,8 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         _ = Url(doing, name);
 
         // The dash: after the listing, which is requested only because curl does nothing without a transfer.
-        var result = await RunAsync(doing, List(Begin(doing).Set("quote", "-DELE " + name)), MostListed, cancellation).ConfigureAwait(false);
+        var result = await RunAsync(
+            doing, List(Begin(doing).Set("quote", "-DELE " + name)), MostListed, cancellation).ConfigureAwait(false);
         var answer = new CurlAnswer(result);
         if (answer.IsRefusedCommand && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
             return;
@@ -107,8 +108,10 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         var result = await ToolProcess.RunAsync(run, cancellation).ConfigureAwait(false);
         return result.End switch
         {
-            ToolEnd.Missing => throw TransportFailure.Of(TransportError.ToolMissing, machine, doing, "the program curl is not on this computer"),
-            ToolEnd.TimedOut => throw TransportFailure.Of(TransportError.Slow, machine, doing, $"it was not done within {limit.TotalSeconds:0.#} s"),
+            ToolEnd.Missing =>
+                throw TransportFailure.Of(TransportError.ToolMissing, machine, doing, "the program curl is not on this computer"),
+            ToolEnd.TimedOut =>
+                throw TransportFailure.Of(TransportError.Slow, machine, doing, $"it was not done within {limit.TotalSeconds:0.#} s"),
             _ => result,
         };
     }
@@ -123,7 +126,8 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
     {
         var password = secret() ?? "";
         if (ftp.User.Any(c => c == ':' || char.IsControl(c)))
-            throw TransportFailure.Of(TransportError.Login, machine, doing, "a user's name with a colon or a control character cannot log in by FTP");
+            throw TransportFailure.Of(
+                TransportError.Login, machine, doing, "a user's name with a colon or a control character cannot log in by FTP");
         if (password.Any(c => c is '\r' or '\n' or '\0'))
             throw TransportFailure.Of(TransportError.Login, machine, doing, "a password with a line break cannot be sent by FTP");
 
@@ -165,7 +169,8 @@ internal sealed class FtpTransport(string machine, FtpSettings ftp, Func<string?
         // An absolute folder starts with an escaped slash: an unescaped one only ends the host name.
         var path = string.Join('/', folder.TrimStart('/').Split('/').Select(Uri.EscapeDataString));
         var root = folder.StartsWith('/') ? "%2F" : "";
-        return string.Create(CultureInfo.InvariantCulture, $"{scheme}://{host}:{ftp.Port}/{root}{path}{(path.Length > 0 || root.Length > 0 ? "/" : "")}");
+        return string.Create(
+            CultureInfo.InvariantCulture, $"{scheme}://{host}:{ftp.Port}/{root}{path}{(path.Length > 0 || root.Length > 0 ? "/" : "")}");
     }
 
     // Some servers include the folder in the reply.

@@ -8,7 +8,8 @@ public static partial class ProgramNames
 {
     /// <summary>The rule in words, for messages.</summary>
     public const string Rule =
-        "1 to 64 of A-Z a-z 0-9 . _ -, no dot or dash in front, no dot at the end, none that Windows reserves such as CON or LPT1, and no ending that transfers use themselves (.emnew, .emold)";
+        "1 to 64 of A-Z a-z 0-9 . _ -, no dot or dash in front, no dot at the end, none that Windows reserves such as CON or LPT1, and "
+            + "no ending that transfers use themselves (.emnew, .emold)";
 
     private const string NewSuffix = ".emnew";
     private const string OldSuffix = ".emold";

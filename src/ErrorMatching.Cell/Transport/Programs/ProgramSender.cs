@@ -31,7 +31,8 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     public async Task<byte[]?> CurrentAsync(string program, CancellationToken cancellation)
     {
         Demand(program);
-        return await _tries.ExecuteAsync(async c => await folder.ReadAsync(program, MostBytes, c).ConfigureAwait(false), cancellation).ConfigureAwait(false);
+        return await _tries.ExecuteAsync(
+            async c => await folder.ReadAsync(program, MostBytes, c).ConfigureAwait(false), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Sends a program to the machine. On return it has been read back under its name and is identical to the last bit.</summary>
@@ -241,10 +242,14 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     private void Demand(string program)
     {
         if (!ProgramNames.Allows(program))
-            throw new TransportException(TransportError.Denied, $"{folder.Machine}: '{program}' is no name for a program at a machine. Allowed: {ProgramNames.Rule}. Change the slot's program in the cell's configuration.");
+            throw new TransportException(
+                TransportError.Denied,
+                $"{folder.Machine}: '{program}' is no name for a program at a machine. Allowed: {ProgramNames.Rule}. Change the slot's "
+                    + $"program in the cell's configuration.");
     }
 
     private TransportException Differs(string program, string when, string then) => new(
         TransportError.Differs,
-        $"{folder.Machine}: {program} was read back after it {when} and is not what was sent. {then} If it happens again, look for a bad cable or a full or failing disk at the machine, or for a server that converts texts.");
+        $"{folder.Machine}: {program} was read back after it {when} and is not what was sent. {then} If it happens again, look for a bad "
+            + $"cable or a full or failing disk at the machine, or for a server that converts texts.");
 }

@@ -29,8 +29,22 @@ internal static class SftpAnswer
             return TransportError.Login;
         if (Says("timed out"))
             return TransportError.Slow;
-        if (Says("Connection closed", "Connection reset", "Connection refused", "Connection lost", "Broken pipe", "Could not resolve", "No route to host", "Network is unreachable",
-                "banner", "Bad packet length", "message authentication code incorrect", "Corrupted MAC", "padding error", "disconnected", "not respond"))
+        if (Says(
+            "Connection closed",
+            "Connection reset",
+            "Connection refused",
+            "Connection lost",
+            "Broken pipe",
+            "Could not resolve",
+            "No route to host",
+            "Network is unreachable",
+                "banner",
+                "Bad packet length",
+                "message authentication code incorrect",
+                "Corrupted MAC",
+                "padding error",
+                "disconnected",
+                "not respond"))
             return TransportError.Away;
         if (Says("not a regular file"))
             return TransportError.NotAFile;
@@ -56,7 +70,8 @@ internal static class SftpAnswer
 
     private static string LastCommand(ToolResult result)
     {
-        var last = Encoding.UTF8.GetString(result.Output).Split('\n').LastOrDefault(l => l.StartsWith(Echo, StringComparison.Ordinal)) ?? "";
+        var last = Encoding.UTF8.GetString(result.Output).Split('\n').LastOrDefault(l => l.StartsWith(Echo, StringComparison.Ordinal))
+            ?? "";
         return last.Length == 0 ? "" : last[Echo.Length..];
     }
 }

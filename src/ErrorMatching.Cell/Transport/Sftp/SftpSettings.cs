@@ -24,5 +24,6 @@ public sealed record SftpSettings(string Host, int Port, string User, string Fol
     internal override bool IsSamePlace(TransportSettings other) =>
         other is SftpSettings o && ServerFolder.AreSame((Host, Port, Folder), (o.Host, o.Port, o.Folder));
 
-    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) => new SftpTransport(machine, this, secret, limit);
+    internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) =>
+        new SftpTransport(machine, this, secret, limit);
 }

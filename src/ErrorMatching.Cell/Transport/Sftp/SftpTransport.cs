@@ -25,8 +25,10 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         using var local = new PrivateFolder();
         var doing = $"reading {name}";
         var file = local["fetched"];
-        var result = await RunAsync(doing, local, [$"get {Name(doing, name)} {Quoted(file)}"], () => IsLarger(file, mostBytes), cancellation).ConfigureAwait(false);
-        if (result is { End: ToolEnd.Exited, ExitCode: 1 } && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
+        var result = await RunAsync(
+            doing, local, [$"get {Name(doing, name)} {Quoted(file)}"], () => IsLarger(file, mostBytes), cancellation).ConfigureAwait(false);
+        if (result is { End: ToolEnd.Exited, ExitCode: 1 }
+            && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
             return null;
         Demand(doing, result);
         return await FetchedAsync(doing, file, mostBytes, cancellation).ConfigureAwait(false);
@@ -111,7 +113,8 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
             throw TransportFailure.Of(TransportError.Denied, machine, doing, "the server does not delete it");
     }
 
-    private async Task<ToolResult> RunAsync(string doing, PrivateFolder local, string[] commands, Func<bool>? isTooMuch, CancellationToken cancellation)
+    private async Task<ToolResult> RunAsync(
+        string doing, PrivateFolder local, string[] commands, Func<bool>? isTooMuch, CancellationToken cancellation)
     {
         if (sftp.Folder.Any(char.IsControl) || sftp.User.StartsWith('-') || sftp.Host.StartsWith('-'))
             throw TransportFailure.Of(TransportError.Denied, machine, doing, "folder, user or host have characters that no server's have");
@@ -131,8 +134,11 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         var result = await ToolProcess.RunAsync(run, cancellation).ConfigureAwait(false);
         return result.End switch
         {
-            ToolEnd.Missing => throw TransportFailure.Of(TransportError.ToolMissing, machine, doing, "the program sftp of OpenSSH is not on this computer"),
-            ToolEnd.TimedOut => throw TransportFailure.Of(TransportError.Slow, machine, doing, $"it was not done within {limit.TotalSeconds:0.#} s"),
+            ToolEnd.Missing =>
+                throw TransportFailure.Of(
+                    TransportError.ToolMissing, machine, doing, "the program sftp of OpenSSH is not on this computer"),
+            ToolEnd.TimedOut =>
+                throw TransportFailure.Of(TransportError.Slow, machine, doing, $"it was not done within {limit.TotalSeconds:0.#} s"),
             ToolEnd.TooMuch => throw TransportFailure.Of(TransportError.TooLarge, machine, doing, "it is larger than what is read"),
             _ => result,
         };
@@ -182,7 +188,8 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
             throw TransportFailure.Of(error, machine, doing, SftpAnswer.Text(result));
     }
 
-    private async Task<byte[]> FetchedAsync(string doing, string file, long mostBytes, CancellationToken cancellation) => IsLarger(file, mostBytes)
+    private async Task<byte[]> FetchedAsync(string doing, string file, long mostBytes, CancellationToken cancellation) =>
+        IsLarger(file, mostBytes)
         ? throw TransportFailure.Of(TransportError.TooLarge, machine, doing, "it is larger than what is read")
         : await File.ReadAllBytesAsync(file, cancellation).ConfigureAwait(false);
 
@@ -204,5 +211,9 @@ internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<stri
         "\"" + (OperatingSystem.IsWindows() ? path.Replace('\\', '/') : path).Replace("%", "%%", StringComparison.Ordinal) + "\"";
 
     private static string[] NamesOf(ToolResult result) =>
-        [.. Encoding.UTF8.GetString(result.Output).Split('\n').Select(l => l.TrimEnd('\r')).Where(l => l.Length > 0 && !l.StartsWith(SftpAnswer.Echo, StringComparison.Ordinal))];
+        [
+            .. Encoding.UTF8.GetString(result.Output)
+                .Split('\n')
+                .Select(l => l.TrimEnd('\r'))
+                .Where(l => l.Length > 0 && !l.StartsWith(SftpAnswer.Echo, StringComparison.Ordinal))];
 }

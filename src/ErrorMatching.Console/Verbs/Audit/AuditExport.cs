@@ -13,7 +13,11 @@ internal sealed class AuditExport : CellVerb
     private readonly Option<string> _out = FileOption("--out", "The CSV file to write; without it, the entries go to standard output.");
 
     public AuditExport()
-        : base("export", "Writes the audit trail as CSV that no spreadsheet executes.", "errormatch audit export samples/cell/cell.json --out out/audit.csv") => Options.Add(_out);
+        : base(
+            "export",
+            "Writes the audit trail as CSV that no spreadsheet executes.",
+            "errormatch audit export samples/cell/cell.json --out out/audit.csv") =>
+            Options.Add(_out);
 
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
@@ -49,7 +53,13 @@ internal sealed class AuditExport : CellVerb
     private static FileStream Unnamed()
     {
         var path = Path.Combine(Path.GetTempPath(), "errormatch-" + Path.GetRandomFileName());
-        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.ReadWrite, Share = FileShare.None, Options = FileOptions.DeleteOnClose };
+        var options = new FileStreamOptions
+        {
+            Mode = FileMode.CreateNew,
+            Access = FileAccess.ReadWrite,
+            Share = FileShare.None,
+            Options = FileOptions.DeleteOnClose
+        };
         if (OperatingSystem.IsWindows())
         {
             return new(path, options);

@@ -4,7 +4,11 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch audit verify</c>.</summary>
-internal sealed class AuditVerify() : CellVerb("verify", "Looks whether any entry of the audit trail was changed, removed, inserted or reordered.", "errormatch audit verify samples/cell/cell.json")
+internal sealed class AuditVerify()
+    : CellVerb(
+        "verify",
+        "Looks whether any entry of the audit trail was changed, removed, inserted or reordered.",
+        "errormatch audit verify samples/cell/cell.json")
 {
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {

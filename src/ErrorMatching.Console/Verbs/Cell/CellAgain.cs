@@ -6,12 +6,19 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch cell again</c>.</summary>
 internal sealed class CellAgain() : CellDecisionVerb(
     "again",
-    "Computes a correction anew that was made before its job was changed: from the measurement that is kept, in the same place in line. An operator signs.",
+    "Computes a correction anew that was made before its job was changed: from the measurement that is kept, in the same place in line. "
+        + "An operator signs.",
     "errormatch cell again samples/cell/cell.json 2 --user anna",
     needsReason: false)
 {
     protected override Act Act => Act.Reject;
 
-    protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
-        new CellDecisionAnswer("again", new ComputingAnew(settings, store).GiveAgain(id, by, reason), string.Create(CultureInfo.InvariantCulture, $"is computed in the place of correction {id}, which is superseded, with the job as it is now"));
+    protected override Outcome Decide(
+        CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
+        new CellDecisionAnswer(
+            "again",
+            new ComputingAnew(settings, store).GiveAgain(id, by, reason),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"is computed in the place of correction {id}, which is superseded, with the job as it is now"));
 }

@@ -11,6 +11,10 @@ internal sealed class CellApprove() : CellDecisionVerb(
 {
     protected override Act Act => Act.Approve;
 
-    protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
-        new CellDecisionAnswer("approve", new CorrectionDecisions(store).Approve(id, by, reason), "is approved and goes to its machine as soon as its slot is free");
+    protected override Outcome Decide(
+        CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
+        new CellDecisionAnswer(
+            "approve",
+            new CorrectionDecisions(store).Approve(id, by, reason),
+            "is approved and goes to its machine as soon as its slot is free");
 }

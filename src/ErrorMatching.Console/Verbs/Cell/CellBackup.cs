@@ -10,14 +10,21 @@ internal sealed class CellBackup : CellVerb
     private readonly Argument<string> _file = new("FILE") { Description = "The copy; it must not be there yet." };
 
     public CellBackup()
-        : base("backup", "Copies the whole store, as it is at one moment, while the cell goes on.", "errormatch cell backup samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
+        : base(
+            "backup",
+            "Copies the whole store, as it is at one moment, while the cell goes on.",
+            "errormatch cell backup samples/cell/cell.json out/cell-backup.db") =>
+            Arguments.Add(_file);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) => WithExistingStore(settings, store =>
+    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+        WithExistingStore(settings, store =>
     {
         var file = arguments.GetRequiredValue(_file);
         if (File.Exists(file))
         {
-            return new Failure(ExitCode.WrongInput, new ErrorItem("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.") { File = file });
+            return new Failure(
+                ExitCode.WrongInput,
+                new ErrorItem("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.") { File = file });
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);
@@ -26,6 +33,10 @@ internal sealed class CellBackup : CellVerb
             store.Backup(file, progress, cancellation);
         }
 
-        return new CellFileAnswer("backup", file, $"The store is copied to {file}, {new FileInfo(file).Length} bytes. Keep it with the folder of the keys, {settings.KeysFolder}.");
+        return new CellFileAnswer(
+            "backup",
+            file,
+            $"The store is copied to {file}, {new FileInfo(file).Length} bytes. Keep it with the folder of the keys, "
+                + $"{settings.KeysFolder}.");
     });
 }

@@ -53,14 +53,26 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     {
         page.Heading($"{settings.File} is a valid configuration: {settings.Name}");
         page.Line();
-        page.Table(["gauge", "where", "waiting", ""], check.Gauges.Select(g => (IReadOnlyList<string>)[g.Gauge.Name, Where(g.Gauge), g.Problem is null ? Number(g.Files.Count + g.More) : "", State(g.Problem)]));
+        page.Table(
+            ["gauge", "where", "waiting", ""],
+            check.Gauges.Select(
+                g => (IReadOnlyList<string>)[
+                    g.Gauge.Name, Where(g.Gauge), g.Problem is null ? Number(g.Files.Count + g.More) : "", State(g.Problem)]));
         WriteFiles(page);
         page.Line();
-        page.Table(["machine", "transport", "slots", ""], check.Machines.Select(m => (IReadOnlyList<string>)[m.Machine.Name, Transport(m.Machine.Transport, Shown), string.Join(", ", m.Machine.Slots.Select(s => Slot(m, s))), State(m.Problem)]));
+        page.Table(
+            ["machine", "transport", "slots", ""],
+            check.Machines.Select(
+                m => (IReadOnlyList<string>)[
+                    m.Machine.Name,
+                    Transport(m.Machine.Transport, Shown),
+                    string.Join(", ", m.Machine.Slots.Select(s => Slot(m, s))),
+                    State(m.Problem)]));
         page.Line();
         page.Table(["job", "file", "starts from", "motions", ""], check.Jobs.Select(j => (IReadOnlyList<string>)
         [
-            j.Job.Name, Shown(j.Job.File), j.Program is null ? "a tool path that it computes" : Shown(j.Program), j.Motions is { } motions ? Number(motions) : "", State(j.Problem),
+            j.Job.Name, Shown(j.Job.File), j.Program is null ? "a tool path that it computes" : Shown(j.Program),
+            j.Motions is { } motions ? Number(motions) : "", State(j.Problem),
         ]));
         page.Line();
         page.Line($"Store: {StorePlace(Shown)}, {StoreState}.");
@@ -86,7 +98,10 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     {
         { Problem: not null } => State(check.Store.Problem),
         { IsThere: false } => "not there yet: errormatch user add makes it",
-        { Form: var form, Latest: var latest } => form < latest ? string.Create(CultureInfo.InvariantCulture, $"form {form}, which is taken to form {latest} when the cell starts") : string.Create(CultureInfo.InvariantCulture, $"form {form}"),
+        { Form: var form, Latest: var latest } =>
+            form < latest
+                ? string.Create(CultureInfo.InvariantCulture, $"form {form}, which is taken to form {latest} when the cell starts")
+                : string.Create(CultureInfo.InvariantCulture, $"form {form}"),
     };
 
     private static void Array<T>(Utf8JsonWriter json, string name, IEnumerable<T> items, Action<T> write)
@@ -171,7 +186,8 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
             page.Line();
             page.Table(["file", "gauge", "job", "piece", "serial", "work order", ""], files.Select(f => (IReadOnlyList<string>)
             [
-                f.f.Name, f.g.Gauge.Name, f.f.Found?.Job?.Name ?? "", f.f.Found?.Piece ?? "", f.f.Found?.Serial ?? "", f.f.Found?.WorkOrder ?? "", f.f.Found is null ? "at the machine" : f.f.Found.Code ?? "",
+                f.f.Name, f.g.Gauge.Name, f.f.Found?.Job?.Name ?? "", f.f.Found?.Piece ?? "", f.f.Found?.Serial ?? "",
+                f.f.Found?.WorkOrder ?? "", f.f.Found is null ? "at the machine" : f.f.Found.Code ?? "",
             ]));
         }
 
@@ -204,7 +220,10 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         transport.LocalFolder is { } folder ? shown(folder) : transport.Address;
 
     // Paths below the current folder are shown relative to it.
-    private static string Shown(string path) => Path.GetRelativePath(Directory.GetCurrentDirectory(), path) is var relative && !relative.StartsWith("..", StringComparison.Ordinal) ? relative : path;
+    private static string Shown(string path) =>
+        Path.GetRelativePath(Directory.GetCurrentDirectory(), path) is var relative && !relative.StartsWith("..", StringComparison.Ordinal)
+            ? relative
+            : path;
 
     private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

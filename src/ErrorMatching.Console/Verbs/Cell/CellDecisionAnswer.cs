@@ -11,5 +11,6 @@ internal sealed class CellDecisionAnswer(string verb, Correction correction, str
 
     public override void WriteJson(Utf8JsonWriter json) => CorrectionJson.WriteMembers(json, correction);
 
-    public override void WriteText(Page page) => page.Line($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)} ({correction.FileName}) {sentence}.");
+    public override void WriteText(Page page) =>
+        page.Line($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)} ({correction.FileName}) {sentence}.");
 }

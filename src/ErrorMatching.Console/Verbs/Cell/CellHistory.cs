@@ -10,17 +10,35 @@ internal sealed class CellHistory : CellVerb
     // Not taken from the enumeration: building the command line must not load the cell's library. A test checks that they agree.
     internal static readonly string[] States =
     [
-        "archived", "recognized", "computed", "proposed", "approved", "uploading", "verified", "released", "superseded", "recorded", "refused", "rejected", "failed", "reverted",
+        "archived", "recognized", "computed", "proposed", "approved", "uploading", "verified", "released", "superseded", "recorded",
+        "refused", "rejected", "failed", "reverted",
     ];
 
     private readonly Option<string> _serial = new("--serial") { Description = "Serial number of the piece.", HelpName = "SERIAL" };
     private readonly Option<string> _workOrder = new("--work-order") { Description = "Work order.", HelpName = "ORDER" };
-    private readonly Option<string> _from = new("--from") { Description = "Arrived at this time (UTC, such as 2026-11-21 or 2026-11-21T22:00) or later.", HelpName = "TIME" };
+    private readonly Option<string> _from = new("--from")
+    {
+        Description = "Arrived at this time (UTC, such as 2026-11-21 or 2026-11-21T22:00) or later.",
+        HelpName = "TIME"
+    };
     private readonly Option<string> _to = new("--to") { Description = "Arrived before this time.", HelpName = "TIME" };
-    private readonly Option<string> _program = new("--program") { Description = "Name of the program at the machine, or the first 8 or more digits of its SHA-256.", HelpName = "PROGRAM" };
+    private readonly Option<string> _program = new("--program")
+    {
+        Description = "Name of the program at the machine, or the first 8 or more digits of its SHA-256.",
+        HelpName = "PROGRAM"
+    };
     private readonly Option<string> _user = new("--user") { Description = "Who took any of its steps.", HelpName = "NAME" };
-    private readonly Option<string> _state = new("--state") { Description = "How far it has come: " + string.Join(", ", States) + ".", HelpName = "STATE" };
-    private readonly Option<int> _most = new("--most") { Description = "How many of the latest are listed.", HelpName = "N", DefaultValueFactory = _ => 50 };
+    private readonly Option<string> _state = new("--state")
+    {
+        Description = "How far it has come: " + string.Join(", ", States) + ".",
+        HelpName = "STATE"
+    };
+    private readonly Option<int> _most = new("--most")
+    {
+        Description = "How many of the latest are listed.",
+        HelpName = "N",
+        DefaultValueFactory = _ => 50
+    };
 
     public CellHistory()
         : base("history", "Searches what arrived and what became of it.", "errormatch cell history samples/cell/cell.json --state released")
@@ -59,7 +77,10 @@ internal sealed class CellHistory : CellVerb
         })));
 
     private static DateTimeOffset? Time(string? text) =>
-        DateTimeOffset.TryParse(text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out var time) ? time : null;
+        DateTimeOffset.TryParse(
+            text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out var time)
+            ? time
+            : null;
 
     private static CorrectionState? State(string? word) => word is null ? null : (CorrectionState)Array.IndexOf(States, word);
 }

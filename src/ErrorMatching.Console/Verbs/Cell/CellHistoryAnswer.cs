@@ -32,7 +32,8 @@ internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) :
             ["id", "arrived", "file", "job", "serial", "work order", "state", "largest mm", "why"],
             corrections.Select(c => (IReadOnlyList<string>)
             [
-                c.Id.ToString(CultureInfo.InvariantCulture), c.ArrivedAt.ToString("yyyy-MM-dd HH:mm:ss'Z'", CultureInfo.InvariantCulture), c.FileName, c.Job ?? "", c.Serial ?? "", c.WorkOrder ?? "",
+                c.Id.ToString(CultureInfo.InvariantCulture), c.ArrivedAt.ToString("yyyy-MM-dd HH:mm:ss'Z'", CultureInfo.InvariantCulture),
+                c.FileName, c.Job ?? "", c.Serial ?? "", c.WorkOrder ?? "",
                 CorrectionJson.Word(c.State), c.LargestMm is { } mm ? Show.Mm(mm) : "", c.Code is null ? "" : $"{c.Code}: {c.Reason}",
             ]));
     }

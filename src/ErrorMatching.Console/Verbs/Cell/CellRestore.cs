@@ -9,7 +9,11 @@ internal sealed class CellRestore : CellVerb
     private readonly Argument<string> _file = new("FILE") { Description = "The copy that cell backup made." };
 
     public CellRestore()
-        : base("restore", "Puts a copy of the store in the store's place, while the cell does not run. What was there is kept beside it.", "errormatch cell restore samples/cell/cell.json out/cell-backup.db") => Arguments.Add(_file);
+        : base(
+            "restore",
+            "Puts a copy of the store in the store's place, while the cell does not run. What was there is kept beside it.",
+            "errormatch cell restore samples/cell/cell.json out/cell-backup.db") =>
+            Arguments.Add(_file);
 
     protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
@@ -18,7 +22,8 @@ internal sealed class CellRestore : CellVerb
         string? kept;
         using (var progress = new ProgressLine(ProgressTo))
         {
-            kept = CellStore.Restore(settings.Store, file, TimeProvider.System, by, AuditKey.Open(settings.KeysFolder), progress, cancellation);
+            kept = CellStore.Restore(
+                settings.Store, file, TimeProvider.System, by, AuditKey.Open(settings.KeysFolder), progress, cancellation);
         }
 
         using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false))
@@ -26,6 +31,10 @@ internal sealed class CellRestore : CellVerb
             new AuditTrail(store, settings.KeysFolder).TakeOver(by, Recorded.BackupBroughtBack.With(file));
         }
 
-        return new CellFileAnswer("restore", file, $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at machines that this store does not know are not overwritten without a setter.");
+        return new CellFileAnswer(
+            "restore",
+            file,
+            $"The store is the one of {file} again.{(kept is null ? "" : $" What was there is {kept}.")} Start the cell: programs at "
+                + $"machines that this store does not know are not overwritten without a setter.");
     }
 }

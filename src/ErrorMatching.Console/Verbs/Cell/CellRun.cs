@@ -10,7 +10,9 @@ namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch cell run</c>.</summary>
 internal sealed class CellRun() : CellVerb(
-    "run", "Runs a cell until Ctrl+C or SIGTERM: takes files from its gauges and brings programs to its machines.", "errormatch cell run samples/cell/cell.json")
+    "run",
+    "Runs a cell until Ctrl+C or SIGTERM: takes files from its gauges and brings programs to its machines.",
+    "errormatch cell run samples/cell/cell.json")
 {
     private static readonly TimeSpan Reconnect = TimeSpan.FromSeconds(5);
 
@@ -68,7 +70,11 @@ internal sealed class CellRun() : CellVerb(
         using var only = store.TryLockCell(settings.Name);
         if (only is null)
         {
-            return new Failure(ExitCode.Outside, new ErrorItem("cell-runs-already", $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
+            return new Failure(
+                ExitCode.Outside,
+                new ErrorItem(
+                    "cell-runs-already",
+                    $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
         }
 
         // A store that was rolled back does not know what was sent since, and would send it again.
@@ -81,7 +87,10 @@ internal sealed class CellRun() : CellVerb(
         using var telemetry = TelemetryExport.Start(settings.Name, Environment.GetEnvironmentVariable);
         var notice = new SystemdNotice(Environment.GetEnvironmentVariable("NOTIFY_SOCKET"));
         var secrets = new MachineSecrets(store, settings.KeysFolder);
-        var runner = new CellRunner(settings, store, m => MachineFolders.Open(m, () => secrets.Get(m.Name)), clock, log) { Alive = notice.Alive };
+        var runner = new CellRunner(settings, store, m => MachineFolders.Open(m, () => secrets.Get(m.Name)), clock, log)
+        {
+            Alive = notice.Alive
+        };
         using var stopping = cancellation.Register(notice.Stopping);
         store.Audit("cell", "started", InForce(settings), settings.Name);
         notice.Ready();
@@ -94,7 +103,11 @@ internal sealed class CellRun() : CellVerb(
     // Who approves, and within which limits, is part of the evidence: a raised limit shows in the trail.
     private static string InForce(CellSettings settings) => Recorded.Started.With(
         Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File))),
-        string.Join("; ", settings.Jobs.Where(j => j.Policy is not null).Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)])).Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy)))));
+        string.Join(
+            "; ",
+            settings.Jobs.Where(j => j.Policy is not null)
+                .Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)]))
+                .Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy)))));
 
     private static object[] Words(PolicySettings policy) =>
     [

@@ -15,5 +15,6 @@ internal sealed class CellRunAnswer(CellSettings settings, DateTimeOffset since,
         json.WriteString("until", CorrectionJson.Time(until));
     }
 
-    public override void WriteText(Page page) => page.Line($"{settings.Name} was told to stop, and stopped. Whatever it had begun is kept: the next run goes on with it.");
+    public override void WriteText(Page page) =>
+        page.Line($"{settings.Name} was told to stop, and stopped. Whatever it had begun is kept: the next run goes on with it.");
 }

@@ -7,7 +7,11 @@ namespace ErrorMatching.Console;
 internal sealed class CellSecret : SigningVerb
 {
     private readonly Argument<string> _machine = new("MACHINE") { Description = "The machine, as the configuration names it." };
-    private readonly Option<bool> _remove = new("--remove") { Description = "Remove the password instead of setting one.", Arity = ArgumentArity.Zero };
+    private readonly Option<bool> _remove = new("--remove")
+    {
+        Description = "Remove the password instead of setting one.",
+        Arity = ArgumentArity.Zero
+    };
 
     public CellSecret()
         : base(

@@ -15,5 +15,9 @@ internal sealed class CellSecretAnswer(string machine, bool isSet, bool isChange
     }
 
     public override void WriteText(Page page) => page.Line(
-        isSet ? $"The cell signs in to {machine} with the new password from now on." : isChanged ? $"The password of {machine} is removed." : $"{machine} had no password.");
+        isSet
+            ? $"The cell signs in to {machine} with the new password from now on."
+            : isChanged
+            ? $"The password of {machine} is removed."
+            : $"{machine} had no password.");
 }

@@ -8,10 +8,17 @@ namespace ErrorMatching.Console;
 internal sealed class CellShow : CellVerb
 {
     private readonly IdArgument _id = new();
-    private readonly Option<string> _out = new("--out") { Description = "The folder to write measurement, programs and report to.", HelpName = "DIR" };
+    private readonly Option<string> _out = new("--out")
+    {
+        Description = "The folder to write measurement, programs and report to.",
+        HelpName = "DIR"
+    };
 
     public CellShow()
-        : base("show", "Shows what became of one file, step by step, and writes its measurement, programs and report.", "errormatch cell show samples/cell/cell.json 1 --out out")
+        : base(
+            "show",
+            "Shows what became of one file, step by step, and writes its measurement, programs and report.",
+            "errormatch cell show samples/cell/cell.json 1 --out out")
     {
         Arguments.Add(_id);
         Options.Add(_out);
@@ -24,10 +31,13 @@ internal sealed class CellShow : CellVerb
     {
         var correction = new CorrectionDecisions(store).Demand(arguments.GetRequiredValue(_id));
         var folder = arguments.GetValue(_out);
-        var files = folder is null ? [] : CorrectionFiles.Of(correction).Select(f => (Path: Path.Combine(folder, f.Name), f.Sha256)).ToArray();
+        var files = folder is null
+            ? []
+            : CorrectionFiles.Of(correction).Select(f => (Path: Path.Combine(folder, f.Name), f.Sha256)).ToArray();
         if (files.Length > 0)
         {
-            OutputFile.WriteAll([.. files.Select(f => (f.Path, (ReadOnlyMemory<byte>)store.Content(f.Sha256)))], [settings.File], () => true, cancellation);
+            OutputFile.WriteAll(
+                [.. files.Select(f => (f.Path, (ReadOnlyMemory<byte>)store.Content(f.Sha256)))], [settings.File], () => true, cancellation);
         }
 
         return new CellShowAnswer(correction, store.StepsOf(correction.Id), [.. files.Select(f => f.Path)]);

@@ -6,7 +6,8 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Console;
 
 /// <summary>The history of one file.</summary>
-internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<CorrectionStep> steps, IReadOnlyList<string> files) : DocumentAnswer
+internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<CorrectionStep> steps, IReadOnlyList<string> files)
+    : DocumentAnswer
 {
     public override string Schema => "errormatch/cell-correction/1";
 
@@ -37,7 +38,9 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
 
     public override void WriteText(Page page)
     {
-        page.Heading(PrintedText.OneLine($"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)}: {correction.FileName} from {correction.Gauge} is {CorrectionJson.Word(correction.State)}"));
+        page.Heading(PrintedText.OneLine(
+            $"Correction {correction.Id.ToString(CultureInfo.InvariantCulture)}: {correction.FileName} from {correction.Gauge} is "
+                + $"{CorrectionJson.Word(correction.State)}"));
         if (correction.Code is { } code)
         {
             page.Line(PrintedText.OneLine($"{code}: {correction.Reason}"));
@@ -46,7 +49,9 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
         page.Line();
         page.Facts([.. Facts()]);
         page.Line();
-        page.Table(["at", "state", "by", "basis"], steps.Select(s => (IReadOnlyList<string>)[CorrectionJson.Time(s.At), CorrectionJson.Word(s.To), s.By, s.Basis]));
+        page.Table(
+            ["at", "state", "by", "basis"],
+            steps.Select(s => (IReadOnlyList<string>)[CorrectionJson.Time(s.At), CorrectionJson.Word(s.To), s.By, s.Basis]));
         if (files.Count > 0)
         {
             page.Line();

@@ -12,7 +12,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
     public override string Schema => "errormatch/cell-status/1";
 
-    public override Failure? Failure => status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new ErrorItem(p.Code, p.Message))]);
+    public override Failure? Failure =>
+        status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new ErrorItem(p.Code, p.Message))]);
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -153,7 +154,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             ["id", "file", "job", "serial", "largest mm", "sum mm", "since", "why"],
             corrections.Take(MostListed).Select(c => (IReadOnlyList<string>)
             [
-                Number(c.Id), c.FileName, c.Job ?? "", c.Serial ?? "", c.LargestMm is { } mm ? Show.Mm(mm) : "", c.SumMm is { } sum ? Show.Mm(sum) : "", Time(c.ChangedAt), c.Code ?? "",
+                Number(c.Id), c.FileName, c.Job ?? "", c.Serial ?? "", c.LargestMm is { } mm ? Show.Mm(mm) : "",
+                c.SumMm is { } sum ? Show.Mm(sum) : "", Time(c.ChangedAt), c.Code ?? "",
             ]));
     }
 
@@ -206,23 +208,29 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         foreach (var failed in status.Failed.Take(MostListed))
         {
             yield return failed.ProgramSha256 is null
-                ? $"{Number(failed.Id)}: put right what it says, reject it (errormatch cell reject {settings.File} {Number(failed.Id)} --reason ...), and measure again."
-                : $"{Number(failed.Id)}: put right what it says, then errormatch cell approve {settings.File} {Number(failed.Id)}, or reject it. Those behind it in its slot's line wait.";
+                ? $"{Number(failed.Id)}: put right what it says, reject it (errormatch cell reject {settings.File} {Number(failed.Id)} "
+                    + $"--reason ...), and measure again."
+                : $"{Number(failed.Id)}: put right what it says, then errormatch cell approve {settings.File} {Number(failed.Id)}, or "
+                    + $"reject it. Those behind it in its slot's line wait.";
         }
 
         foreach (var heldUp in status.Slots.SelectMany(s => s.HeldUp).Take(MostListed))
         {
-            yield return $"{Number(heldUp.Correction.Id)} is approved and waits in line behind {Numbers(heldUp.Behind)}: decide about what stands before it first.";
+            yield return $"{Number(heldUp.Correction.Id)} is approved and waits in line behind {Numbers(heldUp.Behind)}: decide about "
+                + $"what stands before it first.";
         }
 
         foreach (var proposed in status.Proposed.Take(MostListed))
         {
-            yield return $"{Number(proposed.Id)}: read its report (errormatch cell show {settings.File} {Number(proposed.Id)} --out DIR), then approve or reject it.";
+            yield return $"{Number(proposed.Id)}: read its report (errormatch cell show {settings.File} {Number(proposed.Id)} --out DIR), "
+                + $"then approve or reject it.";
         }
 
-        foreach (var slot in status.Slots.Where(s => s.Held is { State: CorrectionState.Verified or CorrectionState.Reverted } && s.Slot.ReadyFile is null))
+        foreach (var slot in status.Slots.Where(
+            s => s.Held is { State: CorrectionState.Verified or CorrectionState.Reverted } && s.Slot.ReadyFile is null))
         {
-            yield return $"{slot.Machine.Name}/{slot.Slot.Name}: when the piece of {Label(slot.Held!)} is cut, errormatch cell release {settings.File} {Number(slot.Held!.Id)}";
+            yield return $"{slot.Machine.Name}/{slot.Slot.Name}: when the piece of {Label(slot.Held!)} is cut, errormatch cell release "
+                + $"{settings.File} {Number(slot.Held!.Id)}";
         }
     }
 
@@ -230,9 +238,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
     private IEnumerable<CellTrouble> Troubles(bool isTampered) =>
         (status.IsRunning ? status.Heartbeat!.Troubles : []).Where(t => t.Code == CellCodes.Of(StoreError.Tampered) == isTampered);
 
-    private static string Label(Correction correction) => correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
+    private static string Label(Correction correction) =>
+        correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
 
-    private static string Numbers(IReadOnlyList<Correction> corrections) => string.Join(", ", corrections.Take(MostListed).Select(c => Number(c.Id))) + (corrections.Count > MostListed ? ", ..." : "");
+    private static string Numbers(IReadOnlyList<Correction> corrections) =>
+        string.Join(", ", corrections.Take(MostListed).Select(c => Number(c.Id))) + (corrections.Count > MostListed ? ", ..." : "");
 
     private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
 

@@ -94,7 +94,10 @@ internal abstract class CellVerb : Verb
     {
         if (settings.Store is SqliteSettings { File: var file } && !File.Exists(file))
         {
-            throw new StoreException(StoreError.Missing, $"The store {file} is not there yet. errormatch user add {settings.File} NAME --role administrator makes it, with its first user.");
+            throw new StoreException(
+                StoreError.Missing,
+                $"The store {file} is not there yet. errormatch user add {settings.File} NAME --role administrator makes it, with its "
+                    + $"first user.");
         }
     }
 }

@@ -9,7 +9,11 @@ internal abstract class SigningVerb : CellVerb
     /// <summary>The environment variable that names the signer if no option does. Passwords are never in a variable.</summary>
     public const string UserVariable = "ERRORMATCH_USER";
 
-    private readonly Option<string> _user = new("--user") { Description = $"Who signs; without it, the environment's {UserVariable}.", HelpName = "NAME" };
+    private readonly Option<string> _user = new("--user")
+    {
+        Description = $"Who signs; without it, the environment's {UserVariable}.",
+        HelpName = "NAME"
+    };
     private readonly Option<bool> _fromInput;
 
     /// <summary>A verb with the options for signing.</summary>
@@ -20,7 +24,11 @@ internal abstract class SigningVerb : CellVerb
     protected SigningVerb(string name, string description, string example, string lines = "the password of who signs")
         : base(name, description, example)
     {
-        _fromInput = new("--password-stdin") { Description = $"Read passwords from standard input instead of the keyboard, one a line: {lines}.", Arity = ArgumentArity.Zero };
+        _fromInput = new("--password-stdin")
+        {
+            Description = $"Read passwords from standard input instead of the keyboard, one a line: {lines}.",
+            Arity = ArgumentArity.Zero
+        };
         Options.Add(_user);
         Options.Add(_fromInput);
     }

@@ -6,7 +6,8 @@ namespace ErrorMatching.Console;
 
 /// <summary>The common part of every fit's answer: the file, the number of points, the residuals and how well the points determine the
 /// result.</summary>
-internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> residuals, double residualStandardDeviation, double condition) : DocumentAnswer
+internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> residuals, double residualStandardDeviation, double condition)
+    : DocumentAnswer
 {
     /// <summary>The fitted points.</summary>
     protected NumberTable Table => table;
@@ -27,11 +28,14 @@ internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> resid
         page.Line();
         WriteFit(page);
         page.Line();
-        page.Facts([("residual standard deviation", Show.Digits(residualStandardDeviation)), .. MoreFacts, ("condition", Show.Digits(condition))]);
+        page.Facts(
+            [("residual standard deviation", Show.Digits(residualStandardDeviation)), .. MoreFacts, ("condition", Show.Digits(condition))]);
         page.Line();
         page.Table(
             ["line", "x", "y", "residual"],
-            residuals.Select((r, i) => (IReadOnlyList<string>)[table.Lines[i].ToString(CultureInfo.InvariantCulture), table["x"][i], table["y"][i], Show.Digits(r)]));
+            residuals.Select(
+                (r, i) => (IReadOnlyList<string>)[
+                    table.Lines[i].ToString(CultureInfo.InvariantCulture), table["x"][i], table["y"][i], Show.Digits(r)]));
     }
 
     /// <summary>The heading: what was fitted.</summary>

@@ -8,7 +8,10 @@ namespace ErrorMatching.Console;
 internal sealed class FitCircle : FitVerb
 {
     public FitCircle()
-        : base("circle", "Fits a circle to points by least squares of their distances from it.", "errormatch fit circle samples/fits/circle.csv")
+        : base(
+            "circle",
+            "Fits a circle to points by least squares of their distances from it.",
+            "errormatch fit circle samples/fits/circle.csv")
     {
     }
 

@@ -5,7 +5,8 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Console;
 
 /// <summary>A fitted circle.</summary>
-internal sealed class FitCircleAnswer(NumberTable table, CircleFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
+internal sealed class FitCircleAnswer(NumberTable table, CircleFit fit)
+    : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
     public override string Schema => "errormatch/fit-circle/1";
 

@@ -5,7 +5,8 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Console;
 
 /// <summary>A fitted line.</summary>
-internal sealed class FitLineAnswer(NumberTable table, string method, LineFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
+internal sealed class FitLineAnswer(NumberTable table, string method, LineFit fit)
+    : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
     public override string Schema => "errormatch/fit-line/1";
 

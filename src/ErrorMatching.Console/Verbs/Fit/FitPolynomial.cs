@@ -37,7 +37,11 @@ internal sealed class FitPolynomial : FitVerb
     protected override Outcome Fit(NumberTable table, ParseResult arguments)
     {
         var (degree, ridge) = (arguments.GetRequiredValue(_degree), arguments.GetRequiredValue(_ridge));
-        var options = new PolynomialFitOptions { Degree = degree == Auto ? null : DegreeOf(degree), Ridge = ridge == Auto ? null : RidgeOf(ridge) };
+        var options = new PolynomialFitOptions
+        {
+            Degree = degree == Auto ? null : DegreeOf(degree),
+            Ridge = ridge == Auto ? null : RidgeOf(ridge)
+        };
         return new FitPolynomialAnswer(table, PolynomialFit.Fit(Exact(table["x"]), Exact(table["y"]), options));
     }
 
@@ -45,8 +49,18 @@ internal sealed class FitPolynomial : FitVerb
 
     // The word auto gives zero for both; the code that builds the fit's options explains it.
     private static int? DegreeOf(string text) =>
-        text == Auto ? 0 : int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var degree) && degree <= HighestDegree ? degree : null;
+        text == Auto
+            ? 0
+            : int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var degree) && degree <= HighestDegree
+            ? degree
+            : null;
 
     private static double? RidgeOf(string text) =>
-        text == Auto ? 0 : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var weight) && double.IsFinite(weight) && weight >= 0 ? weight : null;
+        text == Auto
+            ? 0
+            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var weight)
+                && double.IsFinite(weight)
+                && weight >= 0
+            ? weight
+            : null;
 }

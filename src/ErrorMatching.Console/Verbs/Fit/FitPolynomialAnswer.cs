@@ -6,11 +6,13 @@ using ErrorMatching.Measurement;
 namespace ErrorMatching.Console;
 
 /// <summary>A fitted polynomial.</summary>
-internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit) : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
+internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit)
+    : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
 {
     public override string Schema => "errormatch/fit-polynomial/1";
 
-    protected override string Title => string.Create(CultureInfo.InvariantCulture, $"Polynomial of degree {fit.Degree}, ridge weight {fit.Ridge}");
+    protected override string Title =>
+        string.Create(CultureInfo.InvariantCulture, $"Polynomial of degree {fit.Degree}, ridge weight {fit.Ridge}");
 
     protected override IReadOnlyList<(string Name, string Value)> MoreFacts =>
         [("leave-one-out error (RMS)", fit.LeaveOneOutRms is { } rms ? Show.Digits(rms) : "none: each point determines its own value")];
@@ -27,5 +29,7 @@ internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit) 
 
     protected override void WriteFit(Page page) => page.Table(
         ["power of x", "coefficient", "standard error"],
-        fit.Coefficients.Select((c, i) => (IReadOnlyList<string>)[i.ToString(CultureInfo.InvariantCulture), Show.Exact(c), Show.Digits(fit.StandardErrors[i])]));
+        fit.Coefficients.Select(
+            (c, i) => (IReadOnlyList<string>)[
+                i.ToString(CultureInfo.InvariantCulture), Show.Exact(c), Show.Digits(fit.StandardErrors[i])]));
 }

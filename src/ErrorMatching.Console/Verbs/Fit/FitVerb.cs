@@ -8,7 +8,10 @@ namespace ErrorMatching.Console;
 /// <summary>A verb that fits something to the columns x and y of a file.</summary>
 internal abstract class FitVerb : Verb
 {
-    private readonly Argument<string> _points = new("POINTS.csv") { Description = "A header with x and y (x_mm and y_mm will do; other columns are ignored), then one line per point." };
+    private readonly Argument<string> _points = new("POINTS.csv")
+    {
+        Description = "A header with x and y (x_mm and y_mm will do; other columns are ignored), then one line per point."
+    };
 
     protected FitVerb(string name, string description, string example)
         : base(name, description, example) => Arguments.Add(_points);
@@ -35,7 +38,8 @@ internal abstract class FitVerb : Verb
     protected abstract Outcome Fit(NumberTable table, ParseResult arguments);
 
     /// <summary>The points of a table as doubles.</summary>
-    protected static IReadOnlyList<Point2> PointsOf(NumberTable table) => [.. table["x"].Zip(table["y"], (x, y) => new Point2(Number(x), Number(y)))];
+    protected static IReadOnlyList<Point2> PointsOf(NumberTable table) =>
+        [.. table["x"].Zip(table["y"], (x, y) => new Point2(Number(x), Number(y)))];
 
     private static double Number(string text) => double.Parse(text, NumberStyles.Float, CultureInfo.InvariantCulture);
 }

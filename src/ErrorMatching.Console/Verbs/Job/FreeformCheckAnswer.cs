@@ -38,8 +38,14 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
             ["measuring", $"{Points}, stylus {Mm(job.Measuring.StylusDiameterMm)}, dialect {job.Measuring.Dialect}"],
             ["stock", $"roughing {Mm(job.Stock.RoughingMm)}, semi-finishing {Mm(job.Stock.SemiFinishingMm)}"],
             ["tool", $"ball {Mm(job.Tool.DiameterMm)}, {Number(job.Tool.SpindleRpm)} rpm, {Number(job.Tool.FeedMmPerMin)} mm/min"],
-            ["tool path", $"along {(job.Toolpath.AlongU ? "u" : "v")}, scallop {Mm(job.Toolpath.ScallopMm)}, chord {Mm(job.Toolpath.ChordMm)}, dialect {job.Toolpath.Dialect}"],
-            ["compensation", $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {job.Fit.Method.Name} fit of the {(job.Fit.OfError ? "error" : "points")}"],
+            [
+                "tool path",
+                $"along {(job.Toolpath.AlongU ? "u" : "v")}, scallop {Mm(job.Toolpath.ScallopMm)}, chord {Mm(job.Toolpath.ChordMm)}, "
+                    + $"dialect {job.Toolpath.Dialect}"],
+            [
+                "compensation",
+                $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {job.Fit.Method.Name} fit of "
+                    + $"the {(job.Fit.OfError ? "error" : "points")}"],
         ]);
         page.Line();
         new NamedFiles(Files).WriteText(page);

@@ -7,10 +7,14 @@ namespace ErrorMatching.Console;
 internal sealed class JobBlocks : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job. Its features may lack their blocks." };
-    private readonly Option<string> _out = FileOption("--out", "The file to write the job with these blocks to. Without it nothing is written; the job itself is never changed.");
+    private readonly Option<string> _out = FileOption(
+        "--out", "The file to write the job with these blocks to. Without it nothing is written; the job itself is never changed.");
 
     public JobBlocks()
-        : base("blocks", "Finds the blocks that cut each feature, by the key points that they lead past.", "errormatch job blocks samples/complex-mating/job.json")
+        : base(
+            "blocks",
+            "Finds the blocks that cut each feature, by the key points that they lead past.",
+            "errormatch job blocks samples/complex-mating/job.json")
     {
         Arguments.Add(_job);
         Options.Add(_out);

@@ -74,7 +74,9 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
     public override void WriteText(Page page)
     {
         var count = found.Features.Count(f => f.Refusal is null);
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{found.Job.Name}: blocks of {count} of {found.Features.Count} features found in {found.Program} by their key points"));
+        page.Heading(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{found.Job.Name}: blocks of {count} of {found.Features.Count} features found in {found.Program} by their key points"));
         page.Line();
         page.Table(
             ["feature", "kind", "points", "blocks", "lines", "in the job"],
@@ -85,7 +87,11 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
                 found.Job.Features[f.Feature].Points.Count.ToString(CultureInfo.InvariantCulture),
                 f.Blocks.Count > 0 ? string.Join(", ", f.Blocks) : "not found",
                 string.Join(", ", f.Passes.Select(p => Lines(p.First, p.Last))),
-                found.Job.Features[f.Feature].Blocks is not { Count: > 0 } named ? "none" : found.IsInJob(f.Feature) ? "the same" : string.Join(", ", named),
+                found.Job.Features[f.Feature].Blocks is not { Count: > 0 } named
+                    ? "none"
+                    : found.IsInJob(f.Feature)
+                    ? "the same"
+                    : string.Join(", ", named),
             ]));
         page.Line();
         if (count > 0)

@@ -11,7 +11,11 @@ internal sealed class JobCheck : Verb
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
 
     public JobCheck()
-        : base("check", "Says everything that is wrong in a job, or what it asks for.", "errormatch job check samples/complex-mating/job.json") => Arguments.Add(_job);
+        : base(
+            "check",
+            "Says everything that is wrong in a job, or what it asks for.",
+            "errormatch job check samples/complex-mating/job.json") =>
+            Arguments.Add(_job);
 
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {

@@ -58,10 +58,13 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
             ["feature", "kind", "points", "lower", "upper", "blocks"],
             job.Features.Select(f => (IReadOnlyList<string>)
             [
-                f.Name, f.Kind.Word, f.Points.Count.ToString(CultureInfo.InvariantCulture), Show.Mm(f.Tolerance.Band.LowerMm), Show.Mm(f.Tolerance.Band.UpperMm), string.Join(", ", f.Blocks),
+                f.Name, f.Kind.Word, f.Points.Count.ToString(CultureInfo.InvariantCulture), Show.Mm(f.Tolerance.Band.LowerMm),
+                Show.Mm(f.Tolerance.Band.UpperMm), string.Join(", ", f.Blocks),
             ]));
         page.Line();
-        page.Line($"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");
+        page.Line(
+            $"Compensation from the {ReportWords.Of(job.Compensation.From)}, {ReportWords.Of(job.Compensation.Amount)} deviation along "
+                + $"the {ReportWords.Of(job.Compensation.Along)}, dialect {job.Counterpart.Dialect}.");
         page.Line();
         new NamedFiles(Files).WriteText(page);
         foreach (var warning in _warnings)

@@ -12,7 +12,8 @@ internal sealed class JobSchema : Verb
     private readonly Argument<string> _kind = JobKind.Argument();
 
     public JobSchema()
-        : base("schema", "Prints the JSON Schema of jobs, or of a cell: every key with its meaning.", "errormatch job schema mating") => Arguments.Add(_kind);
+        : base("schema", "Prints the JSON Schema of jobs, or of a cell: every key with its meaning.", "errormatch job schema mating") =>
+            Arguments.Add(_kind);
 
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
         new JobSchemaAnswer(SchemaOf(arguments.GetRequiredValue(_kind)));

@@ -23,5 +23,6 @@ internal sealed class NamedFiles(IEnumerable<(string Role, string File)> files)
     }
 
     /// <summary>Writes a table for people.</summary>
-    public void WriteText(Page page) => page.Table(["file", "", ""], files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
+    public void WriteText(Page page) => page.Table(
+        ["file", "", ""], files.Select(f => (IReadOnlyList<string>)[f.Role, f.File, File.Exists(f.File) ? "" : "not there yet"]));
 }

@@ -28,14 +28,22 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             ["feature", "kind", "largest", "lower", "upper", "uncertainty", "decision"],
             _report.Features.Select(f => (IReadOnlyList<string>)
             [
-                f.Name, f.Kind.Word, Show.Signed(f.LargestMm), Show.Signed(f.Tolerance.Band.LowerMm), Show.Signed(f.Tolerance.Band.UpperMm), Show.Mm(f.UncertaintyMm), ReportWords.Of(f.Decision),
+                f.Name, f.Kind.Word, Show.Signed(f.LargestMm), Show.Signed(f.Tolerance.Band.LowerMm), Show.Signed(f.Tolerance.Band.UpperMm),
+                Show.Mm(f.UncertaintyMm), ReportWords.Of(f.Decision),
             ]));
         page.Line();
         page.Table(
             ["point", "feature", "deviation", "correction x", "correction y", "left over"],
             _report.KeyPoints.Select(p => (IReadOnlyList<string>)
-                [p.Point, p.Feature, Show.Signed(p.DecidedMm), Show.Signed(p.Correction.X), Show.Signed(p.Correction.Y), Show.Signed(p.PredictedMm)]));
-        page.Line("Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
+                [
+                    p.Point,
+                    p.Feature,
+                    Show.Signed(p.DecidedMm),
+                    Show.Signed(p.Correction.X),
+                    Show.Signed(p.Correction.Y),
+                    Show.Signed(p.PredictedMm)]));
+        page.Line(
+            "Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
         foreach (var sentence in OutsideWords.Of(_report.Outside))
         {
             page.Line(sentence);
@@ -65,7 +73,10 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
     private string Summary => _report.Program.ChangedBlocks == 0
         ? "nothing to compensate, the program stays as it is"
-        : string.Create(CultureInfo.InvariantCulture, $"{_report.Program.ChangedWords} words in {_report.Program.ChangedBlocks} blocks follow the measured {ReportWords.Of(_report.Compensation.From)}");
+        : string.Create(
+            CultureInfo.InvariantCulture,
+            $"{_report.Program.ChangedWords} words in {_report.Program.ChangedBlocks} blocks follow the measured "
+                + $"{ReportWords.Of(_report.Compensation.From)}");
 
     private void WriteBlocks(Page page)
     {
@@ -74,10 +85,15 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             return;
         }
 
-        page.Table(["line", "before", "after"], _report.Program.Blocks.Take(BlocksShown).Select(b => (IReadOnlyList<string>)[b.Line.ToString(CultureInfo.InvariantCulture), b.Original, b.Modified]));
+        page.Table(
+            ["line", "before", "after"],
+            _report.Program.Blocks.Take(BlocksShown).Select(
+                b => (IReadOnlyList<string>)[b.Line.ToString(CultureInfo.InvariantCulture), b.Original, b.Modified]));
         if (_report.Program.Blocks.Count > BlocksShown)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {_report.Program.Blocks.Count - BlocksShown} more blocks, all of them in the report."));
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture,
+                $"... and {_report.Program.Blocks.Count - BlocksShown} more blocks, all of them in the report."));
         }
 
         page.Line();
@@ -88,10 +104,12 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         var proof = _report.Proof;
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
+            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
+                + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
         if (proof.Neighbors.Count > 0)
         {
-            page.Line($"Neighbors that moved along: {string.Join(", ", proof.Neighbors.Select(n => $"{n.Block} ({ReportWords.Of(n.Role)})"))}.");
+            page.Line(
+                $"Neighbors that moved along: {string.Join(", ", proof.Neighbors.Select(n => $"{n.Block} ({ReportWords.Of(n.Role)})"))}.");
         }
     }
 
@@ -111,7 +129,9 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Next: open {In("report.html")} in a browser, cut the counterpart with {_report.Program.File}, measure it, and compare by errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took {_report.Time.CalculatingS:0.000} s."));
+            $"Next: open {In("report.html")} in a browser, cut the counterpart with {_report.Program.File}, measure it, and compare by "
+                + $"errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took "
+                + $"{_report.Time.CalculatingS:0.000} s."));
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);

@@ -12,10 +12,17 @@ internal sealed class MatchVerb : Verb
     private readonly Option<string> _counterpart = FileOption("--counterpart", "The measured counterpart, instead of the job's.");
     private readonly Option<string> _program = FileOption("--program", "The counterpart's program, instead of the job's.");
     private readonly WishOption _wish = new();
-    private readonly Option<string> _out = new("--out") { Description = "The folder to write the program and the reports to. Without it nothing is written.", HelpName = "DIR" };
+    private readonly Option<string> _out = new("--out")
+    {
+        Description = "The folder to write the program and the reports to. Without it nothing is written.",
+        HelpName = "DIR"
+    };
 
     public MatchVerb()
-        : base("match", "Makes the counterpart's program follow the measured part, and proves what it changed.", "errormatch match samples/complex-mating/job.json --out out")
+        : base(
+            "match",
+            "Makes the counterpart's program follow the measured part, and proves what it changed.",
+            "errormatch match samples/complex-mating/job.json --out out")
     {
         Arguments.Add(_job);
         Options.Add(_part);

@@ -12,17 +12,28 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
     public override byte[] ToJson() => _json;
 
     /// <summary>The files to write.</summary>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
+        [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
 
     public override void WriteText(Page page)
     {
-        page.Heading($"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is {Show.Mm(report.Result.MaxAfterMm)} mm after");
+        page.Heading(
+            $"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is "
+                + $"{Show.Mm(report.Result.MaxAfterMm)} mm after");
         page.Line();
         page.Table(
             ["feature", "quantity", "wanted", "before", "after", "better by"],
             report.Result.Features.Select(f => (IReadOnlyList<string>)
-                [f.Name, f.Quantity.Word, Show.Mm(f.Wanted), Show.Mm(f.Before), Show.Mm(f.After), f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
-        page.Line("Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - part.");
+                [
+                    f.Name,
+                    f.Quantity.Word,
+                    Show.Mm(f.Wanted),
+                    Show.Mm(f.Before),
+                    Show.Mm(f.After),
+                    f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
+        page.Line(
+            "Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - "
+                + "part.");
         page.Line();
         page.Table(
             ["point", "before dx", "dy", "along normal", "after dx", "dy", "along normal"],
@@ -39,7 +50,10 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
         }
 
         page.Line();
-        page.Line(folder is null ? "Nothing was written. Add --out DIR to write verify.json and verify.html." : $"Wrote {In("verify.html")} and {In("verify.json")}.");
+        page.Line(
+            folder is null
+                ? "Nothing was written. Add --out DIR to write verify.json and verify.html."
+                : $"Wrote {In("verify.html")} and {In("verify.json")}.");
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);

@@ -12,13 +12,18 @@ internal sealed class VerifyVerb : Verb
     private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation.");
     private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with it.");
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
-    private readonly Option<string> _out = new("--out") { Description = "The folder to write verify.json and verify.html to. Without it nothing is written.", HelpName = "DIR" };
+    private readonly Option<string> _out = new("--out")
+    {
+        Description = "The folder to write verify.json and verify.html to. Without it nothing is written.",
+        HelpName = "DIR"
+    };
 
     public VerifyVerb()
         : base(
             "verify",
             "Compares counterparts, cut without and with compensation, with the part.",
-            "errormatch verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after samples/complex-mating/counterpart-after.csv")
+            "errormatch verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after "
+                + "samples/complex-mating/counterpart-after.csv")
     {
         _before.Required = true;
         _after.Required = true;
@@ -33,13 +38,16 @@ internal sealed class VerifyVerb : Verb
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var (theoretical, part) = (files.Theoretical(), files.Part(GivenFile.At(arguments.GetValue(_part))));
-        var (before, after) = (files.Counterpart(new(arguments.GetRequiredValue(_before))), files.Counterpart(new(arguments.GetRequiredValue(_after))));
+        var (before, after) = (
+            files.Counterpart(new(arguments.GetRequiredValue(_before))), files.Counterpart(new(arguments.GetRequiredValue(_after))));
         var (program, bytes) = files.Program(null);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
         try
         {
-            if (VerifyRun.Report(new(files.Job, theoretical, part, before, after, program, bytes) { OwnDialect = dialect }, out var refusals) is not { } report)
+            if (VerifyRun.Report(
+                new(files.Job, theoretical, part, before, after, program, bytes) { OwnDialect = dialect },
+                out var refusals) is not { } report)
             {
                 return FailureOf.Refused(files.Job.File, program, refusals);
             }

@@ -7,11 +7,15 @@ namespace ErrorMatching.Console;
 internal sealed class NcCheck : NcVerb
 {
     public NcCheck()
-        : base("check", "Counts blocks, words and motions, and says what the dialect does not know.", "errormatch nc check samples/complex-mating/counterpart.nc --dialect delta-nc300")
+        : base(
+            "check",
+            "Counts blocks, words and motions, and says what the dialect does not know.",
+            "errormatch nc check samples/complex-mating/counterpart.nc --dialect delta-nc300")
     {
     }
 
     protected override bool ShowsWhatIsWrong => true;
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) => new NcCheckAnswer(file, path, NcCensus.Of(path.Program));
+    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
+        new NcCheckAnswer(file, path, NcCensus.Of(path.Program));
 }

@@ -47,7 +47,11 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
             ("blocks", Count(census.Blocks)),
             ("words", Count(census.Words)),
             ("motions", Count(path.Motions.Length)),
-            ("round trip", census.RoundTrips ? $"copied word by word: all {Count(path.Program.Bytes.Length)} bytes are the same" : "copied word by word, the bytes differ"),
+            (
+                "round trip",
+                census.RoundTrips
+                    ? $"copied word by word: all {Count(path.Program.Bytes.Length)} bytes are the same"
+                    : "copied word by word, the bytes differ"),
         ]);
         foreach (var note in Programmed())
         {
@@ -65,7 +69,9 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
             return;
         }
 
-        page.Table(["line", "block", "what is not understood, or good to know"], path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+        page.Table(
+            ["line", "block", "what is not understood, or good to know"],
+            path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
         if (path.Problems.Count > MostShown)
         {
             page.Line();

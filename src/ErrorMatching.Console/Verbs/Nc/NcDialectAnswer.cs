@@ -36,11 +36,14 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
             page.Line();
             if (rows.All(f => f.Meaning.Length == 0))
             {
-                page.Table([subject, "statement", "source", "stated by"], rows.SelectMany(f => Rows(f.Subject, f.Statement, f.Source, f.Dialect)));
+                page.Table(
+                    [subject, "statement", "source", "stated by"], rows.SelectMany(f => Rows(f.Subject, f.Statement, f.Source, f.Dialect)));
             }
             else
             {
-                page.Table([subject, "means", "statement", "source", "stated by"], rows.SelectMany(f => Rows(f.Subject, f.Meaning, f.Statement, f.Source, f.Dialect)));
+                page.Table(
+                    [subject, "means", "statement", "source", "stated by"],
+                    rows.SelectMany(f => Rows(f.Subject, f.Meaning, f.Statement, f.Source, f.Dialect)));
             }
         }
     }

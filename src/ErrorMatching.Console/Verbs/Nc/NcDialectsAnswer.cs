@@ -56,7 +56,8 @@ internal class NcDialectsAnswer(IReadOnlyList<NcDialect> dialects) : DocumentAns
 
     private static string Whole(NcDialect dialect) => dialect.IntegersAreIncrements ? Increments(100, dialect) : "100 mm";
 
-    private static string Increments(int count, NcDialect dialect) => new decimal(count, 0, 0, false, (byte)dialect.MetricDecimals).ToString("0.#########", CultureInfo.InvariantCulture) + " mm";
+    private static string Increments(int count, NcDialect dialect) =>
+        new decimal(count, 0, 0, false, (byte)dialect.MetricDecimals).ToString("0.#########", CultureInfo.InvariantCulture) + " mm";
 
     private static void WriteFiles(Utf8JsonWriter json, NcDialect dialect)
     {

@@ -7,8 +7,16 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch nc dialects</c>.</summary>
 internal sealed class NcDialectsVerb : Verb
 {
-    private readonly Argument<string> _dialect = new("NAME|FILE.json") { Description = "One dialect, whose whole table is printed. Without it, all are listed.", Arity = ArgumentArity.ZeroOrOne };
-    private readonly Option<bool> _schema = new("--schema") { Description = "Prints the JSON Schema of dialect files instead.", Arity = ArgumentArity.Zero };
+    private readonly Argument<string> _dialect = new("NAME|FILE.json")
+    {
+        Description = "One dialect, whose whole table is printed. Without it, all are listed.",
+        Arity = ArgumentArity.ZeroOrOne
+    };
+    private readonly Option<bool> _schema = new("--schema")
+    {
+        Description = "Prints the JSON Schema of dialect files instead.",
+        Arity = ArgumentArity.Zero
+    };
 
     public NcDialectsVerb()
         : base("dialects", "Lists the controls that are known, or all that is stated of one, with sources.", "errormatch nc dialects fanuc")

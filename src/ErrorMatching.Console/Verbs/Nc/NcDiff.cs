@@ -15,7 +15,10 @@ internal sealed class NcDiff : Verb
     private readonly Option<string> _blockSkip = NcVerb.BlockSkipOption();
 
     public NcDiff()
-        : base("diff", "Compares what two programs do, motion by motion.", "errormatch nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --dialect delta-nc300")
+        : base(
+            "diff",
+            "Compares what two programs do, motion by motion.",
+            "errormatch nc diff samples/figure-nine/original.nc samples/figure-nine/modified.nc --dialect delta-nc300")
     {
         Arguments.Add(_before);
         Arguments.Add(_after);
@@ -26,7 +29,8 @@ internal sealed class NcDiff : Verb
 
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var (before, after, dialect) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
+        var (before, after, dialect) = (
+            arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
         var was = NcVerb.Interpret(before, dialect, blockSkip, cancellation);
         var now = NcVerb.Interpret(after, dialect, blockSkip, cancellation);

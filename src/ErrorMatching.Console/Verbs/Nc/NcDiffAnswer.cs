@@ -54,10 +54,14 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
         if (comparison.Differences.Count > 0)
         {
             page.Line();
-            page.Table(["line", "block", "change", "dx", "dy", "dz", "center dx", "dy", "dz"], comparison.Differences.Take(MotionsShown).Select(Row));
+            page.Table(
+                ["line", "block", "change", "dx", "dy", "dz", "center dx", "dy", "dz"],
+                comparison.Differences.Take(MotionsShown).Select(Row));
             if (comparison.Differences.Count > MotionsShown)
             {
-                page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {comparison.Differences.Count - MotionsShown} more motions; --json lists them all."));
+                page.Line(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"... and {comparison.Differences.Count - MotionsShown} more motions; --json lists them all."));
             }
         }
 
@@ -80,7 +84,10 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
 
         if (comparison.Furthest is { } furthest)
         {
-            yield return ("largest", $"{Show.Mm(MotionComparison.DistanceMm(furthest))} mm, {comparison.Before.Program.NameOf(comparison.Before.Program[comparison.Before.Motions[furthest.Before].Block])}");
+            yield return (
+                "largest",
+                $"{Show.Mm(MotionComparison.DistanceMm(furthest))} mm, "
+                    + $"{comparison.Before.Program.NameOf(comparison.Before.Program[comparison.Before.Motions[furthest.Before].Block])}");
         }
 
         if (comparison.AtEnd is { } end)
@@ -115,7 +122,8 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
             json.WriteNumber(ShownDifference.Word(change), Count(change));
         }
 
-        json.Number("largestDisplacementMm", comparison.Furthest is { } furthest ? Math.Round(MotionComparison.DistanceMm(furthest), 9) : 0);
+        json.Number(
+            "largestDisplacementMm", comparison.Furthest is { } furthest ? Math.Round(MotionComparison.DistanceMm(furthest), 9) : 0);
         json.WriteEndObject();
     }
 
@@ -156,5 +164,7 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
     }
 
     private (ShownMotion? Before, ShownMotion? After) Sides(MotionDifference difference) =>
-        (difference.Before < 0 ? null : new(comparison.Before, difference.Before), difference.After < 0 ? null : new(comparison.After, difference.After));
+        (
+            difference.Before < 0 ? null : new(comparison.Before, difference.Before),
+            difference.After < 0 ? null : new(comparison.After, difference.After));
 }

@@ -10,14 +10,30 @@ namespace ErrorMatching.Console;
 internal sealed class NcDisplace : NcVerb
 {
     private readonly BlocksOption _blocks = new();
-    private readonly Option<string> _by = new("--by") { Description = "Moves the end points of the named motions by a vector in mm.", HelpName = "DX,DY[,DZ]" };
-    private readonly Option<string> _normal = new("--normal") { Description = "Moves the named elements by a distance in mm to the left of travel; negative: to the right.", HelpName = "D" };
-    private readonly Option<string> _along = new("--along") { Description = "Moves the named elements as points with the columns x, y, dx and dy say.", HelpName = "POINTS.csv" };
+    private readonly Option<string> _by = new("--by")
+    {
+        Description = "Moves the end points of the named motions by a vector in mm.",
+        HelpName = "DX,DY[,DZ]"
+    };
+    private readonly Option<string> _normal = new("--normal")
+    {
+        Description = "Moves the named elements by a distance in mm to the left of travel; negative: to the right.",
+        HelpName = "D"
+    };
+    private readonly Option<string> _along = new("--along")
+    {
+        Description = "Moves the named elements as points with the columns x, y, dx and dy say.",
+        HelpName = "POINTS.csv"
+    };
     private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
 
     public NcDisplace()
-        : base("displace", "Moves named blocks, changes the fewest words, and proves what it changed.", "errormatch nc displace samples/complex-mating/counterpart.nc --dialect delta-nc300 --blocks N130..N160 --normal 0.02 --out out/displaced.nc")
+        : base(
+            "displace",
+            "Moves named blocks, changes the fewest words, and proves what it changed.",
+            "errormatch nc displace samples/complex-mating/counterpart.nc --dialect delta-nc300 --blocks N130..N160 --normal 0.02 --out "
+                + "out/displaced.nc")
     {
         Options.Add(_blocks);
         Options.Add(_by);
@@ -65,7 +81,8 @@ internal sealed class NcDisplace : NcVerb
         return wish.IsUsable ? Displace(file, path, wish.Value, misfit, arguments, cancellation) : FailureOf.Refused(file, wish.Refusal);
     }
 
-    private Outcome Displace(string file, NcPath path, DisplacementWish wish, double? misfit, ParseResult arguments, CancellationToken cancellation)
+    private Outcome Displace(
+        string file, NcPath path, DisplacementWish wish, double? misfit, ParseResult arguments, CancellationToken cancellation)
     {
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
@@ -74,10 +91,12 @@ internal sealed class NcDisplace : NcVerb
         }
 
         var output = arguments.GetRequiredValue(_out);
-        string[] inputs = [file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
+        string[] inputs = [
+            file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
 
         // The program is written to disk during the proof, and gets its name if the proof succeeds. A missing folder is created only then.
-        var proving = Task.Run(() => Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm), CancellationToken.None);
+        var proving = Task.Run(
+            () => Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm), CancellationToken.None);
         if (!Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
         {
             proving.Wait(CancellationToken.None);
@@ -88,7 +107,12 @@ internal sealed class NcDisplace : NcVerb
             try
             {
                 _wish.WriteWith(
-                    [(output, rewrite.Value.Program.Bytes)], () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm), arguments, inputs, () => Proof().Holds, cancellation);
+                    [(output, rewrite.Value.Program.Bytes)],
+                    () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm),
+                    arguments,
+                    inputs,
+                    () => Proof().Holds,
+                    cancellation);
             }
             catch (OutputException) when (!Proof().Holds)
             {
@@ -96,7 +120,9 @@ internal sealed class NcDisplace : NcVerb
             }
         }
 
-        return Proof() is { Holds: true } proof ? new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit) : FailureOf.Refused(file, Proof().Failures);
+        return Proof() is { Holds: true } proof
+            ? new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit)
+            : FailureOf.Refused(file, Proof().Failures);
 
         NcProof Proof() => proving.GetAwaiter().GetResult();
     }
@@ -104,7 +130,9 @@ internal sealed class NcDisplace : NcVerb
     private static List<DisplacedPoint> Points(string file)
     {
         var table = NumberTable.Read(file, "x", "y", "dx", "dy");
-        return [.. Enumerable.Range(0, table.Count).Select(i => new DisplacedPoint(new(At("x", i), At("y", i)), new(At("dx", i), At("dy", i))))];
+        return [
+            .. Enumerable.Range(0, table.Count).Select(i => new DisplacedPoint(
+                new(At("x", i), At("y", i)), new(At("dx", i), At("dy", i))))];
 
         double At(string column, int row) => double.Parse(table[column][row], NumberStyles.Float, CultureInfo.InvariantCulture);
     }

@@ -12,7 +12,8 @@ namespace ErrorMatching.Console;
 /// <param name="rewrite">What was changed.</param>
 /// <param name="proof">The result of the proof.</param>
 /// <param name="misfitMm">The largest deviation of an element from what was requested at a point; null if no points were given.</param>
-internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm) : DocumentAnswer
+internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm)
+    : DocumentAnswer
 {
     private const int BlocksShown = 20;
 
@@ -49,15 +50,21 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
 
     public override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{output}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
+        page.Heading(string.Create(
+            CultureInfo.InvariantCulture, $"{output}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
         page.Line();
         if (rewrite.ChangedBlocks.Count > 0)
         {
             page.Table(["line", "before", "after"], rewrite.ChangedBlocks.Take(BlocksShown).Select(b => (IReadOnlyList<string>)
-                [(b + 1).ToString(CultureInfo.InvariantCulture), path.Program.TextOf(path.Program[b]), rewrite.Program.TextOf(rewrite.Program[b])]));
+                [
+                    (b + 1).ToString(CultureInfo.InvariantCulture),
+                    path.Program.TextOf(path.Program[b]),
+                    rewrite.Program.TextOf(rewrite.Program[b])]));
             if (rewrite.ChangedBlocks.Count > BlocksShown)
             {
-                page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {rewrite.ChangedBlocks.Count - BlocksShown} more blocks; --json lists them all."));
+                page.Line(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"... and {rewrite.ChangedBlocks.Count - BlocksShown} more blocks; --json lists them all."));
             }
 
             page.Line();
@@ -67,7 +74,9 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
         ShownNotes.Write(page, (file, path));
         if (misfitMm is > 0.0005 and var misfit)
         {
-            page.Line($"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend between its ends. Split the block, or ask for less.");
+            page.Line(
+                $"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend "
+                    + $"between its ends. Split the block, or ask for less.");
         }
     }
 }

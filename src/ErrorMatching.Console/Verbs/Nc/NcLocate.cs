@@ -9,7 +9,11 @@ internal sealed class NcLocate : NcVerb
     private readonly BlocksOption _blocks = new();
 
     public NcLocate()
-        : base("locate", "Shows the blocks that selectors name, and what they move.", "errormatch nc locate samples/complex-mating/counterpart.nc --blocks N120 N130..N160") => Options.Add(_blocks);
+        : base(
+            "locate",
+            "Shows the blocks that selectors name, and what they move.",
+            "errormatch nc locate samples/complex-mating/counterpart.nc --blocks N120 N130..N160") =>
+            Options.Add(_blocks);
 
     protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
     {

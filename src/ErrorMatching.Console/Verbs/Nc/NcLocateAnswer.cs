@@ -54,11 +54,13 @@ internal sealed class NcLocateAnswer(string file, NcPath path, IReadOnlyList<int
             blocks.Select(b => (path.Program[b], MotionOf(b))).Select(b => (IReadOnlyList<string>)
             [
                 b.Item1.Line.ToString(CultureInfo.InvariantCulture), path.Program.NumberOf(b.Item1), path.Program.TextOf(b.Item1),
-                Runs(b.Item1.Index) + (b.Item2?.Kind ?? "none"), ShownMotion.Text(b.Item2?.End.X), ShownMotion.Text(b.Item2?.End.Y), ShownMotion.Text(b.Item2?.End.Z),
+                Runs(b.Item1.Index) + (b.Item2?.Kind ?? "none"), ShownMotion.Text(b.Item2?.End.X), ShownMotion.Text(b.Item2?.End.Y),
+                ShownMotion.Text(b.Item2?.End.Z),
             ]));
     }
 
-    private string Runs(int block) => path.MotionsOf(block).Length is > 1 and var runs ? string.Create(CultureInfo.InvariantCulture, $"{runs} x ") : "";
+    private string Runs(int block) =>
+        path.MotionsOf(block).Length is > 1 and var runs ? string.Create(CultureInfo.InvariantCulture, $"{runs} x ") : "";
 
     private ShownMotion? MotionOf(int block) => path.MotionOf(block) is >= 0 and var motion ? new(path, motion) : null;
 }

@@ -7,9 +7,13 @@ namespace ErrorMatching.Console;
 internal sealed class NcMotionVerb : NcVerb
 {
     public NcMotionVerb()
-        : base("motion", "Prints the programmed path, motion by motion, as CSV in absolute millimeters.", "errormatch nc motion samples/complex-mating/counterpart.nc --dialect delta-nc300")
+        : base(
+            "motion",
+            "Prints the programmed path, motion by motion, as CSV in absolute millimeters.",
+            "errormatch nc motion samples/complex-mating/counterpart.nc --dialect delta-nc300")
     {
     }
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) => new NcMotionAnswer(file, path);
+    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
+        new NcMotionAnswer(file, path);
 }

@@ -9,7 +9,12 @@ internal sealed class NcProve : Verb
 {
     private readonly Argument<string> _before = new("BEFORE") { Description = "The program that was displaced." };
     private readonly Argument<string> _after = new("AFTER") { Description = "The result." };
-    private readonly Option<string> _wish = new("--wish") { Description = "What was asked, as match and nc displace write it.", HelpName = "FILE", Required = true };
+    private readonly Option<string> _wish = new("--wish")
+    {
+        Description = "What was asked, as match and nc displace write it.",
+        HelpName = "FILE",
+        Required = true
+    };
 
     private readonly Option<string> _dialect = new("--dialect")
     {
@@ -31,7 +36,8 @@ internal sealed class NcProve : Verb
 
     public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var (before, after, file) = (arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));
+        var (before, after, file) = (
+            arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
@@ -54,6 +60,8 @@ internal sealed class NcProve : Verb
         var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
-        return proof.Holds ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now)) : FailureOf.NotProved(before, after, proof);
+        return proof.Holds
+            ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now))
+            : FailureOf.NotProved(before, after, proof);
     }
 }

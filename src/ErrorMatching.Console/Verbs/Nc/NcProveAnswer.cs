@@ -12,7 +12,8 @@ namespace ErrorMatching.Console;
 /// <param name="wish">Its content.</param>
 /// <param name="proof">The result of the proof.</param>
 /// <param name="comparison">Both programs, motion by motion.</param>
-internal sealed class NcProveAnswer(string before, string after, string file, WishFile wish, NcProof proof, MotionComparison comparison) : DocumentAnswer
+internal sealed class NcProveAnswer(string before, string after, string file, WishFile wish, NcProof proof, MotionComparison comparison)
+    : DocumentAnswer
 {
     private const int MotionsShown = 20;
 
@@ -53,7 +54,9 @@ internal sealed class NcProveAnswer(string before, string after, string file, Wi
             page.Table(["line", "block", "dx", "dy", "dz", "center dx", "dy", "dz"], comparison.Differences.Take(MotionsShown).Select(Row));
             if (comparison.Differences.Count > MotionsShown)
             {
-                page.Line(string.Create(CultureInfo.InvariantCulture, $"... and {comparison.Differences.Count - MotionsShown} more motions; --json lists them all."));
+                page.Line(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"... and {comparison.Differences.Count - MotionsShown} more motions; --json lists them all."));
             }
 
             page.Line();
@@ -65,6 +68,10 @@ internal sealed class NcProveAnswer(string before, string after, string file, Wi
     private IReadOnlyList<string> Row(MotionDifference difference)
     {
         var was = new ShownMotion(comparison.Before, difference.Before);
-        return [was.Line.ToString(CultureInfo.InvariantCulture), was.Block, .. ShownDifference.Cells(difference.Displacement), .. ShownDifference.Cells(ShownDifference.Center(comparison, difference))];
+        return [
+            was.Line.ToString(CultureInfo.InvariantCulture),
+            was.Block,
+            .. ShownDifference.Cells(difference.Displacement),
+            .. ShownDifference.Cells(ShownDifference.Center(comparison, difference))];
     }
 }

@@ -22,7 +22,8 @@ internal abstract class NcVerb : Verb
     /// <summary>The option that names a control.</summary>
     public static Option<string> DialectOption() => new("--dialect")
     {
-        Description = "The control that the program is written for: a dialect that errormatch nc dialects lists, or a file of your own that ends in .json.",
+        Description = "The control that the program is written for: a dialect that errormatch nc dialects lists, or a file of your own "
+            + "that ends in .json.",
         HelpName = "NAME|FILE.json",
         DefaultValueFactory = _ => NcDialects.Names[0],
     };
@@ -58,7 +59,9 @@ internal abstract class NcVerb : Verb
         var file = arguments.GetRequiredValue(_program);
         var path = Interpret(file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), cancellation);
         cancellation.ThrowIfCancellationRequested();
-        return path.Refusal is { } refusal && !ShowsWhatIsWrong ? FailureOf.Refused(file, refusal) : Run(file, path, arguments, cancellation);
+        return path.Refusal is { } refusal && !ShowsWhatIsWrong
+            ? FailureOf.Refused(file, refusal)
+            : Run(file, path, arguments, cancellation);
     }
 
     /// <summary>True if the verb reports the errors of a program that cannot be followed to its end; other verbs refuse it.</summary>

@@ -32,7 +32,8 @@ internal static class ShownDifference
     }
 
     /// <summary>A vector as three cells of a table.</summary>
-    public static string[] Cells(Vector3? vector) => vector is { } v ? [ShownMotion.Text(v.X), ShownMotion.Text(v.Y), ShownMotion.Text(v.Z)] : ["", "", ""];
+    public static string[] Cells(Vector3? vector) =>
+        vector is { } v ? [ShownMotion.Text(v.X), ShownMotion.Text(v.Y), ShownMotion.Text(v.Z)] : ["", "", ""];
 
     /// <summary>Writes a vector as <c>{ "x", "y", "z" }</c>, rounded to remove binary noise.</summary>
     public static void WriteVector(Utf8JsonWriter json, string name, Vector3? vector)

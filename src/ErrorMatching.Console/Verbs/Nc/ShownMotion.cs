@@ -26,7 +26,8 @@ internal sealed class ShownMotion
     }
 
     /// <summary>Names of the fields, in order.</summary>
-    public static IReadOnlyList<string> Fields { get; } = ["index", "line", "block", "kind", "x", "y", "z", "cx", "cy", "cz", "plane", "turns", "feed"];
+    public static IReadOnlyList<string> Fields { get; } = [
+        "index", "line", "block", "kind", "x", "y", "z", "cx", "cy", "cz", "plane", "turns", "feed"];
 
     /// <summary>Position among the motions, from 0.</summary>
     public int Index { get; }
@@ -45,7 +46,12 @@ internal sealed class ShownMotion
     public Point3 End { get; }
 
     /// <summary>Axes whose end the program does not define: x, y, z.</summary>
-    public IEnumerable<string> Unknown => new[] { (AxisSet.X, "x"), (AxisSet.Y, "y"), (AxisSet.Z, "z") }.Where(a => (_motion.UnknownEnd & a.Item1) != AxisSet.None).Select(a => a.Item2);
+    public IEnumerable<string> Unknown => new[]
+    {
+        (AxisSet.X, "x"),
+        (AxisSet.Y, "y"),
+        (AxisSet.Z, "z")
+    }.Where(a => (_motion.UnknownEnd & a.Item1) != AxisSet.None).Select(a => a.Item2);
 
     /// <summary>The word for a kind of motion.</summary>
     public static string KindOf(MotionKind kind) => kind switch
@@ -75,7 +81,15 @@ internal sealed class ShownMotion
         json.WriteNumber("line", Line);
         json.WriteString("block", Block);
         json.WriteString("kind", Kind);
-        foreach (var (name, value) in new (string, double?)[] { ("x", End.X), ("y", End.Y), ("z", End.Z), ("cx", _center?.X), ("cy", _center?.Y), ("cz", _center?.Z) })
+        foreach (var (name, value) in new (string, double?)[]
+        {
+            ("x", End.X),
+            ("y", End.Y),
+            ("z", End.Z),
+            ("cx", _center?.X),
+            ("cy", _center?.Y),
+            ("cz", _center?.Z)
+        })
         {
             json.Number(name, value is { } v ? Clean(v) : double.NaN);
         }

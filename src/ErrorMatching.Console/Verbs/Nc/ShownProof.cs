@@ -45,7 +45,8 @@ internal static class ShownProof
     {
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than {Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
+            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
+                + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
         foreach (var neighbor in proof.Neighbors)
         {
             page.Line($"Neighbor {neighbor.Block} {ReportWords.Sentence(neighbor.Role)} by {Show.Mm(neighbor.DisplacementMm)} mm.");

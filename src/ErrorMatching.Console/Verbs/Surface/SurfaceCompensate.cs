@@ -8,9 +8,13 @@ namespace ErrorMatching.Console;
 internal sealed class SurfaceCompensate : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their mean is used.");
+    private readonly Option<string[]> _measured = SurfaceOptions.Measured(
+        "The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their "
+            + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
-    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is written.");
+    private readonly Option<string> _out = SurfaceOptions.Out(
+        "The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is "
+            + "written.");
 
     public SurfaceCompensate()
         : base(

@@ -42,19 +42,29 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             page.Line();
         }
 
-        page.Heading($"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation {Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
+        page.Heading(
+            $"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation "
+                + $"{Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
         page.Line();
         page.Table(
             ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
-            [Row("measured", result.Before), Row("expected, mirror", result.Mirror.Statistics), Row("expected, tool radius", result.ToolRadius.Statistics)]);
-        page.Line("Errors along the normal, positive where material is left, less the stock of the stage. The job's method: " + result.Predicted.Method + ".");
-        page.Line($"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, {Um(result.Predicted.PointUncertaintyMm)} um of a point.");
+            [
+                Row("measured", result.Before),
+                Row("expected, mirror", result.Mirror.Statistics),
+                Row("expected, tool radius", result.ToolRadius.Statistics)]);
+        page.Line(
+            "Errors along the normal, positive where material is left, less the stock of the stage. The job's method: "
+                + result.Predicted.Method + ".");
+        page.Line(
+            $"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, "
+                + $"{Um(result.Predicted.PointUncertaintyMm)} um of a point.");
         page.Line("Measured piece: " + report.CutBy.Sentence);
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
+            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at "
+                + $"most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
         foreach (var warning in result.Warnings.Where(w => w != FinishingProgram.NoToolCall))
         {
             page.Line("Warning: " + warning);
@@ -68,21 +78,31 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         page.Line();
         page.Line(folder is null
             ? "Nothing was written. Add --out DIR to write the compensation points, the surface, the finishing program and the reports."
-            : $"Wrote {In("finishing.nc")}, {In("surface.stp")}, {In("surface.igs")}, {In("compensation.csv")}, {In("report.html")} and {In("report.json")}.");
+            : $"Wrote {In("finishing.nc")}, {In("surface.stp")}, {In("surface.igs")}, {In("compensation.csv")}, {In("report.html")} and "
+                + $"{In("report.json")}.");
         if (folder is not null)
         {
             page.Line(report.CallsTool
-                ? $"Next: open {In("report.html")} in a browser, cut with {In("finishing.nc")}, measure again, and compare by errormatch surface evaluate."
+                ? $"Next: open {In("report.html")} in a browser, cut with {In("finishing.nc")}, measure again, and compare by errormatch "
+                    + $"surface evaluate."
                 : $"Next: open {In("report.html")} in a browser, name the tool in {report.Job.File} (toolpath.tool), and run this again.");
         }
     }
 
     private static IReadOnlyList<string> Row(string name, DeviationStatistics s) =>
-        [name, s.Count.ToString(CultureInfo.InvariantCulture), Signed(s.MeanMm), Um(s.StandardDeviationMm), Um(s.ProfileIsoMm), Um(s.ProfileRangeMm)];
+        [
+            name,
+            s.Count.ToString(CultureInfo.InvariantCulture),
+            Signed(s.MeanMm),
+            Um(s.StandardDeviationMm),
+            Um(s.ProfileIsoMm),
+            Um(s.ProfileRangeMm)];
 
     private static string Gouges(ToolPathCertificate certificate) => certificate switch
     {
-        { RaisedPoints: > 0 } => string.Create(CultureInfo.InvariantCulture, $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit"),
+        { RaisedPoints: > 0 } => string.Create(
+            CultureInfo.InvariantCulture,
+            $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit"),
         { HasNoGouge: true } => ", no gouge",
         _ => $", no gouge beyond the chord: a straight cut may lie up to {Um(certificate.ChordMm)} um inside the surface",
     };

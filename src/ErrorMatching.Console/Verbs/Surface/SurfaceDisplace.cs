@@ -7,16 +7,20 @@ namespace ErrorMatching.Console;
 internal sealed class SurfaceDisplace : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their mean is used.");
+    private readonly Option<string[]> _measured = SurfaceOptions.Measured(
+        "The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their "
+            + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
-    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the displaced program to, by the same name. Without it nothing is written.");
+    private readonly Option<string> _out = SurfaceOptions.Out(
+        "The folder to write the displaced program to, by the same name. Without it nothing is written.");
 
     public SurfaceDisplace()
         : base(
             "displace",
             "Lets every point of an existing finishing program follow the compensation, and proves what changed.",
-            "errormatch surface displace samples/surface-one/job.json --measured samples/surface-one/measured.csv --program samples/surface-one/cam.nc --out out")
+            "errormatch surface displace samples/surface-one/job.json --measured samples/surface-one/measured.csv --program "
+                + "samples/surface-one/cam.nc --out out")
     {
         _program.Required = true;
         Arguments.Add(_job);

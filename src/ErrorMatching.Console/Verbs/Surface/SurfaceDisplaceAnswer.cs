@@ -14,14 +14,17 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
         var (displaced, compensation) = (report.Displaced, report.Compensation);
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
-            $"{report.Job.Name}: {displaced.OnSurface} points of {report.ProgramFile} follow the compensation, by at most {displaced.LargestMoveMm * 1000:0.00} um; {displaced.Followed} near by go along"));
+            $"{report.Job.Name}: {displaced.OnSurface} points of {report.ProgramFile} follow the compensation, by at most "
+                + $"{displaced.LargestMoveMm * 1000:0.00} um; {displaced.Followed} near by go along"));
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Between two points a straight cut misses the compensation by at most {displaced.LargestMisfitMm * 1000:0.00} um."));
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than {displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
+            $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than "
+                + $"{displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the "
+                + $"original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
         page.Line("Measured piece: " + report.CutBy.Sentence);
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
@@ -35,6 +38,9 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
         }
 
         page.Line();
-        page.Line(report.Folder is null ? "Nothing was written. Add --out DIR to write the program." : $"Wrote {report.File}. Next: cut with it, measure again, and compare by errormatch surface evaluate.");
+        page.Line(
+            report.Folder is null
+                ? "Nothing was written. Add --out DIR to write the program."
+                : $"Wrote {report.File}. Next: cut with it, measure again, and compare by errormatch surface evaluate.");
     }
 }

@@ -8,17 +8,35 @@ namespace ErrorMatching.Console;
 internal sealed class SurfaceEvaluate : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string[]> _measured = SurfaceOptions.Measured("The measured surface; several files are replicas of one design.");
-    private readonly Option<string[]> _before = new("--before") { Description = "The surface before compensation, to compare with; several files are replicas.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
-    private readonly Option<string[]> _radius = new("--tool-radius") { Description = "Pieces that were compensated by tool radius instead, to set beside.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
-    private readonly Option<string[]> _radiusBefore = new("--tool-radius-before") { Description = "Those before compensation.", HelpName = "FILE", AllowMultipleArgumentsPerToken = true };
-    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
+    private readonly Option<string[]> _measured = SurfaceOptions.Measured(
+        "The measured surface; several files are replicas of one design.");
+    private readonly Option<string[]> _before = new("--before")
+    {
+        Description = "The surface before compensation, to compare with; several files are replicas.",
+        HelpName = "FILE",
+        AllowMultipleArgumentsPerToken = true
+    };
+    private readonly Option<string[]> _radius = new("--tool-radius")
+    {
+        Description = "Pieces that were compensated by tool radius instead, to set beside.",
+        HelpName = "FILE",
+        AllowMultipleArgumentsPerToken = true
+    };
+    private readonly Option<string[]> _radiusBefore = new("--tool-radius-before")
+    {
+        Description = "Those before compensation.",
+        HelpName = "FILE",
+        AllowMultipleArgumentsPerToken = true
+    };
+    private readonly Option<string> _out = SurfaceOptions.Out(
+        "The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
 
     public SurfaceEvaluate()
         : base(
             "evaluate",
             "Says what the errors of a measured surface come to: mean, standard deviation, profile, and where they are.",
-            "errormatch surface evaluate samples/surface-one/job.json --measured samples/surface-one/after.csv --before samples/surface-one/measured.csv --out out")
+            "errormatch surface evaluate samples/surface-one/job.json --measured samples/surface-one/after.csv --before "
+                + "samples/surface-one/measured.csv --out out")
     {
         Arguments.Add(_job);
         Options.Add(_measured);

@@ -13,17 +13,25 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
     public override byte[] ToJson() => _json;
 
     /// <summary>The files to write.</summary>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files => [(In("evaluation.json"), _json), (In("evaluation.html"), EvaluationReportHtml.Write(report))];
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
+        [(In("evaluation.json"), _json), (In("evaluation.html"), EvaluationReportHtml.Write(report))];
 
     public override void WriteText(Page page)
     {
         page.Heading(report.Before is { } was
-            ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, {Um(report.Measured.Together.StandardDeviationMm)} um now; profile {Um(was.Together.ProfileIsoMm)} um before, {Um(report.Measured.Together.ProfileIsoMm)} um now"
-            : $"{report.Job.Name}: standard deviation {Um(report.Measured.Together.StandardDeviationMm)} um, profile {Um(report.Measured.Together.ProfileIsoMm)} um");
+            ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, "
+                + $"{Um(report.Measured.Together.StandardDeviationMm)} um now; profile {Um(was.Together.ProfileIsoMm)} um before, "
+                + $"{Um(report.Measured.Together.ProfileIsoMm)} um now"
+            : $"{report.Job.Name}: standard deviation {Um(report.Measured.Together.StandardDeviationMm)} um, profile "
+                + $"{Um(report.Measured.Together.ProfileIsoMm)} um");
         page.Line();
         page.Table(
             ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
-            [.. Rows("before", report.Before), .. Rows("measured", report.Measured), .. Rows("tool radius, before", report.ToolRadiusBefore), .. Rows("tool radius", report.ToolRadius)]);
+            [
+                .. Rows("before", report.Before),
+                .. Rows("measured", report.Measured),
+                .. Rows("tool radius, before", report.ToolRadiusBefore),
+                .. Rows("tool radius", report.ToolRadius)]);
         if (report.Improvement is { } better)
         {
             page.Line(better.Words);
@@ -34,7 +42,9 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
             page.Line("Compensated by tool radius instead: " + other.Words);
         }
 
-        page.Line("Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the largest absolute error. Standard deviations use n - 1.");
+        page.Line(
+            "Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the "
+                + "largest absolute error. Standard deviations use n - 1.");
 
         // If one piece has no alignment, none has.
         if (report.Measured.Pieces[0].Alignment is null)
@@ -61,7 +71,10 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
         }
 
         page.Line();
-        page.Line(folder is null ? "Nothing was written. Add --out DIR to write evaluation.json and evaluation.html with its maps." : $"Wrote {In("evaluation.html")} and {In("evaluation.json")}.");
+        page.Line(
+            folder is null
+                ? "Nothing was written. Add --out DIR to write evaluation.json and evaluation.html with its maps."
+                : $"Wrote {In("evaluation.html")} and {In("evaluation.json")}.");
     }
 
     private static IEnumerable<IReadOnlyList<string>> Rows(string name, SurfaceEvaluation? evaluation)
@@ -83,7 +96,13 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
     }
 
     private static IReadOnlyList<string> Row(string name, DeviationStatistics s) =>
-        [name, s.Count.ToString(CultureInfo.InvariantCulture), Signed(s.MeanMm), Um(s.StandardDeviationMm), Um(s.ProfileIsoMm), Um(s.ProfileRangeMm)];
+        [
+            name,
+            s.Count.ToString(CultureInfo.InvariantCulture),
+            Signed(s.MeanMm),
+            Um(s.StandardDeviationMm),
+            Um(s.ProfileIsoMm),
+            Um(s.ProfileRangeMm)];
 
     private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);
 

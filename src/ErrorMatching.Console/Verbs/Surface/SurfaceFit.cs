@@ -8,7 +8,10 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch surface fit</c>.</summary>
 internal sealed class SurfaceFit : Verb
 {
-    private readonly Argument<string> _points = new("POINTS.csv") { Description = "A header with i, j, x, y and z, then one line per point: i along a curve, j from curve to curve." };
+    private readonly Argument<string> _points = new("POINTS.csv")
+    {
+        Description = "A header with i, j, x, y and z, then one line per point: i along a curve, j from curve to curve."
+    };
 
     private readonly Option<string> _method = new("--method")
     {
@@ -17,12 +20,18 @@ internal sealed class SurfaceFit : Verb
         DefaultValueFactory = _ => FitMethod.Best.Name,
     };
 
-    private readonly Option<string> _check = FileOption("--check", "Points of the true surface to compare the fit with: a header with x, y and z, then one line per point.");
+    private readonly Option<string> _check = FileOption(
+        "--check", "Points of the true surface to compare the fit with: a header with x, y and z, then one line per point.");
 
-    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the surface to, as surface.stp and surface.igs: a nominal surface for a job, with its breaks, where only points are known. Without it nothing is written.");
+    private readonly Option<string> _out = SurfaceOptions.Out(
+        "The folder to write the surface to, as surface.stp and surface.igs: a nominal surface for a job, with its breaks, where only "
+            + "points are known. Without it nothing is written.");
 
     public SurfaceFit()
-        : base("fit", "Lays a surface through a grid of points and says how far it can be trusted.", "errormatch surface fit samples/surface-fit/points.csv --method through-curve-mesh --check samples/surface-fit/check.csv")
+        : base(
+            "fit",
+            "Lays a surface through a grid of points and says how far it can be trusted.",
+            "errormatch surface fit samples/surface-fit/points.csv --method through-curve-mesh --check samples/surface-fit/check.csv")
     {
         Arguments.Add(_points);
         Options.Add(_method);
@@ -43,7 +52,13 @@ internal sealed class SurfaceFit : Verb
             cancellation.ThrowIfCancellationRequested();
             var distance = new SurfaceDistance(fit.Surface);
             var folder = arguments.GetValue(_out);
-            var answer = new SurfaceFitAnswer(file, grid.Points.Count(), fit, distance.Of(grid.Points.Select(p => p.Position)), check is null ? null : distance.Of(check), folder);
+            var answer = new SurfaceFitAnswer(
+                file,
+                grid.Points.Count(),
+                fit,
+                distance.Of(grid.Points.Select(p => p.Position)),
+                check is null ? null : distance.Of(check),
+                folder);
             if (folder is not null)
             {
                 OutputFile.WriteAll(answer.Files, [file, .. arguments.GetValue(_check) is { } other ? new[] { other } : []], cancellation);

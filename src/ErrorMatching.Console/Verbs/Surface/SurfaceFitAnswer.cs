@@ -12,7 +12,8 @@ namespace ErrorMatching.Console;
 /// <param name="d1">Distances of the points.</param>
 /// <param name="d2">Distances of the true surface's points; null if none are given.</param>
 /// <param name="folder">The folder that the surface was written to; null if nothing was written.</param>
-internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2, string? folder) : DocumentAnswer
+internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit, DistanceSummary d1, DistanceSummary? d2, string? folder)
+    : DocumentAnswer
 {
     private const double UmPerMm = 1000;
 
@@ -71,14 +72,16 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         page.Line();
         page.Line(folder is null
             ? "Nothing was written. Add --out DIR to write the surface as STEP and IGES."
-            : $"Wrote {In("surface.stp")} and {In("surface.igs")}. Next: name one of them as \"surface\" in a job, and look at errormatch surface plan.");
+            : $"Wrote {In("surface.stp")} and {In("surface.igs")}. Next: name one of them as \"surface\" in a job, and look at errormatch "
+                + $"surface plan.");
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);
 
     private static string Um(double mm) => (mm * UmPerMm).ToString("0.0000", CultureInfo.InvariantCulture);
 
-    private static string Places(IReadOnlyList<double> breaks) => string.Join(' ', breaks.Select(b => b.ToString("0.0000", CultureInfo.InvariantCulture)));
+    private static string Places(IReadOnlyList<double> breaks) =>
+        string.Join(' ', breaks.Select(b => b.ToString("0.0000", CultureInfo.InvariantCulture)));
 
     private static void Write(Utf8JsonWriter json, string name, DistanceSummary distance)
     {

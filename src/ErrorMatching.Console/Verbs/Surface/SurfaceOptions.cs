@@ -7,12 +7,20 @@ internal static class SurfaceOptions
 {
     /// <summary>Files of measured points; at least one.</summary>
     public static Option<string[]> Measured(string description) =>
-        new("--measured") { Description = description, HelpName = "FILE", Required = true, AllowMultipleArgumentsPerToken = true, Arity = ArgumentArity.OneOrMore };
+        new("--measured")
+        {
+            Description = description,
+            HelpName = "FILE",
+            Required = true,
+            AllowMultipleArgumentsPerToken = true,
+            Arity = ArgumentArity.OneOrMore
+        };
 
     /// <summary>The program that cut the measured piece.</summary>
     public static Option<string> CutBy() => new("--cut-by")
     {
-        Description = "The program that cut the measured piece, instead of the job's measuring.cutBy. One that follows a measurement already is refused.",
+        Description = "The program that cut the measured piece, instead of the job's measuring.cutBy. One that follows a measurement "
+            + "already is refused.",
         HelpName = "NC",
     };
 

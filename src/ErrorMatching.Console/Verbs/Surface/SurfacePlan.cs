@@ -11,7 +11,10 @@ internal sealed class SurfacePlan : Verb
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write plan.csv to. Without it nothing is written.");
 
     public SurfacePlan()
-        : base("plan", "Decides where the surface is touched and in which order.", "errormatch surface plan samples/surface-one/job.json --out out")
+        : base(
+            "plan",
+            "Decides where the surface is touched and in which order.",
+            "errormatch surface plan samples/surface-one/job.json --out out")
     {
         Arguments.Add(_job);
         Options.Add(_out);

@@ -8,11 +8,16 @@ namespace ErrorMatching.Console;
 internal sealed class SurfaceProbe : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string> _after = FileOption("--after", "A semi-finishing program: probing follows it in one program, which then stops for the finishing program.");
-    private readonly Option<string> _out = SurfaceOptions.Out("The folder to write probe.nc and plan.csv to. Without it nothing is written.");
+    private readonly Option<string> _after = FileOption(
+        "--after", "A semi-finishing program: probing follows it in one program, which then stops for the finishing program.");
+    private readonly Option<string> _out = SurfaceOptions.Out(
+        "The folder to write probe.nc and plan.csv to. Without it nothing is written.");
 
     public SurfaceProbe()
-        : base("probe", "Writes the program that measures the surface on the machine.", "errormatch surface probe samples/surface-one/job.json --out out")
+        : base(
+            "probe",
+            "Writes the program that measures the surface on the machine.",
+            "errormatch surface probe samples/surface-one/job.json --out out")
     {
         Arguments.Add(_job);
         Options.Add(_after);

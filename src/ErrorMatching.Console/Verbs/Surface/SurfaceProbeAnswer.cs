@@ -18,7 +18,9 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
     /// <summary>The files to write; none without a folder.</summary>
     /// <param name="program">The program, alone or appended to the other one.</param>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
-        folder is null ? [] : [(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (Path.Combine(folder, FileName), program)];
+        folder is null
+            ? []
+            : [(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (Path.Combine(folder, FileName), program)];
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -38,17 +40,26 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
 
     public override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {probing.Plan.Points.Count} points are touched by a program for {probing.Dialect.Name}"));
+        page.Heading(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{job.Name}: {probing.Plan.Points.Count} points are touched by a program for {probing.Dialect.Name}"));
         page.Line();
         SurfacePlanAnswer.WriteSummary(page, probing.Plan);
         page.Line($"Template {probing.Template.File}: {probing.Template.About}");
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"All coordinates are those of the ball's center; the measuring move goes along the normal from {job.Measuring.ApproachMm:0.###} mm before the surface to {job.Measuring.OvertravelMm:0.###} mm behind it and stops with an alarm if it finds nothing."));
-        page.Line(after is null ? "The work offset is G54: a template of your own names another." : $"It follows {after} in one program, in the work offset of that, and stops behind the last point for the finishing program.");
+            $"All coordinates are those of the ball's center; the measuring move goes along the normal from "
+                + $"{job.Measuring.ApproachMm:0.###} mm before the surface to {job.Measuring.OvertravelMm:0.###} mm behind it and stops "
+                + $"with an alarm if it finds nothing."));
+        page.Line(
+            after is null
+                ? "The work offset is G54: a template of your own names another."
+                : $"It follows {after} in one program, in the work offset of that, and stops behind the last point for the finishing "
+                    + $"program.");
         page.Line();
         page.Line(folder is null
             ? $"Nothing was written. Add --out DIR to write {FileName} and {SurfacePlanAnswer.FileName}."
-            : $"Wrote {Path.Combine(folder, FileName)} and {Path.Combine(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its log, then: errormatch surface compensate {job.File} --measured LOG --out {folder}");
+            : $"Wrote {Path.Combine(folder, FileName)} and {Path.Combine(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its "
+                + $"log, then: errormatch surface compensate {job.File} --measured LOG --out {folder}");
     }
 }

@@ -18,7 +18,10 @@ internal sealed class SurfaceToolpath : Verb
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write the program to. Without it nothing is written.");
 
     public SurfaceToolpath()
-        : base("toolpath", "Writes the program that cuts the nominal surface, with its scallop and chordal error measured.", "errormatch surface toolpath samples/surface-one/job.json --stage semi-finishing --out out")
+        : base(
+            "toolpath",
+            "Writes the program that cuts the nominal surface, with its scallop and chordal error measured.",
+            "errormatch surface toolpath samples/surface-one/job.json --stage semi-finishing --out out")
     {
         _stage.AcceptOnlyFromAmong("roughing", "semi-finishing", "finishing");
         Arguments.Add(_job);
@@ -51,7 +54,8 @@ internal sealed class SurfaceToolpath : Verb
         var answer = new SurfaceToolpathAnswer(job, planned.Path, dialect, stage, template.CallsTool(job), folder);
         if (folder is not null)
         {
-            OutputFile.Write(answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Read, cancellation);
+            OutputFile.Write(
+                answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Read, cancellation);
         }
 
         return answer;

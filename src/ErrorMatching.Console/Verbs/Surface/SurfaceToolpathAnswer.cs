@@ -13,7 +13,9 @@ namespace ErrorMatching.Console;
 /// <param name="stage">The cutting stage.</param>
 /// <param name="callsTool">True if the program calls its tool; false if it starts with a stop and an alarm.</param>
 /// <param name="folder">The folder that the program was written to; null if nothing was written.</param>
-internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, bool callsTool, string? folder) : DocumentAnswer
+internal sealed class SurfaceToolpathAnswer(
+    FreeformJob job, ToolPath path, NcDialect dialect, CuttingStage stage, bool callsTool, string? folder)
+    : DocumentAnswer
 {
     public override string Schema => "errormatch/surface-toolpath/1";
 
@@ -62,17 +64,27 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
             page.Line();
         }
 
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {Stage} in {path.Passes} passes with {path.Points} points, {path.LengthMm:0} mm or {path.LengthMm / job.Tool.FeedMmPerMin:0.0} min at the feed"));
+        page.Heading(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{job.Name}: {Stage} in {path.Passes} passes with {path.Points} points, {path.LengthMm:0} mm or "
+                + $"{path.LengthMm / job.Tool.FeedMmPerMin:0.0} min at the feed"));
         page.Line();
         page.Table(
             ["measured on the rounded numbers", "mm", "allowed", "at x", "y", "z"],
-            [Row("scallop", c.ScallopMm, job.Toolpath.ScallopMm, c.ScallopAt), Row("chordal error", c.ChordMm, job.Toolpath.ChordMm, c.ChordAt)]);
+            [
+                Row("scallop", c.ScallopMm, job.Toolpath.ScallopMm, c.ScallopAt),
+                Row("chordal error", c.ChordMm, job.Toolpath.ChordMm, c.ChordAt)]);
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Coordinates have {path.Decimals} decimals ({dialect.Name}); the program moves the {(job.Toolpath.ProgramsTip ? "tip" : "center")} of the ball and leaves {path.StockMm:0.###} mm. No center is nearer to the surface than {path.RadiusMm + path.StockMm - c.GougeMm:0.000###} mm."));
+            $"Coordinates have {path.Decimals} decimals ({dialect.Name}); the program moves the "
+                + $"{(job.Toolpath.ProgramsTip ? "tip" : "center")} of the ball and leaves {path.StockMm:0.###} mm. No center is nearer "
+                + $"to the surface than {path.RadiusMm + path.StockMm - c.GougeMm:0.000###} mm."));
         if (c.RaisedPoints > 0)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"Warning: {c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x {c.RaisedAt.X:0.000}, y {c.RaisedAt.Y:0.000}: more stock is left there."));
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Warning: {c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x "
+                    + $"{c.RaisedAt.X:0.000}, y {c.RaisedAt.Y:0.000}: more stock is left there."));
         }
 
         page.Line();
@@ -93,7 +105,13 @@ internal sealed class SurfaceToolpathAnswer(FreeformJob job, ToolPath path, NcDi
     }
 
     private static IReadOnlyList<string> Row(string name, double mm, double allowed, Point3 at) =>
-        [name, mm.ToString("0.000000", CultureInfo.InvariantCulture), allowed.ToString("0.000###", CultureInfo.InvariantCulture), Coordinate(at.X), Coordinate(at.Y), Coordinate(at.Z)];
+        [
+            name,
+            mm.ToString("0.000000", CultureInfo.InvariantCulture),
+            allowed.ToString("0.000###", CultureInfo.InvariantCulture),
+            Coordinate(at.X),
+            Coordinate(at.Y),
+            Coordinate(at.Z)];
 
     private static string Coordinate(double mm) => mm.ToString("0.000", CultureInfo.InvariantCulture);
 }

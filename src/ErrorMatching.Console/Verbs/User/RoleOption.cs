@@ -12,7 +12,8 @@ internal sealed class RoleOption : Option<string>
     public RoleOption()
         : base("--role")
     {
-        Description = "operator (sees, releases, rejects), setter (approves, reverts, edits jobs too) or administrator (users, machines and policy too).";
+        Description = "operator (sees, releases, rejects), setter (approves, reverts, edits jobs too) or administrator (users, machines "
+            + "and policy too).";
         HelpName = "ROLE";
         Required = true;
         Validators.Add(result =>

@@ -23,11 +23,16 @@ internal sealed class UserAdd : UserVerb
         if (!users.IsEmpty)
         {
             var by = Sign(users, arguments);
-            return Answer(users.Add(by, name, role, AskNew($"new password of {name}", arguments)), u => $"{u.Name} is a user now, as {RoleOption.Word(u.Role)}.");
+            return Answer(
+                users.Add(by, name, role, AskNew($"new password of {name}", arguments)),
+                u => $"{u.Name} is a user now, as {RoleOption.Word(u.Role)}.");
         }
 
         return role == Role.Administrator
-            ? Answer(users.AddFirst(name, AskNew($"new password of {name}", arguments)), u => $"{u.Name} is the first administrator. Add a second one soon: a lost password is set by another administrator.")
-            : throw new PeopleException(PeopleError.NoUsers, $"The first user of a cell is an administrator: name --role {RoleOption.Word(Role.Administrator)}.");
+            ? Answer(
+                users.AddFirst(name, AskNew($"new password of {name}", arguments)),
+                u => $"{u.Name} is the first administrator. Add a second one soon: a lost password is set by another administrator.")
+            : throw new PeopleException(
+                PeopleError.NoUsers, $"The first user of a cell is an administrator: name --role {RoleOption.Word(Role.Administrator)}.");
     }
 }

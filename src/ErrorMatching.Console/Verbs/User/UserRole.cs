@@ -9,7 +9,11 @@ internal sealed class UserRole : UserVerb
     private readonly RoleOption _role = new();
 
     public UserRole()
-        : base("role", "Gives a user another role. An administrator signs.", "errormatch user role samples/cell/cell.json ben --role setter --user anna") => Options.Add(_role);
+        : base(
+            "role",
+            "Gives a user another role. An administrator signs.",
+            "errormatch user role samples/cell/cell.json ben --role setter --user anna") =>
+            Options.Add(_role);
 
     protected override Outcome Run(UserBook users, string name, ParseResult arguments) =>
         Answer(users.SetRole(Sign(users, arguments), name, _role.Of(arguments)), u => $"{u.Name} is {RoleOption.Word(u.Role)} now.");

@@ -30,7 +30,11 @@ internal sealed class IgesCurves(IgesFile file)
     {
         if (depth > ExchangeLimits.MaxDepth || ++_count > ExchangeLimits.MaxCurves)
         {
-            throw file.Fail("too-deep", $"{entity}: curves that refer to one another deeper than {ExchangeLimits.MaxDepth}, or more than {ExchangeLimits.MaxCurves} of them", entity.Line);
+            throw file.Fail(
+                "too-deep",
+                $"{entity}: curves that refer to one another deeper than {ExchangeLimits.MaxDepth}, or more than "
+                    + $"{ExchangeLimits.MaxCurves} of them",
+                entity.Line);
         }
 
         var map = outer.After(IgesTransform.Of(file, entity));
@@ -45,10 +49,16 @@ internal sealed class IgesCurves(IgesFile file)
                 106 => [Polyline(entity, parameters, map, scale)],
                 110 => [Line(parameters, map, scale)],
                 126 => [Spline(parameters, map, scale)],
-                _ => throw file.Fail("not-read", $"{entity} as a curve: 100, 102, 104 (ellipses), 106, 110 and 126 are read. Export curves as B-splines (126)", entity.Line),
+                _ =>
+                    throw file.Fail(
+                        "not-read",
+                        $"{entity} as a curve: 100, 102, 104 (ellipses), 106, 110 and 126 are read. Export curves as B-splines (126)",
+                        entity.Line),
             };
             _poles += entity.Type == 102 ? 0 : read[0].Poles.Length;
-            return _poles <= ExchangeLimits.MaxPoles ? read : throw file.Fail("too-large", $"{entity}: curves of more than {ExchangeLimits.MaxPoles} poles", entity.Line);
+            return _poles <= ExchangeLimits.MaxPoles
+                ? read
+                : throw file.Fail("too-large", $"{entity}: curves of more than {ExchangeLimits.MaxPoles} poles", entity.Line);
         }
         catch (GeometryException e)
         {
@@ -98,7 +108,8 @@ internal sealed class IgesCurves(IgesFile file)
             throw parameters.Fail("bad-curve", "an arc of radius 0");
         }
 
-        return Mapped(SplineArc.Of(new(p[1], p[2], p[0]), new(x, y, 0), new(-y, x, 0), 0, sweep > FullTurn ? sweep : sweep + Math.Tau), map, scale);
+        return Mapped(
+            SplineArc.Of(new(p[1], p[2], p[0]), new(x, y, 0), new(-y, x, 0), 0, sweep > FullTurn ? sweep : sweep + Math.Tau), map, scale);
     }
 
     // a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height. The axes are those of the matrix ((a, b/2), (b/2, c)).
@@ -115,18 +126,28 @@ internal sealed class IgesCurves(IgesFile file)
         var (x0, y0) = (((b * e) - (2 * c * d)) / det, ((b * d) - (2 * a * e)) / det);
         var level = -(f + (((d * x0) + (e * y0)) / 2));
         var (sin, cos) = Math.SinCos(0.5 * Math.Atan2(b, a - c));
-        var (along, across) = (level / ((a * cos * cos) + (b * cos * sin) + (c * sin * sin)), level / ((a * sin * sin) - (b * cos * sin) + (c * cos * cos)));
+        var (along, across) = (
+            level / ((a * cos * cos) + (b * cos * sin) + (c * sin * sin)), level / ((a * sin * sin) - (b * cos * sin) + (c * cos * cos)));
         if (!(along > 0 && across > 0))
         {
             throw parameters.Fail("bad-curve", "a conic without points");
         }
 
         var (first, second) = (Math.Sqrt(along), Math.Sqrt(across));
-        double Angle(double x, double y) => Math.Atan2((-((x - x0) * sin) + ((y - y0) * cos)) / second, (((x - x0) * cos) + ((y - y0) * sin)) / first);
+        double Angle(double x, double y) =>
+            Math.Atan2((-((x - x0) * sin) + ((y - y0) * cos)) / second, (((x - x0) * cos) + ((y - y0) * sin)) / first);
         var (from, to) = (Angle(p[7], p[8]), Angle(p[9], p[10]));
         var sweep = to - from;
         sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);
-        return Mapped(SplineArc.Of(new(x0, y0, p[6]), new(first * cos, first * sin, 0), new(-second * sin, second * cos, 0), from, from + (sweep > FullTurn ? sweep : Math.Tau)), map, scale);
+        return Mapped(
+            SplineArc.Of(
+                new(x0, y0, p[6]),
+                new(first * cos, first * sin, 0),
+                new(-second * sin, second * cos, 0),
+                from,
+                from + (sweep > FullTurn ? sweep : Math.Tau)),
+            map,
+            scale);
     }
 
     private static SplineCurve Mapped(SplineCurve curve, IgesTransform map, double scale) =>
@@ -146,7 +167,8 @@ internal sealed class IgesCurves(IgesFile file)
         parameters.Need(count * (flat ? 2L : 3L), "the points");
         for (var i = 0; i < count; i++)
         {
-            points.Add(map.Map(new(parameters.Real("a point"), parameters.Real("a point"), flat ? height : parameters.Real("a point")), scale));
+            points.Add(map.Map(
+                new(parameters.Real("a point"), parameters.Real("a point"), flat ? height : parameters.Real("a point")), scale));
         }
 
         return Polygon(points);
@@ -180,5 +202,6 @@ internal sealed class IgesCurves(IgesFile file)
     }
 
     // Merges consecutive points at the same place.
-    private static SplineCurve Polygon(List<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
+    private static SplineCurve Polygon(List<Point3> points) =>
+        new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 }

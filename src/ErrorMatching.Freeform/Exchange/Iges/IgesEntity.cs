@@ -12,7 +12,8 @@ namespace ErrorMatching.Freeform;
 /// <param name="Blanked">True if it is hidden.</param>
 /// <param name="Dependent">True if it is only part of another entity.</param>
 /// <param name="Label">Its label with the subscript; empty if it has none.</param>
-internal sealed record IgesEntity(int Type, int Form, int Sequence, int Line, int FirstParameter, int Transform, bool Blanked, bool Dependent, string Label)
+internal sealed record IgesEntity(
+    int Type, int Form, int Sequence, int Line, int FirstParameter, int Transform, bool Blanked, bool Dependent, string Label)
 {
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"entity {Type} at D{Sequence}");
 
@@ -44,6 +45,11 @@ internal sealed record IgesEntity(int Type, int Form, int Sequence, int Line, in
         var number = 0;
         return text.IsEmpty || int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out number)
             ? number
-            : throw new FreeformException("bad-number", sections.File, $"{ExchangeLimits.Quote(text.ToString())} in field {field + 1} of the directory; a whole number is expected", sections.DirectoryLine(record), (8 * field) + 1);
+            : throw new FreeformException(
+                "bad-number",
+                sections.File,
+                $"{ExchangeLimits.Quote(text.ToString())} in field {field + 1} of the directory; a whole number is expected",
+                sections.DirectoryLine(record),
+                (8 * field) + 1);
     }
 }

@@ -23,7 +23,10 @@ internal sealed class IgesFile
 
         if (_sections.DirectoryCount % 2 != 0)
         {
-            throw Fail("bad-record", "the directory has an odd number of records; each entity has two", _sections.DirectoryLine(_sections.DirectoryCount - 1));
+            throw Fail(
+                "bad-record",
+                "the directory has an odd number of records; each entity has two",
+                _sections.DirectoryLine(_sections.DirectoryCount - 1));
         }
 
         (var delimiter, var terminator, MillimetersPerUnit) = ReadGlobal();
@@ -53,7 +56,10 @@ internal sealed class IgesFile
         var index = (sequence - 1) / 2;
         return sequence > 0 && sequence % 2 == 1 && index < Entities.Count
             ? Entities[index]
-            : throw Fail("bad-pointer", $"{from} points to D{sequence} for {what}; the directory has D1 to D{(2 * Entities.Count) - 1}, odd numbers", from.Line);
+            : throw Fail(
+                "bad-pointer",
+                $"{from} points to D{sequence} for {what}; the directory has D1 to D{(2 * Entities.Count) - 1}, odd numbers",
+                from.Line);
     }
 
     /// <summary>The parameters of an entity, starting at the first.</summary>
@@ -66,10 +72,15 @@ internal sealed class IgesFile
 
         if (entity.FirstParameter < 1 || entity.FirstParameter > _sections.ParameterCount)
         {
-            throw Fail("bad-pointer", $"{entity} has its parameters at P{entity.FirstParameter}; the file has {(_sections.ParameterCount == 0 ? "no parameters: is it cut off?" : $"P1 to P{_sections.ParameterCount}")}", entity.Line);
+            throw Fail(
+                "bad-pointer",
+                $"{entity} has its parameters at P{entity.FirstParameter}; the file has "
+                    + $"{(_sections.ParameterCount == 0 ? "no parameters: is it cut off?" : $"P1 to P{_sections.ParameterCount}")}",
+                entity.Line);
         }
 
-        FreeformException At(int at, string problem) => Fail("bad-record", $"{entity}: {problem}", _sections.ParameterLine(entity.FirstParameter - 1 + (at / 64)));
+        FreeformException At(int at, string problem) =>
+            Fail("bad-record", $"{entity}: {problem}", _sections.ParameterLine(entity.FirstParameter - 1 + (at / 64)));
         var reader = new IgesTokens(r => Record(entity, r), _delimiters.Delimiter, _delimiters.Terminator, At);
         var tokens = reader.Split(mustEnd: true);
         var first = reader.Text.Span.Slice(tokens[0].Start, tokens[0].Length);
@@ -89,7 +100,9 @@ internal sealed class IgesFile
     private ReadOnlyMemory<char>? Record(IgesEntity entity, int record)
     {
         _budget -= 64;
-        return _budget >= 0 ? _sections.Parameters(entity.FirstParameter - 1 + record) : throw Fail("too-large", "records of parameters overlap", entity.Line);
+        return _budget >= 0
+            ? _sections.Parameters(entity.FirstParameter - 1 + record)
+            : throw Fail("too-large", "records of parameters overlap", entity.Line);
     }
 
     private (char Delimiter, char Terminator, double MillimetersPerUnit) ReadGlobal()
@@ -109,21 +122,42 @@ internal sealed class IgesFile
 
         if (delimiter == terminator || !IsDelimiter(delimiter) || !IsDelimiter(terminator))
         {
-            throw Fail("bad-delimiter", $"{ExchangeLimits.Quote(delimiter.ToString())} and {ExchangeLimits.Quote(terminator.ToString())} as delimiters; two different characters are expected that no number has", _sections.GlobalLine(0));
+            throw Fail(
+                "bad-delimiter",
+                $"{ExchangeLimits.Quote(delimiter.ToString())} and {ExchangeLimits.Quote(terminator.ToString())} as delimiters; two "
+                    + $"different characters are expected that no number has",
+                _sections.GlobalLine(0));
         }
 
         FreeformException At(int at, string problem) => Fail("bad-record", $"global section: {problem}", _sections.GlobalLine(at / 72));
         var reader = new IgesTokens(_sections.Global, delimiter, terminator, At);
         var tokens = reader.Split(mustEnd: false);
         var text = reader.Text;
-        string Value(int number) => number <= tokens.Count ? text.Slice(tokens[number - 1].Start, tokens[number - 1].Length).Span.Trim().ToString() : "";
-        var scale = Value(13) is { Length: > 0 } spelled ? double.TryParse(spelled.Replace('D', 'E'), NumberStyles.Float, CultureInfo.InvariantCulture, out var s) ? s : double.NaN : 1;
-        var flag = Value(14) is { Length: > 0 } f ? int.TryParse(f, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var n) ? n : -1 : 1;
+        string Value(int number) =>
+            number <= tokens.Count ? text.Slice(tokens[number - 1].Start, tokens[number - 1].Length).Span.Trim().ToString() : "";
+        var scale = Value(13) is { Length: > 0 } spelled
+            ? double.TryParse(spelled.Replace('D', 'E'), NumberStyles.Float, CultureInfo.InvariantCulture, out var s)
+            ? s
+            : double.NaN
+            : 1;
+        var flag = Value(14) is { Length: > 0 } f
+            ? int.TryParse(f, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var n)
+            ? n
+            : -1
+            : 1;
         var millimeters = IgesUnit.Millimeters(flag, Value(15))
-            ?? throw Fail("bad-unit", $"unit flag {ExchangeLimits.Quote(Value(14))} with unit {ExchangeLimits.Quote(Value(15))} (parameters 14 and 15 of the global section); 1 with INCH, 2 with MM or another pair of IGES is expected", _sections.GlobalLine(0));
+            ?? throw Fail(
+                "bad-unit",
+                $"unit flag {ExchangeLimits.Quote(Value(14))} with unit {ExchangeLimits.Quote(Value(15))} (parameters 14 and 15 of the "
+                    + $"global section); 1 with INCH, 2 with MM or another pair of IGES is expected",
+                _sections.GlobalLine(0));
         return double.IsFinite(scale) && scale > 0
             ? (delimiter, terminator, millimeters / scale)
-            : throw Fail("bad-unit", $"a model space scale of {ExchangeLimits.Quote(Value(13))} (parameter 13 of the global section); a positive number is expected", _sections.GlobalLine(0));
+            : throw Fail(
+                "bad-unit",
+                $"a model space scale of {ExchangeLimits.Quote(Value(13))} (parameter 13 of the global section); a positive number is "
+                    + $"expected",
+                _sections.GlobalLine(0));
     }
 
     private static bool IsDelimiter(char c) => c is > ' ' and <= '~' && !char.IsAsciiLetterOrDigit(c) && c is not ('+' or '-' or '.');

@@ -38,7 +38,8 @@ internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
         var parameters = file.ParametersOf(boundary);
         parameters.Int("how the curve was made");
         parameters.Int("the surface");
-        var (flat, space, preferred) = (parameters.Int("the curve of parameters"), parameters.Int("the curve in space"), parameters.Int("the preferred curve", 0, 3));
+        var (flat, space, preferred) = (
+            parameters.Int("the curve of parameters"), parameters.Int("the curve in space"), parameters.Int("the preferred curve", 0, 3));
         if (flat != 0 && hasParameters && !(preferred == PreferSpace && space != 0))
         {
             Follow(curves.OfParameters(file.At(flat, boundary, "the curve of parameters")), tracer.Parameters);
@@ -47,7 +48,11 @@ internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
 
         if (space == 0)
         {
-            throw file.Fail("not-read", $"{boundary} has no curve in space, and its curve of parameters is none of a B-spline surface. Export the surface as a B-spline (128)", boundary.Line);
+            throw file.Fail(
+                "not-read",
+                $"{boundary} has no curve in space, and its curve of parameters is none of a B-spline surface. Export the surface as a "
+                    + $"B-spline (128)",
+                boundary.Line);
         }
 
         Follow(curves.InSpace(file.At(space, boundary, "the curve in space"), map), tracer.Space);
@@ -62,7 +67,10 @@ internal sealed class IgesLimits(IgesFile file, IgesCurves curves)
         var count = parameters.Int("the number of curves", 1, ExchangeLimits.MaxCurves);
         for (var i = 0; i < count; i++)
         {
-            var (space, sense, flats) = (parameters.Int("a curve in space"), parameters.Int("its sense", 1, 2), parameters.Int("the number of its curves of parameters", 0, ExchangeLimits.MaxCurves));
+            var (space, sense, flats) = (
+                parameters.Int("a curve in space"),
+                parameters.Int("its sense", 1, 2),
+                parameters.Int("the number of its curves of parameters", 0, ExchangeLimits.MaxCurves));
             var pointers = new List<int>();
             for (var k = 0; k < flats; k++)
             {

@@ -48,7 +48,12 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
             spelled = spelled[..value.Length];
             spelled.Replace('D', 'E');
             spelled.Replace('d', 'e');
-            if (double.TryParse(spelled, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number))
+            if (double.TryParse(
+                spelled,
+                NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
+                CultureInfo.InvariantCulture,
+                out var number)
+                && double.IsFinite(number))
             {
                 return number;
             }

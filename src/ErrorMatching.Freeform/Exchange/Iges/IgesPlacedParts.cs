@@ -12,7 +12,9 @@ internal static class IgesPlacedParts
     /// <exception cref="FreeformException">The surface is displaced, or an entity that could displace it is broken.</exception>
     public static void ThrowIfMoved(IgesFile file, IgesEntity surface)
     {
-        var definitions = file.Entities.Where(e => e.Type == 308 && Members(file, e).Contains(surface.Sequence)).Select(e => e.Sequence).ToHashSet();
+        var definitions = file.Entities.Where(e => e.Type == 308 && Members(file, e).Contains(surface.Sequence))
+            .Select(e => e.Sequence)
+            .ToHashSet();
         foreach (var instance in definitions.Count == 0 ? [] : file.Entities.Where(e => e.Type == 408))
         {
             var parameters = file.ParametersOf(instance);
@@ -21,7 +23,11 @@ internal static class IgesPlacedParts
             var scale = parameters.Left == 0 ? 1 : parameters.Real("the scale");
             if (definitions.Contains(definition) && ((x, y, z) != (0, 0, 0) || scale is not (0 or 1) || instance.Transform != 0))
             {
-                throw file.Fail("assembly", $"{surface} is a member of the subfigure at D{definition}, which {instance} moves or scales; that is not followed: export the part by itself, in the coordinates in which it is cut", surface.Line);
+                throw file.Fail(
+                    "assembly",
+                    $"{surface} is a member of the subfigure at D{definition}, which {instance} moves or scales; that is not followed: "
+                        + $"export the part by itself, in the coordinates in which it is cut",
+                    surface.Line);
             }
         }
     }

@@ -19,10 +19,13 @@ internal static class IgesPlane
         }
 
         // Maps three of its points. They still span a plane, even if the map stretches.
-        var x = (Math.Abs(normal.X) <= Math.Abs(normal.Z) ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0)) is var along ? (along - (normal * (along.Dot(normal) / normal.Dot(normal)))).Normalize() : default;
+        var x = (Math.Abs(normal.X) <= Math.Abs(normal.Z) ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0)) is var along
+            ? (along - (normal * (along.Dot(normal) / normal.Dot(normal)))).Normalize()
+            : default;
         var y = normal.Normalize().Cross(x);
         var foot = normal * (p[3] / normal.Dot(normal));
-        var (origin, atX, atY) = (map.Map(foot, file.MillimetersPerUnit), map.Map(foot + x, file.MillimetersPerUnit), map.Map(foot + y, file.MillimetersPerUnit));
+        var (origin, atX, atY) = (
+            map.Map(foot, file.MillimetersPerUnit), map.Map(foot + x, file.MillimetersPerUnit), map.Map(foot + y, file.MillimetersPerUnit));
         var first = (atX - origin).Normalize();
         var second = atY - origin;
         return new(origin, first, (second - (first * second.Dot(first))).Normalize());

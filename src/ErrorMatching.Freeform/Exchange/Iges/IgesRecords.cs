@@ -61,7 +61,8 @@ internal sealed class IgesRecords(string product)
         List<string> global = [];
         Wrap(
             [
-                IgesValue.String(","), IgesValue.String(";"), name, name, IgesValue.String("ErrorMatching"), IgesValue.String("ErrorMatching"), 32, 308, 15, 308, 15, name, 1.0, 2,
+                IgesValue.String(","), IgesValue.String(";"), name, name, IgesValue.String("ErrorMatching"),
+                IgesValue.String("ErrorMatching"), 32, 308, 15, 308, 15, name, 1.0, 2,
                 IgesValue.String("MM"), 1, 0.01, IgesValue.String(Date), 1e-6, largest, empty, empty, 11, 0, IgesValue.String(Date),
             ],
             72,

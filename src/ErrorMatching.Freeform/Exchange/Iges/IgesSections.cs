@@ -48,7 +48,8 @@ internal sealed class IgesSections
     public int ParameterCount => _parameters.Count;
 
     /// <summary>The 72 columns of a global record; null after the last.</summary>
-    public ReadOnlyMemory<char>? Global(int record) => record < _global.Count ? _text.AsMemory(_global[record].Offset, SectionColumn) : default(ReadOnlyMemory<char>?);
+    public ReadOnlyMemory<char>? Global(int record) =>
+        record < _global.Count ? _text.AsMemory(_global[record].Offset, SectionColumn) : default(ReadOnlyMemory<char>?);
 
     /// <summary>Line of a global record; 1 if there is none.</summary>
     public int GlobalLine(int record) => _global.Count == 0 ? 1 : _global[Math.Min(record, _global.Count - 1)].Line;
@@ -61,7 +62,8 @@ internal sealed class IgesSections
     public int DirectoryLine(int record) => _directory[record].Line;
 
     /// <summary>The 64 data columns of a parameter record; null after the last.</summary>
-    public ReadOnlyMemory<char>? Parameters(int record) => record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : default(ReadOnlyMemory<char>?);
+    public ReadOnlyMemory<char>? Parameters(int record) =>
+        record < _parameters.Count ? _text.AsMemory(_parameters[record].Offset, 64) : default(ReadOnlyMemory<char>?);
 
     public int ParameterLine(int record) => _parameters[Math.Clamp(record, 0, _parameters.Count - 1)].Line;
 
@@ -85,7 +87,8 @@ internal sealed class IgesSections
 
         if (length is <= SectionColumn or > RecordLength)
         {
-            throw Fail("bad-record", $"a record of {length} columns; IGES records have 80, with the letter of their section in column 73", line);
+            throw Fail(
+                "bad-record", $"a record of {length} columns; IGES records have 80, with the letter of their section in column 73", line);
         }
 
         switch (_text[start + SectionColumn])
@@ -108,16 +111,25 @@ internal sealed class IgesSections
             case 'B':
                 throw Fail("binary", "the binary form of IGES, which is not read: export the fixed form (80 columns)", line);
             default:
-                throw Fail("bad-record", $"{ExchangeLimits.Quote(_text.Substring(start + SectionColumn, 1))} in column 73; the letter of a section (S, G, D, P, T) is expected", line);
+                throw Fail(
+                    "bad-record",
+                    $"{ExchangeLimits.Quote(_text.Substring(start + SectionColumn, 1))} in column 73; the letter of a section (S, G, D, "
+                        + $"P, T) is expected",
+                    line);
         }
     }
 
     private void Numbered(List<(int Offset, int Line)> section, int start, int length, int line)
     {
         var number = _text.AsSpan(start + SectionColumn + 1, length - SectionColumn - 1).Trim();
-        if (!number.IsEmpty && (!int.TryParse(number, NumberStyles.None, CultureInfo.InvariantCulture, out var n) || n != section.Count + 1))
+        if (!number.IsEmpty
+            && (!int.TryParse(number, NumberStyles.None, CultureInfo.InvariantCulture, out var n) || n != section.Count + 1))
         {
-            throw Fail("bad-record", $"record number {ExchangeLimits.Quote(number.ToString())} in columns 74 to 80; {section.Count + 1} is expected: records are missing or out of order", line);
+            throw Fail(
+                "bad-record",
+                $"record number {ExchangeLimits.Quote(number.ToString())} in columns 74 to 80; {section.Count + 1} is expected: records "
+                    + $"are missing or out of order",
+                line);
         }
 
         section.Add((start, line));

@@ -38,7 +38,8 @@ internal static class IgesSplineSurface
         {
             for (var i = 0; i <= k1; i++)
             {
-                poles[(i * (k2 + 1)) + j] = map.Map(new(parameters.Real("a pole"), parameters.Real("a pole"), parameters.Real("a pole")), file.MillimetersPerUnit);
+                poles[(i * (k2 + 1)) + j] = map.Map(
+                    new(parameters.Real("a pole"), parameters.Real("a pole"), parameters.Real("a pole")), file.MillimetersPerUnit);
             }
         }
 

@@ -85,7 +85,8 @@ internal sealed class IgesSurfaces
         return (spline, RegionLimits.Of(spline, loops, Failing(entity)));
     }
 
-    private (SplineSurface Spline, SurfaceRegion Region) Plane(IgesEntity plane, IgesTransform outer, IgesEntity? trimmed, List<int> pointers)
+    private (SplineSurface Spline, SurfaceRegion Region) Plane(
+        IgesEntity plane, IgesTransform outer, IgesEntity? trimmed, List<int> pointers)
     {
         var patch = IgesPlane.Read(_file, plane, outer);
         var fail = Failing(trimmed ?? plane);
@@ -96,7 +97,8 @@ internal sealed class IgesSurfaces
         }
         else
         {
-            foreach (var curve in _curves.InSpace(_file.At(pointers[0], plane, "the closed curve"), outer.After(IgesTransform.Of(_file, plane))))
+            foreach (var curve in _curves.InSpace(
+                _file.At(pointers[0], plane, "the closed curve"), outer.After(IgesTransform.Of(_file, plane))))
             {
                 tracer.Space(curve);
             }
@@ -120,10 +122,16 @@ internal sealed class IgesSurfaces
     {
         128 => IgesSplineSurface.Read(_file, entity, outer),
         118 or 120 or 122 => new IgesSweptSurfaces(_file, _curves).Read(entity, outer),
-        _ => throw _file.Fail("not-read", $"{entity}: this kind of surface is not read; 128 is, 144 and 143 with it, and 108, 118, 120 and 122 where they are exactly a B-spline. Export surfaces as B-splines (128)", entity.Line),
+        _ =>
+            throw _file.Fail(
+                "not-read",
+                $"{entity}: this kind of surface is not read; 128 is, 144 and 143 with it, and 108, 118, 120 and 122 where they are "
+                    + $"exactly a B-spline. Export surfaces as B-splines (128)",
+                entity.Line),
     };
 
-    private Func<string, string, FreeformException> Failing(IgesEntity entity) => (code, problem) => _file.Fail(code, $"{entity}: {problem}", entity.Line);
+    private Func<string, string, FreeformException> Failing(IgesEntity entity) =>
+        (code, problem) => _file.Fail(code, $"{entity}: {problem}", entity.Line);
 
     private static void Pointers(IgesParameters parameters, int count, List<int> pointers)
     {
@@ -144,7 +152,14 @@ internal sealed class IgesSurfaces
 
     private FreeformException None()
     {
-        var found = _file.Entities.GroupBy(e => e.Type).OrderBy(g => g.Key).Take(20).Select(g => $"{g.Key} ({g.Count()}, first at D{g.First().Sequence})");
-        return _file.Fail("no-surface", $"no surface that stands by itself and is shown; 128 or 144 is expected. Faces of solids (510) and parts placed elsewhere (408) are not read: export surfaces. The file has entities {string.Join(", ", found)}", _file.Entities[0].Line);
+        var found = _file.Entities.GroupBy(e => e.Type)
+            .OrderBy(g => g.Key)
+            .Take(20)
+            .Select(g => $"{g.Key} ({g.Count()}, first at D{g.First().Sequence})");
+        return _file.Fail(
+            "no-surface",
+            $"no surface that stands by itself and is shown; 128 or 144 is expected. Faces of solids (510) and parts placed elsewhere "
+                + $"(408) are not read: export surfaces. The file has entities {string.Join(", ", found)}",
+            _file.Entities[0].Line);
     }
 }

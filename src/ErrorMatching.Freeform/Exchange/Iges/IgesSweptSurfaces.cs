@@ -32,11 +32,20 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
 
     private SplineSurface Ruled(IgesEntity entity, IgesParameters parameters, IgesTransform map)
     {
-        var (first, second, reversed) = (parameters.Int("the first curve"), parameters.Int("the second curve"), parameters.Int("the direction", 0, 1) == 1);
-        var rails = new[] { first, second }.Select(p => curves.One(file.At(p, entity, "a rail"), map)).Select(c => c.Clamp().Reparametrize(0, 1)).ToArray();
+        var (first, second, reversed) = (
+            parameters.Int("the first curve"), parameters.Int("the second curve"), parameters.Int("the direction", 0, 1) == 1);
+        var rails = new[]
+        {
+            first,
+            second
+        }.Select(p => curves.One(file.At(p, entity, "a rail"), map)).Select(c => c.Clamp().Reparametrize(0, 1)).ToArray();
         if (entity.Form != 1 && rails.Any(r => r.Knots.PoleCount != 2))
         {
-            throw file.Fail("not-read", $"{entity} of form {entity.Form}: its rails are joined by their lengths, which no B-spline does exactly. Export the surface as a B-spline (128)", entity.Line);
+            throw file.Fail(
+                "not-read",
+                $"{entity} of form {entity.Form}: its rails are joined by their lengths, which no B-spline does exactly. Export the "
+                    + $"surface as a B-spline (128)",
+                entity.Line);
         }
 
         var common = SplineCurve.Compatible([rails[0], reversed ? rails[1].Reverse() : rails[1]]);
@@ -47,7 +56,12 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
     private SplineSurface Tabulated(IgesEntity entity, IgesParameters parameters, IgesTransform map)
     {
         var pointer = parameters.Int("the directrix");
-        var end = map.Map(new(parameters.Real("the end of the generatrix"), parameters.Real("the end of the generatrix"), parameters.Real("the end of the generatrix")), file.MillimetersPerUnit);
+        var end = map.Map(
+            new(
+                parameters.Real("the end of the generatrix"),
+                parameters.Real("the end of the generatrix"),
+                parameters.Real("the end of the generatrix")),
+            file.MillimetersPerUnit);
         var directrix = curves.One(file.At(pointer, entity, "the directrix"), map).Clamp();
         var by = end - directrix.PointAt(directrix.Knots.Start);
         return Between(directrix, new(directrix.Knots, directrix.Poles.ToArray().Select(p => p + by).ToArray(), directrix.Weights));
@@ -56,7 +70,11 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
     // The NURBS Book, section 8.5: each pole follows an arc about the axis; weights multiply.
     private SplineSurface Revolved(IgesEntity entity, IgesParameters parameters, IgesTransform map)
     {
-        var (axisPointer, generatrixPointer, from, to) = (parameters.Int("the axis"), parameters.Int("the generatrix"), parameters.Real("the first angle"), parameters.Real("the last angle"));
+        var (axisPointer, generatrixPointer, from, to) = (
+            parameters.Int("the axis"),
+            parameters.Int("the generatrix"),
+            parameters.Real("the first angle"),
+            parameters.Real("the last angle"));
         if (!(to > from && to - from <= Math.Tau * (1 + 1e-9)))
         {
             throw parameters.Fail("bad-surface", "angles of revolution that do not rise by a turn at most");

@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform;
 /// <param name="delimiter">Delimiter between parameters.</param>
 /// <param name="terminator">Delimiter after the last parameter.</param>
 /// <param name="fail">Creates the error for a place in the text.</param>
-internal sealed class IgesTokens(Func<int, ReadOnlyMemory<char>?> records, char delimiter, char terminator, Func<int, string, FreeformException> fail)
+internal sealed class IgesTokens(
+    Func<int, ReadOnlyMemory<char>?> records, char delimiter, char terminator, Func<int, string, FreeformException> fail)
 {
     private char[] _text = new char[64];
     private int _length;
@@ -49,16 +50,22 @@ internal sealed class IgesTokens(Func<int, ReadOnlyMemory<char>?> records, char 
 
     private int String(List<IgesToken> tokens, int start, int at)
     {
-        if (!int.TryParse(_text.AsSpan(start, at - start), NumberStyles.None, CultureInfo.InvariantCulture, out var length) || !Has(at + (long)length))
+        if (!int.TryParse(_text.AsSpan(start, at - start), NumberStyles.None, CultureInfo.InvariantCulture, out var length)
+            || !Has(at + (long)length))
         {
-            throw fail(start, $"a string of {ExchangeLimits.Quote(new(_text, start, at - start))} characters, which is longer than what follows");
+            throw fail(
+                start, $"a string of {ExchangeLimits.Quote(new(_text, start, at - start))} characters, which is longer than what follows");
         }
 
         tokens.Add(new(at + 1, length, IsText: true));
         var end = SkipBlanks(at + 1 + length);
         return !Has(end) || _text[end] == delimiter || _text[end] == terminator
             ? end
-            : throw fail(start, $"{ExchangeLimits.Quote(_text[end].ToString())} behind a string of {length} characters; {ExchangeLimits.Quote(delimiter.ToString())} or {ExchangeLimits.Quote(terminator.ToString())} is expected: is the string as long as it says?");
+            : throw fail(
+                start,
+                $"{ExchangeLimits.Quote(_text[end].ToString())} behind a string of {length} characters; "
+                    + $"{ExchangeLimits.Quote(delimiter.ToString())} or {ExchangeLimits.Quote(terminator.ToString())} is expected: is the "
+                    + $"string as long as it says?");
     }
 
     private int Plain(List<IgesToken> tokens, int start, int at)

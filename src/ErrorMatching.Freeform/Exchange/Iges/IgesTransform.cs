@@ -26,7 +26,8 @@ internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Sh
 
             if (depth == ExchangeLimits.MaxDepth)
             {
-                throw file.Fail("too-deep", $"the transformation matrices of {entity} refer to one another more than {depth} times", entity.Line);
+                throw file.Fail(
+                    "too-deep", $"the transformation matrices of {entity} refer to one another more than {depth} times", entity.Line);
             }
 
             result = Read(file.ParametersOf(matrix)).After(result);
@@ -58,6 +59,8 @@ internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Sh
     {
         var r = parameters.Reals("the matrix", 12);
         var map = new IgesTransform(new(r[0], r[1], r[2]), new(r[4], r[5], r[6]), new(r[8], r[9], r[10]), new(r[3], r[7], r[11]));
-        return Math.Abs(map.X.Cross(map.Y).Dot(map.Z)) > 1e-12 ? map : throw parameters.Fail("bad-matrix", "a transformation that flattens space; a rotation is expected");
+        return Math.Abs(map.X.Cross(map.Y).Dot(map.Z)) > 1e-12
+            ? map
+            : throw parameters.Fail("bad-matrix", "a transformation that flattens space; a rotation is expected");
     }
 }

@@ -25,7 +25,13 @@ public static class IgesWriter
 
         // Loops do not state whether they are outer boundaries or holes; readers count crossings. So the largest comes first.
         var first = Enumerable.Range(0, loops.Count).MaxBy(i => Math.Abs(RegionLoop.Area(loops[i])));
-        file.Fill(trimmed, 144, 0, dependent: false, surface.Name, [basis, 1, loops.Count - 1, boundaries[first], .. boundaries.Where((_, i) => i != first).Select(b => (IgesValue)b)]);
+        file.Fill(
+            trimmed,
+            144,
+            0,
+            dependent: false,
+            surface.Name,
+            [basis, 1, loops.Count - 1, boundaries[first], .. boundaries.Where((_, i) => i != first).Select(b => (IgesValue)b)]);
         return file.ToBytes(Largest(spline));
     }
 

@@ -7,12 +7,17 @@ internal static class StepAssembly
     /// <exception cref="FreeformException">A part is moved.</exception>
     public static void ThrowIfMoved(StepFile file)
     {
-        foreach (var instance in file.Where(k => k is "MAPPED_ITEM" or "ITEM_DEFINED_TRANSFORMATION" or "CARTESIAN_TRANSFORMATION_OPERATOR_3D"))
+        foreach (var instance in file.Where(
+            k => k is "MAPPED_ITEM" or "ITEM_DEFINED_TRANSFORMATION" or "CARTESIAN_TRANSFORMATION_OPERATOR_3D"))
         {
             var record = instance.Records[0];
-            if (record.Keyword != "ITEM_DEFINED_TRANSFORMATION" || !Same(StepPlacement.Of(record.Instance(2)), StepPlacement.Of(record.Instance(3))))
+            if (record.Keyword != "ITEM_DEFINED_TRANSFORMATION"
+                || !Same(StepPlacement.Of(record.Instance(2)), StepPlacement.Of(record.Instance(3))))
             {
-                throw record.Fail("assembly", "a part that an assembly moves, which is not followed: export the part by itself, in the coordinates in which it is cut");
+                throw record.Fail(
+                    "assembly",
+                    "a part that an assembly moves, which is not followed: export the part by itself, in the coordinates in which it is "
+                        + "cut");
             }
         }
     }

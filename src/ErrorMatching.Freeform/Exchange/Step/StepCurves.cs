@@ -77,7 +77,8 @@ internal static class StepCurves
     }
 
     /// <summary>A polyline whose parameter counts the points.</summary>
-    public static SplineCurve Polygon(IReadOnlyList<Point3> points) => new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
+    public static SplineCurve Polygon(IReadOnlyList<Point3> points) =>
+        new(KnotVector.Clamped(1, Enumerable.Range(0, points.Count).Select(i => (double)i).ToArray()), points.ToArray());
 
     /// <summary>Reads the points of a list of references, in millimeters.</summary>
     public static Point3[] Points(StepRecord record, int index, double scale)
@@ -93,7 +94,10 @@ internal static class StepCurves
         return points;
     }
 
-    private static FreeformException NotRead(StepRecord record) => record.Fail("not-read", "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE are. Export edges as B-splines");
+    private static FreeformException NotRead(StepRecord record) => record.Fail(
+        "not-read",
+        "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE "
+            + "are. Export edges as B-splines");
 
     // Counterclockwise about the placement's axis; a full turn if the points coincide.
     private static SplineCurve Arc(StepRecord record, double first, double second, Point3 from, Point3 to, double scale)
@@ -101,7 +105,9 @@ internal static class StepCurves
         var frame = StepPlacement.Of(record.Instance(1));
         if (!(first > 0 && second > 0))
         {
-            throw record.Fail("bad-value", string.Create(CultureInfo.InvariantCulture, $"a radius of {Math.Min(first, second)}; a positive one is expected"));
+            throw record.Fail(
+                "bad-value",
+                string.Create(CultureInfo.InvariantCulture, $"a radius of {Math.Min(first, second)}; a positive one is expected"));
         }
 
         var center = frame.Origin * scale;
@@ -115,7 +121,8 @@ internal static class StepCurves
         var sweep = b - a;
         sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);
         var closed = (to - from).Length <= SamePlaceMm && (sweep < 1 || sweep > Math.Tau - 1);
-        return SplineArc.Of(center, frame.X * (first * scale), frame.Y * (second * scale), a, a + (closed || sweep <= 0 ? Math.Tau : sweep));
+        return SplineArc.Of(
+            center, frame.X * (first * scale), frame.Y * (second * scale), a, a + (closed || sweep <= 0 ? Math.Tau : sweep));
     }
 
     // Most edges are a whole curve. The others are cut from it at the ends of the edge.
@@ -129,7 +136,8 @@ internal static class StepCurves
 
         var (a, b) = (Closest(curve, from), Closest(curve, to));
         return a < b ? curve.Between(a, b)
-            : throw new GeometryException(GeometryError.CoincidentPoints, $"the edge ends before it begins on its curve, or passes the place where the curve closes");
+            : throw new GeometryException(
+                GeometryError.CoincidentPoints, $"the edge ends before it begins on its curve, or passes the place where the curve closes");
     }
 
     // Takes the nearest of many samples, then bisects: exact enough for the end of an edge.

@@ -24,7 +24,13 @@ internal sealed class StepEdges(StepLines lines, SplineSurface surface, string r
             var forward = side < 2;
             var (from, to) = forward ? (side, (side + 1) % 4) : ((side + 1) % 4, side);
             var curve = lines.Curve(sides[side].Knots, sides[side].Poles.ToArray().Select(lines.Point), sides[side].Weights);
-            edges.Add(Edge(vertices[from], vertices[to], curve, [corners[from], corners[to]], [sides[side].Knots.Start, sides[side].Knots.End], forward));
+            edges.Add(Edge(
+                vertices[from],
+                vertices[to],
+                curve,
+                [corners[from], corners[to]],
+                [sides[side].Knots.Start, sides[side].Knots.End],
+                forward));
         }
 
         return lines.Add($"EDGE_LOOP('',({string.Join(',', edges)}))");

@@ -29,7 +29,10 @@ internal static class StepFace
 
         if (surface.Keyword is not ("PLANE" or "CYLINDRICAL_SURFACE"))
         {
-            throw surface.Records[0].Fail("not-read", "this kind of surface is not read: B_SPLINE_SURFACE_WITH_KNOTS (rational too), BEZIER_SURFACE, PLANE and CYLINDRICAL_SURFACE are. Export the surface as a B-spline (NURBS)");
+            throw surface.Records[0].Fail(
+                "not-read",
+                "this kind of surface is not read: B_SPLINE_SURFACE_WITH_KNOTS (rational too), BEZIER_SURFACE, PLANE and "
+                    + "CYLINDRICAL_SURFACE are. Export the surface as a B-spline (NURBS)");
         }
 
         if (!IsFace(instance))
@@ -48,12 +51,21 @@ internal static class StepFace
         }
 
         var radius = record.Real(2) * scale;
-        var cylinder = new CylinderPatch(origin, frame.X, frame.Y, frame.Z, radius > 0 ? radius : throw record.Fail("bad-value", string.Create(CultureInfo.InvariantCulture, $"a radius of {radius}; a positive one is expected")));
+        var cylinder = new CylinderPatch(
+            origin,
+            frame.X,
+            frame.Y,
+            frame.Z,
+            radius > 0
+                ? radius
+                : throw record.Fail(
+                    "bad-value", string.Create(CultureInfo.InvariantCulture, $"a radius of {radius}; a positive one is expected")));
         var (bent, region) = cylinder.Inside(Trace(owner, surface, scale, cylinder.Map, hasParameters: false), owner.Fail);
         return new(name, bent, region);
     }
 
-    private static IReadOnlyList<IReadOnlyList<Point2>> Trace(StepRecord face, StepInstance surface, double scale, SurfaceMap map, bool hasParameters)
+    private static IReadOnlyList<IReadOnlyList<Point2>> Trace(
+        StepRecord face, StepInstance surface, double scale, SurfaceMap map, bool hasParameters)
     {
         var tracer = new RegionTracer(map, face.Fail);
         var loops = new StepLoops(surface, scale, map, hasParameters, tracer);

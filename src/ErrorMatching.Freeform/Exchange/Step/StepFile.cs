@@ -33,7 +33,8 @@ internal sealed class StepFile
     public string Name { get; }
 
     /// <summary>Instances whose types satisfy a condition, in file order. The type of a complex instance is empty.</summary>
-    public IEnumerable<StepInstance> Where(Func<string, bool> wanted) => _order.Where(id => wanted(KeywordAt(_instances[id].Offset))).Select(id => At(id)!);
+    public IEnumerable<StepInstance> Where(Func<string, bool> wanted) =>
+        _order.Where(id => wanted(KeywordAt(_instances[id].Offset))).Select(id => At(id)!);
 
     public int Count(Func<string, bool> wanted) => _order.Count(id => wanted(KeywordAt(_instances[id].Offset)));
 
@@ -47,7 +48,11 @@ internal sealed class StepFile
         }
 
         FreeformException Fail(int at, string problem) =>
-            new("bad-instance", Name, string.Create(CultureInfo.InvariantCulture, $"#{id}: {problem}"), place.Line + _text.AsSpan(place.Offset, Math.Min(at, _text.Length) - place.Offset).Count('\n'));
+            new(
+                "bad-instance",
+                Name,
+                string.Create(CultureInfo.InvariantCulture, $"#{id}: {problem}"),
+                place.Line + _text.AsSpan(place.Offset, Math.Min(at, _text.Length) - place.Offset).Count('\n'));
         var lexer = new StepLexer(_text, place.Offset, Fail);
         var records = new List<StepRecord>();
         if (lexer.Peek() == '(')
@@ -68,7 +73,12 @@ internal sealed class StepFile
         lexer.Take(';');
         _budget -= lexer.At - place.Offset;
         return records.Count == 0 ? throw Fail(place.Offset, "an instance without a type")
-            : _budget < 0 ? throw new FreeformException("too-large", Name, $"instances refer to #{id.ToString(CultureInfo.InvariantCulture)} and others again and again", place.Line)
+            : _budget < 0
+                ? throw new FreeformException(
+                    "too-large",
+                    Name,
+                    $"instances refer to #{id.ToString(CultureInfo.InvariantCulture)} and others again and again",
+                    place.Line)
             : new(id, place.Line, records);
     }
 
@@ -94,7 +104,8 @@ internal sealed class StepFile
             var end = StatementEnd(at);
             if (end < 0)
             {
-                throw new FreeformException("truncated", Name, "the file ends within a statement: it is cut off, or a ; or ' is missing", line);
+                throw new FreeformException(
+                    "truncated", Name, "the file ends within a statement: it is cut off, or a ; or ' is missing", line);
             }
 
             if (_text[at] == '#')
@@ -115,9 +126,13 @@ internal sealed class StepFile
         }
 
         var equals = StepLexer.SkipBlanks(_text, digits);
-        if (!long.TryParse(_text.AsSpan(at + 1, digits - at - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var id) || id > 1L << 52 || equals >= end || _text[equals] != '=')
+        if (!long.TryParse(_text.AsSpan(at + 1, digits - at - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var id)
+            || id > 1L << 52
+            || equals >= end
+            || _text[equals] != '=')
         {
-            throw new FreeformException("bad-instance", Name, $"{ExchangeLimits.Quote(_text[at..end])}; #number = TYPE(...); is expected", line);
+            throw new FreeformException(
+                "bad-instance", Name, $"{ExchangeLimits.Quote(_text[at..end])}; #number = TYPE(...); is expected", line);
         }
 
         if (!_instances.TryAdd(id, (equals + 1, line)))

@@ -7,8 +7,10 @@ internal sealed class StepItems
 
     private static readonly HashSet<string> Surfaces = new(StringComparer.Ordinal)
     {
-        "ADVANCED_FACE", "FACE_SURFACE", "B_SPLINE_SURFACE_WITH_KNOTS", "B_SPLINE_SURFACE", "BEZIER_SURFACE", "UNIFORM_SURFACE", "QUASI_UNIFORM_SURFACE", "PLANE", "CYLINDRICAL_SURFACE", "CONICAL_SURFACE",
-        "SPHERICAL_SURFACE", "TOROIDAL_SURFACE", "SURFACE_OF_REVOLUTION", "SURFACE_OF_LINEAR_EXTRUSION", "OFFSET_SURFACE", "RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE",
+        "ADVANCED_FACE", "FACE_SURFACE", "B_SPLINE_SURFACE_WITH_KNOTS", "B_SPLINE_SURFACE", "BEZIER_SURFACE", "UNIFORM_SURFACE",
+        "QUASI_UNIFORM_SURFACE", "PLANE", "CYLINDRICAL_SURFACE", "CONICAL_SURFACE",
+        "SPHERICAL_SURFACE", "TOROIDAL_SURFACE", "SURFACE_OF_REVOLUTION", "SURFACE_OF_LINEAR_EXTRUSION", "OFFSET_SURFACE",
+        "RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE",
     };
 
     private readonly HashSet<long> _seen = [];
@@ -47,7 +49,8 @@ internal sealed class StepItems
 
         if (depth > ExchangeLimits.MaxDepth || _seen.Count > MaxItems)
         {
-            throw item.Records[0].Fail("too-deep", $"shells refer to one another deeper than {ExchangeLimits.MaxDepth}, or there are more than {MaxItems} faces");
+            throw item.Records[0].Fail(
+                "too-deep", $"shells refer to one another deeper than {ExchangeLimits.MaxDepth}, or there are more than {MaxItems} faces");
         }
 
         if (!IsContainer(item.Keyword))
@@ -66,6 +69,14 @@ internal sealed class StepItems
         }
     }
 
-    private static bool IsContainer(string keyword) => keyword is "SHELL_BASED_SURFACE_MODEL" or "FACE_BASED_SURFACE_MODEL" or "MANIFOLD_SOLID_BREP" or "BREP_WITH_VOIDS" or "FACETED_BREP"
-        or "OPEN_SHELL" or "CLOSED_SHELL" or "ORIENTED_OPEN_SHELL" or "ORIENTED_CLOSED_SHELL" or "CONNECTED_FACE_SET" or "CONNECTED_FACE_SUB_SET" or "GEOMETRIC_SET" or "GEOMETRIC_CURVE_SET";
+    private static bool IsContainer(string keyword) =>
+        keyword is "SHELL_BASED_SURFACE_MODEL" or "FACE_BASED_SURFACE_MODEL" or "MANIFOLD_SOLID_BREP" or "BREP_WITH_VOIDS" or "FACETED_BREP"
+        or "OPEN_SHELL"
+            or "CLOSED_SHELL"
+            or "ORIENTED_OPEN_SHELL"
+            or "ORIENTED_CLOSED_SHELL"
+            or "CONNECTED_FACE_SET"
+            or "CONNECTED_FACE_SUB_SET"
+            or "GEOMETRIC_SET"
+            or "GEOMETRIC_CURVE_SET";
 }

@@ -17,7 +17,8 @@ internal static class StepKnots
         var (times, values) = (record.Reals(multiplicities), record.Reals(knots));
         if (times.Length != values.Length)
         {
-            throw record.Fail("bad-value", $"{times.Length} multiplicities for {values.Length} knots; as many of the one as of the other are expected");
+            throw record.Fail(
+                "bad-value", $"{times.Length} multiplicities for {values.Length} knots; as many of the one as of the other are expected");
         }
 
         var all = new List<double>();

@@ -134,7 +134,13 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
             At++;
         }
 
-        return At - start <= LongestNumber && double.TryParse(text.AsSpan(start, At - start), NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number)
+        return At - start <= LongestNumber
+            && double.TryParse(
+                text.AsSpan(start, At - start),
+                NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
+                CultureInfo.InvariantCulture,
+                out var number)
+            && double.IsFinite(number)
             ? number
             : throw fail(start, $"{ExchangeLimits.Quote(text[start..At])} where a number is expected");
     }

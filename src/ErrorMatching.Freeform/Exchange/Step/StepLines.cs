@@ -26,7 +26,9 @@ internal sealed class StepLines
         var start = 0;
         while (line.Length - start > Width)
         {
-            var end = content.Contains('\'', StringComparison.Ordinal) && content.Length < 4 * Width ? -1 : line.IndexOf(',', start + Width - 20);
+            var end = content.Contains('\'', StringComparison.Ordinal) && content.Length < 4 * Width
+                ? -1
+                : line.IndexOf(',', start + Width - 20);
             if (end < 0)
             {
                 break;
@@ -40,7 +42,8 @@ internal sealed class StepLines
         return id;
     }
 
-    public string Point(Point3 p) => Add($"CARTESIAN_POINT('',({ExchangeNumber.Of(p.X)},{ExchangeNumber.Of(p.Y)},{ExchangeNumber.Of(p.Z)}))");
+    public string Point(Point3 p) =>
+        Add($"CARTESIAN_POINT('',({ExchangeNumber.Of(p.X)},{ExchangeNumber.Of(p.Y)},{ExchangeNumber.Of(p.Z)}))");
 
     /// <summary>Writes a point in the parameters.</summary>
     public string Point(Point2 p) => Add($"CARTESIAN_POINT('',({ExchangeNumber.Of(p.X)},{ExchangeNumber.Of(p.Y)}))");
@@ -55,7 +58,9 @@ internal sealed class StepLines
         var (times, values) = Knots(knots);
         return weights.IsEmpty
             ? Add($"B_SPLINE_CURVE_WITH_KNOTS('',{shape},{times},{values},.UNSPECIFIED.)")
-            : Add($"(BOUNDED_CURVE()B_SPLINE_CURVE({shape})B_SPLINE_CURVE_WITH_KNOTS({times},{values},.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE({Reals(weights)})REPRESENTATION_ITEM(''))");
+            : Add(
+                $"(BOUNDED_CURVE()B_SPLINE_CURVE({shape})B_SPLINE_CURVE_WITH_KNOTS({times},{values},.UNSPECIFIED.)CURVE()"
+                    + $"GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE({Reals(weights)})REPRESENTATION_ITEM(''))");
     }
 
     public string Surface(SplineSurface s, string name)
@@ -78,7 +83,9 @@ internal sealed class StepLines
         var ((timesU, valuesU), (timesV, valuesV)) = (Knots(s.KnotsU), Knots(s.KnotsV));
         var knots = $"{timesU},{timesV},{valuesU},{valuesV},.UNSPECIFIED.";
         return s.IsRational
-            ? Add($"(BOUNDED_SURFACE()B_SPLINE_SURFACE({shape})B_SPLINE_SURFACE_WITH_KNOTS({knots})GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE({weights.Append(')')})REPRESENTATION_ITEM({name})SURFACE())")
+            ? Add(
+                $"(BOUNDED_SURFACE()B_SPLINE_SURFACE({shape})B_SPLINE_SURFACE_WITH_KNOTS({knots})GEOMETRIC_REPRESENTATION_ITEM()"
+                    + $"RATIONAL_B_SPLINE_SURFACE({weights.Append(')')})REPRESENTATION_ITEM({name})SURFACE())")
             : Add($"B_SPLINE_SURFACE_WITH_KNOTS({name},{shape},{knots})");
     }
 

@@ -66,7 +66,9 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
         // The first attribute of a curve on surfaces is its curve in space.
         for (var depth = 0; curve.Keyword is "SURFACE_CURVE" or "SEAM_CURVE" or "INTERSECTION_CURVE"; depth++)
         {
-            curve = depth < ExchangeLimits.MaxDepth ? curve.Records[0].Instance(1) : throw edge.Fail("too-deep", "curves that refer to one another without end");
+            curve = depth < ExchangeLimits.MaxDepth
+                ? curve.Records[0].Instance(1)
+                : throw edge.Fail("too-deep", "curves that refer to one another without end");
         }
 
         var space = StepCurves.Between(curve, from, to, scale);
@@ -83,10 +85,17 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
 
         foreach (var candidate in curve.Records[0].Instances(2))
         {
-            if (candidate.Find("PCURVE") is { } own && own.At(1) is { Kind: StepValueKind.Reference } reference && (long)reference.Number == surface.Id)
+            if (candidate.Find("PCURVE") is { } own
+                && own.At(1) is { Kind: StepValueKind.Reference } reference
+                && (long)reference.Number == surface.Id)
             {
                 var items = own.Record(2, "DEFINITIONAL_REPRESENTATION").Instances(1).ToList();
-                return items is [var only] && StepCurves.Spline(only, 1) is { } flat && IsAt(flat, flat.Knots.Start, from) && IsAt(flat, flat.Knots.End, to) ? flat : null;
+                return items is [var only]
+                    && StepCurves.Spline(only, 1) is { } flat
+                    && IsAt(flat, flat.Knots.Start, from)
+                    && IsAt(flat, flat.Knots.End, to)
+                    ? flat
+                    : null;
             }
         }
 

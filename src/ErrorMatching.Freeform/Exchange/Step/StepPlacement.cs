@@ -17,7 +17,11 @@ internal sealed record StepPlacement(Vector3 Origin, Vector3 X, Vector3 Y, Vecto
         var record = instance.Get("AXIS2_PLACEMENT_3D");
         var origin = record.Coordinates(record.At(1), 1, "CARTESIAN_POINT");
         var axis = record.At(2).Kind == StepValueKind.Omitted ? new(0, 0, 1) : record.Coordinates(record.At(2), 2, "DIRECTION");
-        var wanted = record.At(3).Kind == StepValueKind.Omitted ? Math.Abs(axis.Y) + Math.Abs(axis.Z) > 1e-12 * axis.Length ? new(1, 0, 0) : new Vector3(0, 1, 0) : record.Coordinates(record.At(3), 3, "DIRECTION");
+        var wanted = record.At(3).Kind == StepValueKind.Omitted
+            ? Math.Abs(axis.Y) + Math.Abs(axis.Z) > 1e-12 * axis.Length
+            ? new(1, 0, 0)
+            : new Vector3(0, 1, 0)
+            : record.Coordinates(record.At(3), 3, "DIRECTION");
         try
         {
             var z = axis.Normalize();

@@ -19,14 +19,20 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
     public int Int(int index, int least, int most)
     {
         var number = Real(index);
-        return number >= least && number <= most && number == Math.Floor(number) ? (int)number : throw Fail("bad-value", string.Create(CultureInfo.InvariantCulture, $"{number} as attribute {index + 1}; a whole number from {least} to {most} is expected"));
+        return number >= least && number <= most && number == Math.Floor(number)
+            ? (int)number
+            : throw Fail(
+                "bad-value",
+                string.Create(
+                    CultureInfo.InvariantCulture, $"{number} as attribute {index + 1}; a whole number from {least} to {most} is expected"));
     }
 
     /// <summary>Reads a string; empty if omitted.</summary>
     public string Text(int index) => At(index).Kind == StepValueKind.Omitted ? "" : Of(index, StepValueKind.Text, "a string").Text;
 
     /// <summary>Reads a word between periods.</summary>
-    public string Word(int index) => At(index).Kind == StepValueKind.Omitted ? "" : Of(index, StepValueKind.Word, "a word between points").Text;
+    public string Word(int index) =>
+        At(index).Kind == StepValueKind.Omitted ? "" : Of(index, StepValueKind.Word, "a word between points").Text;
 
     public bool Flag(int index) => Word(index) switch
     {
@@ -45,7 +51,9 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
         var numbers = new double[list.Count];
         for (var i = 0; i < numbers.Length; i++)
         {
-            numbers[i] = list[i].Kind == StepValueKind.Number ? list[i].Number : throw Fail("bad-value", $"attribute {index + 1} has an item that is no number; numbers are expected");
+            numbers[i] = list[i].Kind == StepValueKind.Number
+                ? list[i].Number
+                : throw Fail("bad-value", $"attribute {index + 1} has an item that is no number; numbers are expected");
         }
 
         return numbers;
@@ -57,7 +65,11 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
 
     /// <summary>The instance that an element of an attribute refers to.</summary>
     public StepInstance Instance(StepValue value, int index) => value.Kind == StepValueKind.Reference
-        ? File.At((long)value.Number) ?? throw Fail("bad-reference", string.Create(CultureInfo.InvariantCulture, $"attribute {index + 1} refers to #{(long)value.Number}, which the file does not have"))
+        ? File.At((long)value.Number)
+            ?? throw Fail(
+                "bad-reference",
+                string.Create(
+                    CultureInfo.InvariantCulture, $"attribute {index + 1} refers to #{(long)value.Number}, which the file does not have"))
         : throw Fail("bad-value", $"attribute {index + 1} is no reference; one (#...) is expected");
 
     /// <summary>The attributes of the type that an attribute must refer to.</summary>
@@ -74,12 +86,18 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
     public Vector3 Coordinates(StepValue value, int index, string keyword)
     {
         var instance = Instance(value, index);
-        var record = instance.Find(keyword) ?? throw Fail("bad-reference", $"attribute {index + 1} refers to {instance}; {keyword} is expected");
+        var record = instance.Find(keyword)
+            ?? throw Fail("bad-reference", $"attribute {index + 1} refers to {instance}; {keyword} is expected");
         var numbers = record.Reals(1);
-        return numbers.Length is 2 or 3 ? new(numbers[0], numbers[1], numbers.Length == 3 ? numbers[2] : 0) : throw record.Fail("bad-value", $"{numbers.Length} coordinates; 2 or 3 are expected");
+        return numbers.Length is 2 or 3
+            ? new(numbers[0], numbers[1], numbers.Length == 3 ? numbers[2] : 0)
+            : throw record.Fail("bad-value", $"{numbers.Length} coordinates; 2 or 3 are expected");
     }
 
-    public StepValue At(int index) => index >= 0 && index < Values.Count ? Values[index] : throw Fail("bad-value", $"it has {Values.Count} attributes; more are expected");
+    public StepValue At(int index) =>
+        index >= 0 && index < Values.Count
+            ? Values[index]
+            : throw Fail("bad-value", $"it has {Values.Count} attributes; more are expected");
 
     public FreeformException Fail(string code, string problem) => new(code, File.Name, $"{this}: {problem}", Line);
 

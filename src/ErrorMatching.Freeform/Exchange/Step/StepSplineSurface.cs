@@ -11,7 +11,9 @@ internal static class StepSplineSurface
     {
         // A simple instance lists the attributes of its supertypes first, starting with the name. A complex instance lists the attributes
         // of each type separately.
-        var simple = instance.Records is [var only] && only.Keyword is "B_SPLINE_SURFACE_WITH_KNOTS" or "BEZIER_SURFACE" ? instance.Records[0] : null;
+        var simple = instance.Records is [var only] && only.Keyword is "B_SPLINE_SURFACE_WITH_KNOTS" or "BEZIER_SURFACE"
+            ? instance.Records[0]
+            : null;
         var shape = simple ?? instance.Find("B_SPLINE_SURFACE");
         if (shape is null || (simple is null && instance.Records.Count == 1))
         {
@@ -21,7 +23,9 @@ internal static class StepSplineSurface
         var first = simple is null ? 0 : 1;
         var (degreeU, degreeV) = (shape.Int(first, 1, KnotVector.MaxDegree), shape.Int(first + 1, 1, KnotVector.MaxDegree));
         var rows = shape.List(first + 2);
-        var countV = rows is [{ Kind: StepValueKind.List, Items.Count: var n }, ..] ? n : throw shape.Fail("bad-value", "no lists of poles; rows of references to points are expected");
+        var countV = rows is [{ Kind: StepValueKind.List, Items.Count: var n }, ..]
+            ? n
+            : throw shape.Fail("bad-value", "no lists of poles; rows of references to points are expected");
         if ((long)rows.Count * countV > ExchangeLimits.MaxPoles || rows.Any(r => r.Kind != StepValueKind.List || r.Items.Count != countV))
         {
             throw shape.Fail("bad-value", $"rows of poles of different lengths, or more than {ExchangeLimits.MaxPoles} poles");
@@ -40,7 +44,8 @@ internal static class StepSplineSurface
         {
             var (u, v) = knots is not null ? (StepKnots.Of(knots, degreeU, own, own + 2), StepKnots.Of(knots, degreeV, own + 1, own + 3))
                 : instance.Find("BEZIER_SURFACE") is not null ? (KnotVector.Clamped(degreeU, [0, 1]), KnotVector.Clamped(degreeV, [0, 1]))
-                : throw shape.Fail("not-read", $"a B-spline surface of the form {instance.Keyword}; B_SPLINE_SURFACE_WITH_KNOTS is expected");
+                : throw shape.Fail(
+                    "not-read", $"a B-spline surface of the form {instance.Keyword}; B_SPLINE_SURFACE_WITH_KNOTS is expected");
             return new(u, v, poles, Weights(instance, countV, poles.Length));
         }
         catch (GeometryException e)
@@ -67,6 +72,8 @@ internal static class StepSplineSurface
             weights.AddRange(rational.Reals(row.Items, 0));
         }
 
-        return weights.Count == count ? [.. weights] : throw rational.Fail("bad-value", $"{weights.Count} weights for {count} poles; one for each is expected");
+        return weights.Count == count
+            ? [.. weights]
+            : throw rational.Fail("bad-value", $"{weights.Count} weights for {count} poles; one for each is expected");
     }
 }

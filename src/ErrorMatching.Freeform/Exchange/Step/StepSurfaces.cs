@@ -14,7 +14,11 @@ internal sealed class StepSurfaces
         _items = StepItems.Of(file);
         if (_items.Count == 0)
         {
-            throw new FreeformException("no-surface", file.Name, "no face and no surface in any representation: is it an assembly without its parts, or a wire frame? Export the surface or the solid itself (AP203, AP214, AP242)");
+            throw new FreeformException(
+                "no-surface",
+                file.Name,
+                "no face and no surface in any representation: is it an assembly without its parts, or a wire frame? Export the surface "
+                    + "or the solid itself (AP203, AP214, AP242)");
         }
 
         StepAssembly.ThrowIfMoved(file);

@@ -27,7 +27,8 @@ internal static class StepText
                 '\\' when rest.StartsWith("\\\\") => Append(result, "\\", 2),
                 '\\' when rest.StartsWith(@"\X2\") => Wide(result, rest, 4),
                 '\\' when rest.StartsWith(@"\X4\") => Wide(result, rest, 8),
-                '\\' when rest.StartsWith(@"\X\") && rest.Length >= 5 && TryHex(rest.Slice(3, 2), out var code) => Append(result, ((char)code).ToString(), 5),
+                '\\' when rest.StartsWith(@"\X\") && rest.Length >= 5 && TryHex(rest.Slice(3, 2), out var code) =>
+                    Append(result, ((char)code).ToString(), 5),
                 '\\' when rest.StartsWith(@"\S\") && rest.Length >= 4 => Append(result, ((char)(rest[3] | 0x80)).ToString(), 4),
                 _ => Append(result, rest[..1].ToString(), 1),
             };
@@ -50,7 +51,10 @@ internal static class StepText
                 wide = !plain;
             }
 
-            result.Append(plain ? c switch { '\'' => "''", '\\' => "\\\\", _ => c.ToString() } : ((int)c).ToString("X4", CultureInfo.InvariantCulture));
+            result.Append(
+                plain
+                    ? c switch { '\'' => "''", '\\' => "\\\\", _ => c.ToString() }
+                    : ((int)c).ToString("X4", CultureInfo.InvariantCulture));
         }
 
         return result.Append(wide ? @"\X0\'" : "'").ToString();
@@ -79,5 +83,6 @@ internal static class StepText
         return end < 0 || coded.Length % digits != 0 ? Append(result, "\\", 1) : Append(result, decoded.ToString(), end + 4);
     }
 
-    private static bool TryHex(ReadOnlySpan<char> digits, out int code) => int.TryParse(digits, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out code) && code >= 0;
+    private static bool TryHex(ReadOnlySpan<char> digits, out int code) =>
+        int.TryParse(digits, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out code) && code >= 0;
 }

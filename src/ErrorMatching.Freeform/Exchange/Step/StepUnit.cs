@@ -7,7 +7,9 @@ internal static class StepUnit
     /// <exception cref="FreeformException">The context has no length unit, or an unknown one.</exception>
     public static double Millimeters(StepInstance context)
     {
-        var units = context.Find("GLOBAL_UNIT_ASSIGNED_CONTEXT") ?? throw context.Records[0].Fail("bad-unit", "a context without units (GLOBAL_UNIT_ASSIGNED_CONTEXT); a unit of length is expected");
+        var units = context.Find("GLOBAL_UNIT_ASSIGNED_CONTEXT")
+            ?? throw context.Records[0].Fail(
+                "bad-unit", "a context without units (GLOBAL_UNIT_ASSIGNED_CONTEXT); a unit of length is expected");
         foreach (var unit in units.Instances(0))
         {
             if (unit.Find("LENGTH_UNIT") is not null)
@@ -24,15 +26,20 @@ internal static class StepUnit
         if (unit.Find("SI_UNIT") is { } si)
         {
             var name = si.Word(si.Values.Count - 1);
-            return name is "METRE" or "METER" ? 1000 * Prefix(si, si.Word(si.Values.Count - 2)) : throw si.Fail("bad-unit", $"a length in {ExchangeLimits.Quote(name)}; METRE is expected");
+            return name is "METRE" or "METER"
+                ? 1000 * Prefix(si, si.Word(si.Values.Count - 2))
+                : throw si.Fail("bad-unit", $"a length in {ExchangeLimits.Quote(name)}; METRE is expected");
         }
 
         // A conversion-based unit: inch, foot.
         var record = unit.Get("CONVERSION_BASED_UNIT");
         var measure = record.Instance(record.Values.Count - 1);
-        var factor = measure.Records.FirstOrDefault(r => r.Values.Count >= 2) ?? throw record.Fail("bad-unit", "a unit without its measure");
+        var factor = measure.Records.FirstOrDefault(r => r.Values.Count >= 2)
+            ?? throw record.Fail("bad-unit", "a unit without its measure");
         var value = factor.Real(0);
-        return value > 0 && depth < ExchangeLimits.MaxDepth ? value * Length(factor.Instance(1), depth + 1) : throw factor.Fail("bad-unit", "a unit that is not a positive multiple of another one");
+        return value > 0 && depth < ExchangeLimits.MaxDepth
+            ? value * Length(factor.Instance(1), depth + 1)
+            : throw factor.Fail("bad-unit", "a unit that is not a positive multiple of another one");
     }
 
     private static double Prefix(StepRecord unit, string prefix) => prefix switch
@@ -46,6 +53,9 @@ internal static class StepUnit
         "MILLI" => 1e-3,
         "MICRO" => 1e-6,
         "NANO" => 1e-9,
-        _ => throw unit.Fail("bad-unit", $"the prefix {ExchangeLimits.Quote(prefix)} of a length; MILLI, CENTI, none or another one of engineering is expected"),
+        _ =>
+            throw unit.Fail(
+                "bad-unit",
+                $"the prefix {ExchangeLimits.Quote(prefix)} of a length; MILLI, CENTI, none or another one of engineering is expected"),
     };
 }

@@ -21,17 +21,24 @@ public static class StepWriter
         lines.Add($"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})");
         var product = lines.Add($"PRODUCT({name},{name},'',({lines.Add($"PRODUCT_CONTEXT('',{application},'mechanical')")}))");
         var formation = lines.Add($"PRODUCT_DEFINITION_FORMATION('','',{product})");
-        var definition = lines.Add($"PRODUCT_DEFINITION('design','',{formation},{lines.Add($"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")})");
+        var definition = lines.Add(
+            $"PRODUCT_DEFINITION('design','',{formation},"
+                + $"{lines.Add($"PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')")})");
         var shape = lines.Add($"PRODUCT_DEFINITION_SHAPE('','',{definition})");
         lines.Add($"PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,({product}))");
         var length = lines.Add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
         var angle = lines.Add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
         var solid = lines.Add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-        var uncertainty = lines.Add($"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-06),{length},'distance_accuracy_value','confusion accuracy')");
-        var context = lines.Add($"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty}))GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid}))REPRESENTATION_CONTEXT('',''))");
+        var uncertainty = lines.Add(
+            $"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-06),{length},'distance_accuracy_value','confusion accuracy')");
+        var context = lines.Add(
+            $"(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty})"
+                + $")GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid}))REPRESENTATION_CONTEXT('',''))");
         var face = Face(lines, surface, name);
         var model = lines.Add($"SHELL_BASED_SURFACE_MODEL('',({lines.Add($"OPEN_SHELL('',({face}))")}))");
-        var origin = lines.Add($"AXIS2_PLACEMENT_3D('',{lines.Point(new Point3(0, 0, 0))},{lines.Add("DIRECTION('',(0.,0.,1.))")},{lines.Add("DIRECTION('',(1.,0.,0.))")})");
+        var origin = lines.Add(
+            $"AXIS2_PLACEMENT_3D('',{lines.Point(new Point3(0, 0, 0))},{lines.Add("DIRECTION('',(0.,0.,1.))")},"
+                + $"{lines.Add("DIRECTION('',(1.,0.,0.))")})");
         var representation = lines.Add($"MANIFOLD_SURFACE_SHAPE_REPRESENTATION({name},({origin},{model}),{context})");
         lines.Add($"SHAPE_DEFINITION_REPRESENTATION({shape},{representation})");
         return Encoding.ASCII.GetBytes(

@@ -20,7 +20,8 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
     });
 
     /// <summary>Returns the part inside polygons of angle and height.</summary>
-    public (SplineSurface Spline, SurfaceRegion Region) Inside(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    public (SplineSurface Spline, SurfaceRegion Region) Inside(
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         // Each loop started at its own angle. Holes are shifted by whole turns to the largest loop.
         var outer = loops.MaxBy(l => Math.Abs(RegionLoop.Area(l))) ?? [];
@@ -43,7 +44,8 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
         }
 
         var spline = new SplineSurface(arc.Knots, KnotVector.Clamped(1, [least.Y, most.Y]), poles.ToArray(), weights.ToArray());
-        var mapped = together.Select(l => (IReadOnlyList<Point2>)[.. l.Select(q => new Point2(SplineArc.ParameterOf(q.X, least.X, most.X), q.Y))]).ToList();
+        var mapped = together.Select(
+            l => (IReadOnlyList<Point2>)[.. l.Select(q => new Point2(SplineArc.ParameterOf(q.X, least.X, most.X), q.Y))]).ToList();
         return (spline, RegionLimits.Of(spline, mapped, fail));
     }
 

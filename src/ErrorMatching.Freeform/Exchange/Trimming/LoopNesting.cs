@@ -68,7 +68,10 @@ internal sealed class LoopNesting
                 tree.Near(i, NearMm, near);
                 if (tree.Looks > MostLooks)
                 {
-                    throw _fail("too-large", "the curves that limit the surface lie too close to one another, too many of them, to be told apart. Export the part that is cut as a surface of its own");
+                    throw _fail(
+                        "too-large",
+                        "the curves that limit the surface lie too close to one another, too many of them, to be told apart. Export the "
+                            + "part that is cut as a surface of its own");
                 }
 
                 own.Clear();
@@ -125,7 +128,12 @@ internal sealed class LoopNesting
         var around = _lengths[a.Loop] - second.AtMm - second.LengthMm + first.AtMm < CornerMm;
         var (from, to) = Shares(a, side < other ? around : between, side < other ? between : around);
         var (otherFrom, otherTo) = Shares(b, side < other ? between : around, side < other ? around : between);
-        return from <= to && otherFrom <= otherTo && a.Near(b.At(otherFrom), b.At(otherTo), NearMm) is { } at && Math.Max(at.From, from) is var least && Math.Min(at.To, to) is var most && least <= most
+        return from <= to
+            && otherFrom <= otherTo
+            && a.Near(b.At(otherFrom), b.At(otherTo), NearMm) is { } at
+            && Math.Max(at.From, from) is var least
+            && Math.Min(at.To, to) is var most
+            && least <= most
             ? (least, most)
             : null;
 
@@ -148,7 +156,10 @@ internal sealed class LoopNesting
             var beyond = beside + (b.Y != a.Y ? Math.Sign(b.Y - a.Y) : Math.Sign(a.X - b.X));
             if ((beside != 0 && beside != sense) || (beyond != 0 && beyond != sense))
             {
-                throw _fail("bad-loop", $"one of the limits crosses itself: at {Place(side, share)} it goes round the wrong way, or a second time. A loop that goes round once is expected");
+                throw _fail(
+                    "bad-loop",
+                    $"one of the limits crosses itself: at {Place(side, share)} it goes round the wrong way, or a second time. A loop "
+                        + $"that goes round once is expected");
             }
         }
     }
@@ -181,18 +192,29 @@ internal sealed class LoopNesting
             if (which.Count < places.Count)
             {
                 var outside = places[Enumerable.Range(0, places.Count).First(k => k == which.Count || which[k] != k)];
-                throw _fail("bad-loop", $"the limits cross each other: one of them goes through {Place(places[which[0]].Side, places[which[0]].Share)} inside of another one, and through {Place(outside.Side, outside.Share)} outside of it. An outer limit and holes in it are expected");
+                throw _fail(
+                    "bad-loop",
+                    $"the limits cross each other: one of them goes through {Place(places[which[0]].Side, places[which[0]].Share)} "
+                        + $"inside of another one, and through {Place(outside.Side, outside.Share)} outside of it. An outer limit and "
+                            + $"holes in it "
+                        + $"are expected");
             }
         }
 
         if (loop != _outer && !inside.ContainsKey(_outer))
         {
-            throw _fail("bad-loop", $"one of the limits, through {Place(places[0].Side, places[0].Share)}, lies outside of the largest one. An outer limit and holes in it are expected: export the part that is cut as a surface of its own");
+            throw _fail(
+                "bad-loop",
+                $"one of the limits, through {Place(places[0].Side, places[0].Share)}, lies outside of the largest one. An outer limit "
+                    + $"and holes in it are expected: export the part that is cut as a surface of its own");
         }
 
         if (inside.Keys.Any(o => o != _outer))
         {
-            throw _fail("bad-loop", $"one of the limits, through {Place(places[0].Side, places[0].Share)}, lies inside of a hole. An outer limit and holes in it are expected: export the part that is cut as a surface of its own");
+            throw _fail(
+                "bad-loop",
+                $"one of the limits, through {Place(places[0].Side, places[0].Share)}, lies inside of a hole. An outer limit and holes "
+                    + $"in it are expected: export the part that is cut as a surface of its own");
         }
     }
 

@@ -51,7 +51,11 @@ internal sealed class LoopSideTree
         }
 
         var size = all.Max - all.Min;
-        Func<Box3, double> center = size.X >= size.Y && size.X >= size.Z ? b => b.Min.X + b.Max.X : size.Y >= size.Z ? b => b.Min.Y + b.Max.Y : b => b.Min.Z + b.Max.Z;
+        Func<Box3, double> center = size.X >= size.Y && size.X >= size.Z
+            ? b => b.Min.X + b.Max.X
+            : size.Y >= size.Z
+            ? b => b.Min.Y + b.Max.Y
+            : b => b.Min.Z + b.Max.Z;
         var keys = new double[count];
         for (var i = 0; i < count; i++)
         {
@@ -88,7 +92,12 @@ internal sealed class LoopSideTree
     }
 
     private static bool AreNear(in Box3 a, in Box3 b, double mm) =>
-        a.Min.X - b.Max.X <= mm && b.Min.X - a.Max.X <= mm && a.Min.Y - b.Max.Y <= mm && b.Min.Y - a.Max.Y <= mm && a.Min.Z - b.Max.Z <= mm && b.Min.Z - a.Max.Z <= mm;
+        a.Min.X - b.Max.X <= mm
+            && b.Min.X - a.Max.X <= mm
+            && a.Min.Y - b.Max.Y <= mm
+            && b.Min.Y - a.Max.Y <= mm
+            && a.Min.Z - b.Max.Z <= mm
+            && b.Min.Z - a.Max.Z <= mm;
 
     private static Box3 Around(Box3 a, Box3 b) => Box3.Around([a.Min, a.Max, b.Min, b.Max]);
 }

@@ -49,6 +49,8 @@ internal sealed class LoopStretches
         }
 
         var whole = _stretches[^1];
-        _stretches[^1] = length > whole.LongestMm ? part with { LengthMm = whole.LengthMm + length } : whole with { LengthMm = whole.LengthMm + length };
+        _stretches[^1] = length > whole.LongestMm
+            ? part with { LengthMm = whole.LengthMm + length }
+            : whole with { LengthMm = whole.LengthMm + length };
     }
 }

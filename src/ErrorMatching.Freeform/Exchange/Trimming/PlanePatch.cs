@@ -11,7 +11,8 @@ internal sealed record PlanePatch(Point3 Origin, Vector3 X, Vector3 Y)
     public SurfaceMap Map => new(At, (p, _) => new((p - Origin).Dot(X), (p - Origin).Dot(Y)));
 
     /// <summary>Returns the part inside polygons.</summary>
-    public (SplineSurface Spline, SurfaceRegion Region) Inside(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    public (SplineSurface Spline, SurfaceRegion Region) Inside(
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var (least, most) = RegionLoop.Bounds(loops, fail);
         Point3[] poles = [At(least), At(new(least.X, most.Y)), At(new(most.X, least.Y)), At(most)];

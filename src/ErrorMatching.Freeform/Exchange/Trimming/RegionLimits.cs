@@ -13,10 +13,13 @@ internal static class RegionLimits
     /// <param name="loops">The polygons.</param>
     /// <param name="fail">Creates an error from a code and a problem.</param>
     /// <exception cref="FreeformException">A polygon leaves the surface, or they cross, or are not an outer one with holes.</exception>
-    public static SurfaceRegion Of(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    public static SurfaceRegion Of(
+        SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
         var seam = SurfaceSeam.Of(surface);
-        var inside = loops.Select(l => (IReadOnlyList<Point2>)[.. (seam.Within(surface, l) ?? throw Crossing(surface, l, fail)).Select(q => Clamp(surface, q, fail))]).ToList();
+        var inside = loops.Select(
+            l => (IReadOnlyList<Point2>)[
+                .. (seam.Within(surface, l) ?? throw Crossing(surface, l, fail)).Select(q => Clamp(surface, q, fail))]).ToList();
         if (inside.Count == 0 || (inside is [var only] && IsBorder(surface, only)))
         {
             return SurfaceRegion.Whole;
@@ -32,11 +35,15 @@ internal static class RegionLimits
         return [new(u.Start, v.Start), new(u.End, v.Start), new(u.End, v.End), new(u.Start, v.End)];
     }
 
-    private static FreeformException Crossing(SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, FreeformException> fail)
+    private static FreeformException Crossing(
+        SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, FreeformException> fail)
     {
         var at = SurfaceSeam.Of(surface).Within(surface, loop[0]);
         var p = surface.PointAt(at.X, at.Y);
-        return fail("bad-loop", $"the limits, one of them through {PlaceText.Triple(p)}, cross the line where the surface closes on itself. Export the part that is cut as a surface of its own, or turn that line to its other side");
+        return fail(
+            "bad-loop",
+            $"the limits, one of them through {PlaceText.Triple(p)}, cross the line where the surface closes on itself. Export the part "
+                + $"that is cut as a surface of its own, or turn that line to its other side");
     }
 
     private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, FreeformException> fail)
@@ -44,7 +51,12 @@ internal static class RegionLimits
         var (u, v) = (surface.KnotsU, surface.KnotsV);
         Point2 held = new(Math.Clamp(q.X, u.Start, u.End), Math.Clamp(q.Y, v.Start, v.End));
         return held == q || (surface.PointAt(held.X, held.Y) - surface.PointAt(q.X, q.Y)).Length <= RegionTracer.GapMm ? held
-            : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface goes to ({q.X:0.######}, {q.Y:0.######}) of its parameters, which end at {u.Start:0.######}..{u.End:0.######} and {v.Start:0.######}..{v.End:0.######}"));
+            : throw fail(
+                "limit-off-surface",
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"a curve that limits the surface goes to ({q.X:0.######}, {q.Y:0.######}) of its parameters, which end at "
+                        + $"{u.Start:0.######}..{u.End:0.######} and {v.Start:0.######}..{v.End:0.######}"));
     }
 
     // All points are on the border and the whole area is inside: the surface is not trimmed.

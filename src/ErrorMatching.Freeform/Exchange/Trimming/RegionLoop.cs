@@ -20,15 +20,19 @@ internal static class RegionLoop
 
     /// <summary>The smallest and the largest parameters of polygons.</summary>
     /// <exception cref="FreeformException">The polygons have no width or no height.</exception>
-    public static (Point2 Least, Point2 Most) Bounds(IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    public static (Point2 Least, Point2 Most) Bounds(
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
     {
-        var (least, most) = (new Point2(double.PositiveInfinity, double.PositiveInfinity), new Point2(double.NegativeInfinity, double.NegativeInfinity));
+        var (least, most) = (
+            new Point2(double.PositiveInfinity, double.PositiveInfinity), new Point2(double.NegativeInfinity, double.NegativeInfinity));
         foreach (var q in loops.SelectMany(l => l))
         {
             least = new(Math.Min(least.X, q.X), Math.Min(least.Y, q.Y));
             most = new(Math.Max(most.X, q.X), Math.Max(most.Y, q.Y));
         }
 
-        return most.X > least.X && most.Y > least.Y ? (least, most) : throw fail("bad-loop", "the curves that limit the surface enclose nothing");
+        return most.X > least.X && most.Y > least.Y
+            ? (least, most)
+            : throw fail("bad-loop", "the curves that limit the surface enclose nothing");
     }
 }

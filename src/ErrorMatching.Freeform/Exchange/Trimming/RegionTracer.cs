@@ -32,7 +32,13 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         var p = curve.PointAt(t);
         var foot = map.FootOf(p, near);
         var off = (map.PointAt(foot) - p).Length;
-        return off <= GapMm ? foot : throw fail("limit-off-surface", string.Create(CultureInfo.InvariantCulture, $"a curve that limits the surface is {off:0.###} mm away from it at {Place(p)}; at most {GapMm} mm is expected"));
+        return off <= GapMm
+            ? foot
+            : throw fail(
+                "limit-off-surface",
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"a curve that limits the surface is {off:0.###} mm away from it at {Place(p)}; at most {GapMm} mm is expected"));
     });
 
     /// <summary>Continues the loop along a curve in the parameters.</summary>
@@ -58,7 +64,11 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
             Join(_loop[0]);
             if (map.Seam.IsBetween(_loop[0], _loop[^1]))
             {
-                throw fail("bad-loop", $"a limit that goes round the surface, which closes on itself, and passes {Place(map.PointAt(_loop[0]))} again from the other side; loops that enclose a part of it are expected. Export the part that is cut as a surface of its own");
+                throw fail(
+                    "bad-loop",
+                    $"a limit that goes round the surface, which closes on itself, and passes {Place(map.PointAt(_loop[0]))} again from "
+                        + $"the other side; loops that enclose a part of it are expected. Export the part that is cut as a surface of its "
+                        + $"own");
             }
 
             if (_loop.Count > 1 && Near(_loop[^1], _loop[0]))
@@ -134,7 +144,12 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
     {
         if (_loop.Count > 0 && (map.PointAt(next) - map.PointAt(_loop[^1])).Length is var gap && gap > GapMm)
         {
-            throw fail("open-loop", string.Create(CultureInfo.InvariantCulture, $"the curves that limit the surface leave a gap of {gap:0.###} mm at {Place(map.PointAt(_loop[^1]))}; a closed loop is expected"));
+            throw fail(
+                "open-loop",
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"the curves that limit the surface leave a gap of {gap:0.###} mm at {Place(map.PointAt(_loop[^1]))}; a closed loop "
+                        + $"is expected"));
         }
     }
 
@@ -162,7 +177,9 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
         }
 
         var (p, q, middle) = (map.PointAt(a), map.PointAt(b), map.PointAt(a.Lerp(b, 0.5)));
-        return (q - p).Length <= ToleranceMm && (middle - p).Length <= ToleranceMm && a.DistanceTo(b) <= 1e-3 * (1 + Math.Abs(a.X) + Math.Abs(a.Y));
+        return (q - p).Length <= ToleranceMm
+            && (middle - p).Length <= ToleranceMm
+            && a.DistanceTo(b) <= 1e-3 * (1 + Math.Abs(a.X) + Math.Abs(a.Y));
     }
 
     private static string Place(Point3 p) => PlaceText.Triple(p);

@@ -26,7 +26,8 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
     public Point2 Beside(Point2 q, Point2 other) => new(Turned(q.X, other.X, PeriodU), Turned(q.Y, other.Y, PeriodV));
 
     /// <summary>The same place within the parameter range of the surface.</summary>
-    public Point2 Within(SplineSurface surface, Point2 q) => new(Wrapped(q.X, surface.KnotsU, PeriodU), Wrapped(q.Y, surface.KnotsV, PeriodV));
+    public Point2 Within(SplineSurface surface, Point2 q) =>
+        new(Wrapped(q.X, surface.KnotsU, PeriodU), Wrapped(q.Y, surface.KnotsV, PeriodV));
 
     /// <summary>True if two places, one on the surface, are separated by whole periods.</summary>
     public bool IsBetween(Point2 a, Point2 b) => Beside(a, b) != a;
@@ -35,7 +36,8 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
     /// <returns>Null if it crosses the seam.</returns>
     public IReadOnlyList<Point2>? Within(SplineSurface surface, IReadOnlyList<Point2> loop)
     {
-        if (Shift(loop.Min(q => q.X), loop.Max(q => q.X), surface.KnotsU, PeriodU) is not { } x || Shift(loop.Min(q => q.Y), loop.Max(q => q.Y), surface.KnotsV, PeriodV) is not { } y)
+        if (Shift(loop.Min(q => q.X), loop.Max(q => q.X), surface.KnotsU, PeriodU) is not { } x
+            || Shift(loop.Min(q => q.Y), loop.Max(q => q.Y), surface.KnotsV, PeriodV) is not { } y)
         {
             return null;
         }
@@ -45,12 +47,17 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
 
     // True if both ends are the same line over its full length.
     private static bool IsOne(KnotVector along, Func<double, Point3> first, Func<double, Point3> last) =>
-        Enumerable.Range(0, Places + 1).Select(i => along.Start + ((along.End - along.Start) * i / Places)).All(t => (last(t) - first(t)).Length <= ClosedMm);
+        Enumerable.Range(0, Places + 1)
+            .Select(i => along.Start + ((along.End - along.Start) * i / Places))
+            .All(t => (last(t) - first(t)).Length <= ClosedMm);
 
-    private static double Turned(double value, double other, double period) => period > 0 ? value + (period * Math.Round((other - value) / period)) : value;
+    private static double Turned(double value, double other, double period) =>
+        period > 0 ? value + (period * Math.Round((other - value) / period)) : value;
 
     private static double Wrapped(double value, KnotVector knots, double period) =>
-        period > 0 && (value < knots.Start || value > knots.End) ? knots.Start + (value - knots.Start - (period * Math.Floor((value - knots.Start) / period))) : value;
+        period > 0 && (value < knots.Start || value > knots.End)
+            ? knots.Start + (value - knots.Start - (period * Math.Floor((value - knots.Start) / period)))
+            : value;
 
     private static double? Shift(double least, double most, KnotVector knots, double period)
     {

@@ -24,7 +24,9 @@ internal sealed record AxisFunction(int Power, double? Break = null)
 
     /// <summary>The basis functions of an axis. The square of a break follows the square of the whole axis, its cube the cube.</summary>
     public static AxisFunction[] Hierarchy(int degree, IReadOnlyList<double> breaks) =>
-        [.. Enumerable.Range(0, degree + 1).Select(p => new AxisFunction(p)), .. breaks.SelectMany(xi => new AxisFunction[] { new(2, xi), new(3, xi) })];
+        [
+            .. Enumerable.Range(0, degree + 1).Select(p => new AxisFunction(p)),
+            .. breaks.SelectMany(xi => new AxisFunction[] { new(2, xi), new(3, xi) })];
 
     /// <summary>The previous function in the hierarchy, which a term requires; null for the constant.</summary>
     public AxisFunction? Parent => (Power, Break) switch

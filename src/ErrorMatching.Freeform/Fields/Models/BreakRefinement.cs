@@ -43,7 +43,8 @@ internal static class BreakRefinement
     {
         // With a single line beyond it, the position and size of a break cannot be distinguished, so it is not moved.
         var (linesU, linesV) = model.Data.LinePlaces();
-        (bool AlongU, double At)[] breaks = [.. Between(model.BreaksU, linesU).Select(b => (true, b)), .. Between(model.BreaksV, linesV).Select(b => (false, b))];
+        (bool AlongU, double At)[] breaks = [
+            .. Between(model.BreaksU, linesU).Select(b => (true, b)), .. Between(model.BreaksV, linesV).Select(b => (false, b))];
         if (breaks.Length == 0)
         {
             return null;
@@ -64,7 +65,8 @@ internal static class BreakRefinement
         return moves;
     }
 
-    private static IEnumerable<double> Between(IReadOnlyList<double> breaks, double[] lines) => breaks.Where(b => lines.Length > 3 && b >= lines[1] && b <= lines[^2]);
+    private static IEnumerable<double> Between(IReadOnlyList<double> breaks, double[] lines) =>
+        breaks.Where(b => lines.Length > 3 && b >= lines[1] && b <= lines[^2]);
 
     /// <summary>Derivative of the model's values with respect to the position of a break.</summary>
     private static double[] Slope(PolynomialModel model, bool alongU, double at)
@@ -99,7 +101,8 @@ internal static class BreakRefinement
         var (linesU, linesV) = model.Data.LinePlaces();
         return [.. model.Terms.Select(t => new Term(Move(t.U, true, linesU), Move(t.V, false, linesV)))];
 
-        AxisFunction Move(AxisFunction function, bool alongU, double[] lines) => function.Break is { } at && moves.TryGetValue((alongU, at), out var move)
+        AxisFunction Move(AxisFunction function, bool alongU, double[] lines) =>
+            function.Break is { } at && moves.TryGetValue((alongU, at), out var move)
             ? function with { Break = Math.Clamp(at + (move * share), lines[1], lines[^2]) }
             : function;
     }

@@ -65,7 +65,8 @@ internal sealed class BreakSearch
 
     /// <summary>Selects only terms up to squares, with the breaks of a model. A quadratic on each side may suffice, and higher terms would
     /// only follow noise.</summary>
-    public static PolynomialModel Squares(PolynomialModel model) => BreakRefinement.Run(PolynomialModel.Choose(model.Data, model.BreaksU, model.BreaksV, 2));
+    public static PolynomialModel Squares(PolynomialModel model) =>
+        BreakRefinement.Run(PolynomialModel.Choose(model.Data, model.BreaksU, model.BreaksV, 2));
 
     private PolynomialModel? Extend(PolynomialModel model) =>
         Places(model).Select(place => Try(model, place.AlongU, place.At)).OfType<PolynomialModel>().MinBy(m => m.Criterion);
@@ -128,7 +129,8 @@ internal sealed class BreakSearch
     private static Term[] Low(IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV) =>
         [.. from a in UpToSquare(breaksU) from b in UpToSquare(breaksV) select new Term(a, b)];
 
-    private static IEnumerable<AxisFunction> UpToSquare(IReadOnlyList<double> breaks) => AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
+    private static IEnumerable<AxisFunction> UpToSquare(IReadOnlyList<double> breaks) =>
+        AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
 
     private List<Place> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
     {
@@ -143,7 +145,8 @@ internal sealed class BreakSearch
             }
         }
 
-        return [.. scanned.Where((s, k) => (k == 0 || s.Sum <= scanned[k - 1].Sum) && (k + 1 == scanned.Count || s.Sum <= scanned[k + 1].Sum))];
+        return [
+            .. scanned.Where((s, k) => (k == 0 || s.Sum <= scanned[k - 1].Sum) && (k + 1 == scanned.Count || s.Sum <= scanned[k + 1].Sum))];
     }
 
     private double Left(bool alongU, double at, List<double[]> basis, double[] rest)

@@ -36,7 +36,8 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
 
     /// <summary>The inner lines of both directions to leave out in turn, each with the remaining values. The outermost lines stay, because
     /// a fit without them would have to extrapolate.</summary>
-    public IReadOnlyList<(int[] Line, FieldData Kept)> LinesOut => _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
+    public IReadOnlyList<(int[] Line, FieldData Kept)> LinesOut =>
+        _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
 
     private (int[], FieldData)[]? _linesOut;
 
@@ -73,11 +74,16 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
             return this;
         }
 
-        return Only([.. Chosen(Curves.Length, lines).Select(c => Curves[c]).SelectMany(curve => Chosen(curve.Length, lines).Select(k => curve[k]))]);
+        return Only(
+            [
+                .. Chosen(Curves.Length, lines).Select(c => Curves[c]).SelectMany(
+                    curve => Chosen(curve.Length, lines).Select(k => curve[k]))]);
     }
 
     private static int[] Chosen(int count, int most) =>
-        count <= most ? [.. Enumerable.Range(0, count)] : [.. Enumerable.Range(0, most).Select(k => (int)((long)k * (count - 1) / (most - 1)))];
+        count <= most
+            ? [.. Enumerable.Range(0, count)]
+            : [.. Enumerable.Range(0, most).Select(k => (int)((long)k * (count - 1) / (most - 1)))];
 
     /// <summary>The values with the given indices.</summary>
     public FieldData Only(int[] kept) => new(Pick(I, kept), Pick(J, kept), Pick(U, kept), Pick(V, kept), Pick(Z, kept));
@@ -139,7 +145,8 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
         return best;
     }
 
-    private static int[][] Groups(int[] numbers) => [.. Enumerable.Range(0, numbers.Length).GroupBy(k => numbers[k]).OrderBy(g => g.Key).Select(g => g.ToArray())];
+    private static int[][] Groups(int[] numbers) =>
+        [.. Enumerable.Range(0, numbers.Length).GroupBy(k => numbers[k]).OrderBy(g => g.Key).Select(g => g.ToArray())];
 
     private static bool Rectangular(int[] i, int[] j)
     {

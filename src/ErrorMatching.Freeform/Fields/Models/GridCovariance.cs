@@ -91,7 +91,8 @@ internal sealed class GridCovariance : Covariance
         return (Array.ConvertAll(_grid.U, x => kernel.AlongU(u, x)), Array.ConvertAll(_grid.V, x => kernel.AlongV(v, x)));
     }
 
-    private static double[][] Matrix(double[] places, Func<double, double, double> kernel) => Array.ConvertAll(places, a => Array.ConvertAll(places, b => kernel(a, b)));
+    private static double[][] Matrix(double[] places, Func<double, double, double> kernel) =>
+        Array.ConvertAll(places, a => Array.ConvertAll(places, b => kernel(a, b)));
 
     /// <summary>Multiplies the matrix of eigenvectors with a grid of values, along u.</summary>
     private static double[] Apply(double[][] vectors, double[] x, int width, bool transposed)

@@ -32,7 +32,10 @@ internal static class ModelChoice
         }
 
         var smooth = Least([polynomials[0], linear, process, spline])!;
-        if (process is not null && (polynomials.Count > 1 || smooth is ProcessModel) && !polynomials[^1].IsExact && data.Count <= MostForBreaksInWaves)
+        if (process is not null
+            && (polynomials.Count > 1 || smooth is ProcessModel)
+            && !polynomials[^1].IsExact
+            && data.Count <= MostForBreaksInWaves)
         {
             broken.Add(ProcessSearch.WithBreak(process));
         }

@@ -53,10 +53,13 @@ internal sealed class PolynomialModel : FieldModel
         LeastSquares.Solve(Term.Over(terms, data.U, data.V), data.Z) is { } fit ? new(data, terms, fit) : null;
 
     /// <summary>Fits the terms that <see cref="TermSelection"/> selects.</summary>
-    public static PolynomialModel Choose(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree)
+    public static PolynomialModel Choose(
+        FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree)
     {
         var model = Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
-        return breaksU.Count + breaksV.Count == 0 && degree == TermSelection.HighestDegree ? new(data, model._terms, model._fit, isFree: true) : model;
+        return breaksU.Count + breaksV.Count == 0 && degree == TermSelection.HighestDegree
+            ? new(data, model._terms, model._fit, isFree: true)
+            : model;
     }
 
     public override double At(double u, double v)
@@ -97,5 +100,6 @@ internal sealed class PolynomialModel : FieldModel
         return few == other || moved is null ? moved : Fit(other, moved._terms);
     }
 
-    private static double[] Breaks(IEnumerable<AxisFunction> functions) => [.. functions.Where(f => f.Break is not null).Select(f => f.Break!.Value).Distinct().Order()];
+    private static double[] Breaks(IEnumerable<AxisFunction> functions) =>
+        [.. functions.Where(f => f.Break is not null).Select(f => f.Break!.Value).Distinct().Order()];
 }

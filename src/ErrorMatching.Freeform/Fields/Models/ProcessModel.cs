@@ -40,9 +40,11 @@ internal sealed class ProcessModel : FieldModel
 
     public override FieldModelKind Kind => FieldModelKind.GaussianProcess;
 
-    public override IReadOnlyList<double> BreaksU => [.. _trend.Where(t => t.U.Break is not null).Select(t => t.U.Break!.Value).Distinct().Order()];
+    public override IReadOnlyList<double> BreaksU =>
+        [.. _trend.Where(t => t.U.Break is not null).Select(t => t.U.Break!.Value).Distinct().Order()];
 
-    public override IReadOnlyList<double> BreaksV => [.. _trend.Where(t => t.V.Break is not null).Select(t => t.V.Break!.Value).Distinct().Order()];
+    public override IReadOnlyList<double> BreaksV =>
+        [.. _trend.Where(t => t.V.Break is not null).Select(t => t.V.Break!.Value).Distinct().Order()];
 
     public override int DegreeU => 5;
 
@@ -155,6 +157,8 @@ internal sealed class ProcessModel : FieldModel
             return null;
         }
 
-        return BreaksU.Count + BreaksV.Count == 0 ? Fit(ProcessTrend.Of(other, _trend), _kernel, covariance, []) : ProcessSearch.WithBreakMoved(this, other, covariance);
+        return BreaksU.Count + BreaksV.Count == 0
+            ? Fit(ProcessTrend.Of(other, _trend), _kernel, covariance, [])
+            : ProcessSearch.WithBreakMoved(this, other, covariance);
     }
 }

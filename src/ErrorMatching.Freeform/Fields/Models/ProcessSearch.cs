@@ -53,7 +53,12 @@ internal static class ProcessSearch
         for (var k = 0; k < places.Length; k++)
         {
             var (model, lines) = (models[k], places[k].AlongU ? linesU : linesV);
-            best = model is not null && At(model) > lines[1] && At(model) < lines[^2] && model.Criterion < (best?.Criterion ?? smooth.Criterion - LeastGain) ? model : best;
+            best = model is not null
+                && At(model) > lines[1]
+                && At(model) < lines[^2]
+                && model.Criterion < (best?.Criterion ?? smooth.Criterion - LeastGain)
+                ? model
+                : best;
         }
 
         return best;
@@ -66,8 +71,11 @@ internal static class ProcessSearch
         for (var round = 0; round < 2 && model is not null; round++)
         {
             double[] start = [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)];
-            var kernel = ProcessTrend.Of(data.Thinned(FieldData.EnoughLines), Broken(place.AlongU, At(model))) is { } trend ? Improved(trend, start) : KernelOf(start);
-            model = Moved(data, kernel, Covariance.Of(data, kernel), place.AlongU, At(model), place.Reach / 2, round == 0 ? Roughly : Closely);
+            var kernel = ProcessTrend.Of(data.Thinned(FieldData.EnoughLines), Broken(place.AlongU, At(model))) is { } trend
+                ? Improved(trend, start)
+                : KernelOf(start);
+            model = Moved(
+                data, kernel, Covariance.Of(data, kernel), place.AlongU, At(model), place.Reach / 2, round == 0 ? Roughly : Closely);
         }
 
         return model;
@@ -77,7 +85,14 @@ internal static class ProcessSearch
     public static ProcessModel? WithBreakMoved(ProcessModel model, FieldData other, Covariance covariance)
     {
         var alongU = model.BreaksU.Count > 0;
-        return Moved(other, model.Kernel, covariance, alongU, At(model), 1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1), Roughly);
+        return Moved(
+            other,
+            model.Kernel,
+            covariance,
+            alongU,
+            At(model),
+            1.0 / ((alongU ? model.Data.Crossings : model.Data.Curves).Length - 1),
+            Roughly);
     }
 
     private static double At(ProcessModel model) => model.BreaksU.Concat(model.BreaksV).Single();
@@ -96,7 +111,8 @@ internal static class ProcessSearch
         var half = kernels.Count / 2;
         var behind = Task.Run(() => Found(kernels[half..]));
         var likeliest = Found(kernels[..half]).Concat(behind.GetAwaiter().GetResult()).OrderBy(p => p.Criterion).ToArray();
-        return [.. likeliest.Where((p, k) => !likeliest.Take(k).Any(q => q.AlongU == p.AlongU && Math.Abs(q.At - p.At) < 2 * p.Reach)).Take(2)];
+        return [
+            .. likeliest.Where((p, k) => !likeliest.Take(k).Any(q => q.AlongU == p.AlongU && Math.Abs(q.At - p.At) < 2 * p.Reach)).Take(2)];
 
         List<BreakPlace> Found(List<Kernel> some)
         {
@@ -116,7 +132,8 @@ internal static class ProcessSearch
     }
 
     /// <summary>Finds places in the cells along one direction where a break is likelier than at the neighbors.</summary>
-    private static IEnumerable<BreakPlace> Scan(ProcessModel smooth, Kernel kernel, Covariance covariance, double[][] begun, bool alongU, double[] lines)
+    private static IEnumerable<BreakPlace> Scan(
+        ProcessModel smooth, Kernel kernel, Covariance covariance, double[][] begun, bool alongU, double[] lines)
     {
         var places = new List<BreakPlace>();
         for (var cell = 1; cell + 2 < lines.Length; cell++)
@@ -125,15 +142,25 @@ internal static class ProcessSearch
             {
                 var reach = (lines[cell + 1] - lines[cell]) / PlacesPerCell;
                 var at = lines[cell] + (reach * (k + 0.5));
-                places.Add(new(kernel, alongU, at, reach, ProcessModel.Fit(ProcessTrend.Of(smooth.Data, Broken(alongU, at)), kernel, covariance, begun)?.Criterion ?? double.PositiveInfinity));
+                places.Add(new(
+                    kernel,
+                    alongU,
+                    at,
+                    reach,
+                    ProcessModel.Fit(ProcessTrend.Of(smooth.Data, Broken(alongU, at)), kernel, covariance, begun)?.Criterion
+                        ?? double.PositiveInfinity));
             }
         }
 
-        return places.Where((p, k) => p.Criterion < smooth.Criterion - LeastGain && (k == 0 || p.Criterion <= places[k - 1].Criterion) && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
+        return places.Where(
+            (p, k) => p.Criterion < smooth.Criterion - LeastGain
+                && (k == 0 || p.Criterion <= places[k - 1].Criterion)
+                && (k + 1 == places.Count || p.Criterion <= places[k + 1].Criterion));
     }
 
     /// <summary>Fits the process with its break at the least criterion within a reach.</summary>
-    private static ProcessModel? Moved(FieldData data, Kernel kernel, Covariance? covariance, bool alongU, double at, double reach, double tolerance)
+    private static ProcessModel? Moved(
+        FieldData data, Kernel kernel, Covariance? covariance, bool alongU, double at, double reach, double tolerance)
     {
         if (covariance is null)
         {
@@ -152,7 +179,8 @@ internal static class ProcessSearch
         [.. Trend(2), .. Enumerable.Range(0, 3).Select(p => alongU ? new Term(new(2, at), new(p)) : new Term(new(p), new(2, at)))];
 
     /// <summary>The covariance's solutions for the quadratic, with which <see cref="Broken"/> starts for every break.</summary>
-    private static double[][] Begun(FieldData data, Covariance covariance) => Array.ConvertAll(Term.Over(Trend(2), data.U, data.V), covariance.Solve);
+    private static double[][] Begun(FieldData data, Covariance covariance) =>
+        Array.ConvertAll(Term.Over(Trend(2), data.U, data.V), covariance.Solve);
 
     private static Kernel Improved(ProcessTrend trend, double[] start) =>
         KernelOf(Simplex.Minimum(x => Cost(trend, x), start, 0.7, MostEvaluations, 1e-3));
@@ -160,7 +188,8 @@ internal static class ProcessSearch
     public static Term[] Trend(int degree) =>
         [.. from a in Enumerable.Range(0, degree + 1) from b in Enumerable.Range(0, degree + 1 - a) select new Term(new(a), new(b))];
 
-    private static double Cost(ProcessTrend trend, double[] x) => -(ProcessModel.Fit(trend, KernelOf(x))?.Likelihood ?? double.NegativeInfinity);
+    private static double Cost(ProcessTrend trend, double[] x) =>
+        -(ProcessModel.Fit(trend, KernelOf(x))?.Likelihood ?? double.NegativeInfinity);
 
     private static Kernel KernelOf(double[] x) =>
         new(Math.Exp(Math.Clamp(x[0], -3, 3)), Math.Exp(Math.Clamp(x[1], -3, 3)), Math.Pow(10, Math.Clamp(x[2], -13, 2)));

@@ -50,8 +50,12 @@ internal sealed record SampleGrid(double[] U, double[] V, int[] Index)
     {
         for (var i = 0; i < lines.Length; i++)
         {
-            var space = Math.Min(i > 0 ? means[i] - means[i - 1] : double.PositiveInfinity, i + 1 < lines.Length ? means[i + 1] - means[i] : double.PositiveInfinity);
-            if (!(space > 0) || Array.Exists(lines[i], k => Math.Abs(values[k] - means[i]) > Math.Max(Tolerance * space, Math.Min(tolerance * space, most))))
+            var space = Math.Min(
+                i > 0 ? means[i] - means[i - 1] : double.PositiveInfinity,
+                i + 1 < lines.Length ? means[i + 1] - means[i] : double.PositiveInfinity);
+            if (!(space > 0)
+                || Array.Exists(
+                    lines[i], k => Math.Abs(values[k] - means[i]) > Math.Max(Tolerance * space, Math.Min(tolerance * space, most))))
             {
                 return false;
             }

@@ -21,7 +21,10 @@ internal sealed class SplineAxis
     public static SplineAxis Over(double[] lines, int mostPieces)
     {
         var pieces = Math.Min(lines.Length - 1, mostPieces);
-        var inner = Enumerable.Range(1, pieces - 1).Select(k => lines[(int)((long)k * (lines.Length - 1) / pieces)]).Where(t => t is > -1 and < 1).Distinct();
+        var inner = Enumerable.Range(1, pieces - 1)
+            .Select(k => lines[(int)((long)k * (lines.Length - 1) / pieces)])
+            .Where(t => t is > -1 and < 1)
+            .Distinct();
         return new([-1, .. inner, 1]);
     }
 

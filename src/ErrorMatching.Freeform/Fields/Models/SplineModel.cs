@@ -128,7 +128,8 @@ internal sealed class SplineModel : FieldModel
                     if (column <= row)
                     {
                         // A trace of the values themselves keeps planes determined where lines are missing.
-                        rows[row][column - Math.Max(0, row - width)] = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l]) + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
+                        rows[row][column - Math.Max(0, row - width)] = (u2[i][k] * v0[j][l]) + (2 * u1[i][k] * v1[j][l])
+                            + (u0[i][k] * v2[j][l]) + (1e-9 * u0[i][k] * v0[j][l]);
                     }
                 }
             }

@@ -56,7 +56,9 @@ internal sealed class TermSelection
     public static double CriterionOf(FieldData data, double squareSum, int terms, int breaks)
     {
         var (n, k) = (data.Count, terms + breaks + 1);
-        return n - k - 1 > 0 ? (n * Math.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1)) : double.PositiveInfinity;
+        return n - k - 1 > 0
+            ? (n * Math.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1))
+            : double.PositiveInfinity;
     }
 
     /// <summary>The variance below which a residual means nothing: the square of 0.1 pm plus the rounding of large values.</summary>
@@ -122,7 +124,10 @@ internal sealed class TermSelection
     }
 
     private bool Allowed(Term term) =>
-        Taken(term.U.Parent, term.V) && Taken(term.U, term.V.Parent) && Fits(term.U, c => c.Term.U, _mostU) && Fits(term.V, c => c.Term.V, _mostV);
+        Taken(term.U.Parent, term.V)
+            && Taken(term.U, term.V.Parent)
+            && Fits(term.U, c => c.Term.U, _mostU)
+            && Fits(term.V, c => c.Term.V, _mostV);
 
     private bool Fits(AxisFunction function, Func<Candidate, AxisFunction> of, int most)
     {
@@ -130,7 +135,8 @@ internal sealed class TermSelection
         return functions.Contains(function) || functions.Count < most;
     }
 
-    private bool Taken(AxisFunction? u, AxisFunction? v) => u is not { } a || v is not { } b || _taken.Exists(c => c.Term == new Term(a, b));
+    private bool Taken(AxisFunction? u, AxisFunction? v) =>
+        u is not { } a || v is not { } b || _taken.Exists(c => c.Term == new Term(a, b));
 
     private bool Amplifies(Candidate candidate)
     {

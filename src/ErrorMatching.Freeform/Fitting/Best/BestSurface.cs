@@ -59,19 +59,31 @@ public static class BestSurface
         var count = grid.Curves.Sum(c => (long)c.Count);
         if (grid.Curves.Count < 2 || grid.Curves.Any(c => c.Count < 2))
         {
-            throw new FreeformException("too-few-points", "grid of points", string.Create(CultureInfo.InvariantCulture, $"{grid.Curves.Count} curves with {count} points; a surface needs at least two curves of at least two points each"));
+            throw new FreeformException(
+                "too-few-points",
+                "grid of points",
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{grid.Curves.Count} curves with {count} points; a surface needs at least two curves of at least two points each"));
         }
 
         if (count > FieldFit.MostSamples)
         {
-            throw new FreeformException("too-many-points", "grid of points", string.Create(CultureInfo.InvariantCulture, $"{count} points; at most {FieldFit.MostSamples} are taken"));
+            throw new FreeformException(
+                "too-many-points",
+                "grid of points",
+                string.Create(CultureInfo.InvariantCulture, $"{count} points; at most {FieldFit.MostSamples} are taken"));
         }
 
         foreach (var point in grid.Points)
         {
             if (!point.Position.IsFinite)
             {
-                throw new FreeformException("not-finite", "grid of points", string.Create(CultureInfo.InvariantCulture, $"the point i = {point.I}, j = {point.J} has a coordinate that is no finite number"));
+                throw new FreeformException(
+                    "not-finite",
+                    "grid of points",
+                    string.Create(
+                        CultureInfo.InvariantCulture, $"the point i = {point.I}, j = {point.J} has a coordinate that is no finite number"));
             }
         }
     }

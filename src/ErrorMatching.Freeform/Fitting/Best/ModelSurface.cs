@@ -97,7 +97,11 @@ internal static class ModelSurface
     private static KnotVector Knots(FieldModel[] models, int pieces, bool alongU)
     {
         var degree = models.Max(m => alongU ? m.DegreeU : m.DegreeV);
-        var joins = models.SelectMany(m => alongU ? m.JoinsU : m.JoinsV).GroupBy(j => j.At, j => j.Smoothness).OrderBy(g => g.Key).Select(g => (At: g.Key, Times: degree - g.Min())).ToList();
+        var joins = models.SelectMany(m => alongU ? m.JoinsU : m.JoinsV)
+            .GroupBy(j => j.At, j => j.Smoothness)
+            .OrderBy(g => g.Key)
+            .Select(g => (At: g.Key, Times: degree - g.Min()))
+            .ToList();
         double[] ends = [-1, .. joins.Select(j => j.At), 1];
         var values = new List<double>(Enumerable.Repeat(-1.0, degree + 1));
         for (var k = 0; k + 1 < ends.Length; k++)

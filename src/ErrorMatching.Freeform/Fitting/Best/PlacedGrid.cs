@@ -9,7 +9,8 @@ namespace ErrorMatching.Freeform;
 /// end of each parameter.</param>
 /// <param name="Directions">The direction of each set of values.</param>
 /// <param name="Values">The values over the parameters, one set per direction.</param>
-internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 Middle, Vector3 AlongU, Vector3 AlongV) Base, Vector3[] Directions, FieldData[] Values)
+internal sealed record PlacedGrid(
+    ParameterRange U, ParameterRange V, (Vector3 Middle, Vector3 AlongU, Vector3 AlongV) Base, Vector3[] Directions, FieldData[] Values)
 {
     /// <summary>A direction within this angle (in radians) of an axis is set to the axis, because grids are meant to be straight.</summary>
     private const double Straight = 0.02;
@@ -20,7 +21,8 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
     /// <summary>Sine of the least angle between the sides of a parallelogram, and between the surface and the height axis.</summary>
     private const double LeastSine = 0.3;
 
-    public static PlacedGrid Of(PointGrid grid) => OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
+    public static PlacedGrid Of(PointGrid grid) =>
+        OverPlane(grid, Largest) ?? OverPlane(grid, normal => normal.Normalize()) ?? OverChords(grid);
 
     /// <summary>Heights along an axis selected by the mean normal; null if they are not heights or do not fill a parallelogram.</summary>
     private static PlacedGrid? OverPlane(PointGrid grid, Func<Vector3, Vector3> choose)
@@ -70,11 +72,18 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
         var points = grid.Points.ToArray();
         var range = new ParameterRange(0, 1);
         FieldData Values(Func<Point3, double> of) => Data(points, u, v, range, range, Array.ConvertAll(points, p => of(p.Position)));
-        return new(range, range, default, [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)], [Values(p => p.X), Values(p => p.Y), Values(p => p.Z)]);
+        return new(
+            range, range, default, [new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)], [Values(p => p.X), Values(p => p.Y), Values(p => p.Z)]);
     }
 
-    private static FieldData Data(GridPoint[] points, double[] u, double[] v, ParameterRange rangeU, ParameterRange rangeV, double[] values) => new(
-        Array.ConvertAll(points, p => p.I), Array.ConvertAll(points, p => p.J), Array.ConvertAll(u, rangeU.ToUnit), Array.ConvertAll(v, rangeV.ToUnit), values);
+    private static FieldData Data(
+        GridPoint[] points, double[] u, double[] v, ParameterRange rangeU, ParameterRange rangeV, double[] values) =>
+        new(
+        Array.ConvertAll(points, p => p.I),
+        Array.ConvertAll(points, p => p.J),
+        Array.ConvertAll(u, rangeU.ToUnit),
+        Array.ConvertAll(v, rangeV.ToUnit),
+        values);
 
     /// <summary>True if the points ascend in both directions and the rim points are on the rim of the parallelogram.</summary>
     private static bool IsUnfolded(FieldData data)
@@ -95,7 +104,9 @@ internal sealed record PlacedGrid(ParameterRange U, ParameterRange V, (Vector3 M
                 }
             }
 
-            if (data.U[curve[0]] > -1 + rimU || data.U[curve[^1]] < 1 - rimU || (j > 0 && !(curve.Min(k => data.V[k]) > curves[j - 1].Min(k => data.V[k]))))
+            if (data.U[curve[0]] > -1 + rimU
+                || data.U[curve[^1]] < 1 - rimU
+                || (j > 0 && !(curve.Min(k => data.V[k]) > curves[j - 1].Min(k => data.V[k]))))
             {
                 return false;
             }

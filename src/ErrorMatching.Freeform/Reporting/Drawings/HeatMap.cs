@@ -61,7 +61,12 @@ internal sealed class HeatMap
     public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<PlottedPoint> points)
     {
         var height = Top + _height + 40;
-        using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "plot")))
+        using (html.In(
+            "svg",
+            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(height)}"),
+            ("role", "img"),
+            ("aria-labelledby", $"{id}-t {id}-d"),
+            ("class", "plot")))
         {
             html.Put("title", title, ("id", id + "-t"));
             html.Put("desc", Describe(points), ("id", id + "-d"));
@@ -73,7 +78,13 @@ internal sealed class HeatMap
 
             WritePoints(html, points);
             WriteLegend(html);
-            Text(html, "axis-label", Left, Top + _height + 24, "start", "Seen against z: x to the right, y up; u rises along the curves of the measuring plan.");
+            Text(
+                html,
+                "axis-label",
+                Left,
+                Top + _height + 24,
+                "start",
+                "Seen against z: x to the right, y up; u rises along the curves of the measuring plan.");
         }
     }
 
@@ -101,7 +112,12 @@ internal sealed class HeatMap
             {
                 var path = string.Concat(list);
                 // The stroke closes the hairlines between neighbors in browsers.
-                html.Empty("path", ("d", path), ("fill", DivergingColors.Hex(color)), ("stroke", DivergingColors.Hex(color)), ("stroke-width", "0.6"));
+                html.Empty(
+                    "path",
+                    ("d", path),
+                    ("fill", DivergingColors.Hex(color)),
+                    ("stroke", DivergingColors.Hex(color)),
+                    ("stroke-width", "0.6"));
             }
         }
     }
@@ -129,14 +145,26 @@ internal sealed class HeatMap
         var step = _height / (DivergingColors.Count - first);
         for (var i = first; i < DivergingColors.Count; i++)
         {
-            html.Empty("rect", ("x", SvgNumber.Of(LegendLeft)), ("y", SvgNumber.Of(Top + _height - ((i - first + 1) * step))), ("width", SvgNumber.Of(LegendWidth)), ("height", SvgNumber.Of(step)), ("fill", DivergingColors.Hex(i)));
+            html.Empty(
+                "rect",
+                ("x", SvgNumber.Of(LegendLeft)),
+                ("y", SvgNumber.Of(Top + _height - ((i - first + 1) * step))),
+                ("width", SvgNumber.Of(LegendWidth)),
+                ("height", SvgNumber.Of(step)),
+                ("fill", DivergingColors.Hex(i)));
         }
 
         for (var k = _hasNoSign ? 0 : -2; k <= 2; k++)
         {
             var value = _limitUm * k / 2;
             var y = Top + _height - ((DivergingColors.IndexOf(value, _limitUm) - first + 0.5) * step);
-            Text(html, "tick", LegendLeft + LegendWidth + 6, y + 4, "start", _hasNoSign ? Micrometres.Plain(value) : Micrometres.Signed(value));
+            Text(
+                html,
+                "tick",
+                LegendLeft + LegendWidth + 6,
+                y + 4,
+                "start",
+                _hasNoSign ? Micrometres.Plain(value) : Micrometres.Signed(value));
         }
     }
 
@@ -148,7 +176,8 @@ internal sealed class HeatMap
         }
 
         var (low, high) = (points.MinBy(p => p.ValueUm)!, points.MaxBy(p => p.ValueUm)!);
-        return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point {high.Label}.";
+        return $"Lowest {Micrometres.Signed(low.ValueUm)} µm at point {low.Label}, highest {Micrometres.Signed(high.ValueUm)} µm at point "
+            + $"{high.Label}.";
     }
 
     // A round limit slightly above the largest value: a tenth of it is 1, 2 or 5 times a power of ten.
@@ -159,9 +188,11 @@ internal sealed class HeatMap
         return Math.Ceiling(limit / step) * step;
     }
 
-    private double U(double cell) => _surface.Spline.KnotsU.Start + ((_surface.Spline.KnotsU.End - _surface.Spline.KnotsU.Start) * cell / CellsU);
+    private double U(double cell) =>
+        _surface.Spline.KnotsU.Start + ((_surface.Spline.KnotsU.End - _surface.Spline.KnotsU.Start) * cell / CellsU);
 
-    private double V(double cell) => _surface.Spline.KnotsV.Start + ((_surface.Spline.KnotsV.End - _surface.Spline.KnotsV.Start) * cell / CellsV);
+    private double V(double cell) =>
+        _surface.Spline.KnotsV.Start + ((_surface.Spline.KnotsV.End - _surface.Spline.KnotsV.Start) * cell / CellsV);
 
     private string Corner(int i, int j) => _corners[CornerNumber(i, j)];
 

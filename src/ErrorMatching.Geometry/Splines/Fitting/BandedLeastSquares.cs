@@ -75,7 +75,9 @@ internal sealed class BandedLeastSquares
             var diagonal = _triangle[row * _width];
             if (!(Math.Abs(diagonal) > 1e-14 * largest))
             {
-                throw new GeometryException(GeometryError.RankDeficient, $"the points do not determine pole {row + 1} of {_unknowns}: take fewer poles or a lower degree");
+                throw new GeometryException(
+                    GeometryError.RankDeficient,
+                    $"the points do not determine pole {row + 1} of {_unknowns}: take fewer poles or a lower degree");
             }
 
             var right = _rights.AsSpan(row * _columns, _columns);

@@ -13,7 +13,8 @@ public static class FittingKnots
         SplineParameters.CheckRising(parameters, parameters.Length);
         if (parameters.Length <= degree)
         {
-            throw new GeometryException(GeometryError.TooFewPoints, $"{parameters.Length} points; a spline of degree {degree} needs at least {degree + 1}");
+            throw new GeometryException(
+                GeometryError.TooFewPoints, $"{parameters.Length} points; a spline of degree {degree} needs at least {degree + 1}");
         }
 
         var n = parameters.Length;
@@ -48,7 +49,9 @@ public static class FittingKnots
         SplineParameters.CheckRising(parameters, parameters.Length);
         if (poles <= degree || poles > parameters.Length)
         {
-            throw new GeometryException(GeometryError.TooFewPoints, $"{poles} poles of degree {degree} for {parameters.Length} points; {degree + 1} to {parameters.Length} are expected");
+            throw new GeometryException(
+                GeometryError.TooFewPoints,
+                $"{poles} poles of degree {degree} for {parameters.Length} points; {degree + 1} to {parameters.Length} are expected");
         }
 
         if (poles == parameters.Length)

@@ -18,7 +18,8 @@ internal static class LinePass
         {
             throw new GeometryException(
                 GeometryError.RankDeficient,
-                $"{parameters.Length} points lie so that they do not determine {knots.PoleCount} poles of degree {knots.Degree}: some pieces between knots have too few of them; take fewer poles or a lower degree");
+                $"{parameters.Length} points lie so that they do not determine {knots.PoleCount} poles of degree {knots.Degree}: some "
+                    + $"pieces between knots have too few of them; take fewer poles or a lower degree");
         }
 
         var p = knots.Degree;

@@ -13,7 +13,8 @@ internal sealed class PenalizedFit(int poles, int reach)
     private readonly List<(int[] Poles, double[] Factors, Point3 Point)> _equations = [];
 
     /// <summary>Adds a point with the basis functions of consecutive poles at its parameters.</summary>
-    public void AddPoint(int first, ReadOnlySpan<double> factors, Point3 point) => AddPoint([.. Enumerable.Range(first, factors.Length)], factors, point);
+    public void AddPoint(int first, ReadOnlySpan<double> factors, Point3 point) =>
+        AddPoint([.. Enumerable.Range(first, factors.Length)], factors, point);
 
     /// <summary>Adds a point with the basis functions at its parameters.</summary>
     public void AddPoint(int[] numbers, ReadOnlySpan<double> factors, Point3 point)
@@ -28,12 +29,14 @@ internal sealed class PenalizedFit(int poles, int reach)
         for (var i = 0; i < numbers.Length; i++)
         {
             var right = _rights.AsSpan(numbers[i] * 3);
-            (right[0], right[1], right[2]) = (right[0] + (factors[i] * point.X), right[1] + (factors[i] * point.Y), right[2] + (factors[i] * point.Z));
+            (right[0], right[1], right[2]) = (
+                right[0] + (factors[i] * point.X), right[1] + (factors[i] * point.Y), right[2] + (factors[i] * point.Z));
         }
     }
 
     /// <summary>Adds one node of the integral of the energy, for consecutive poles.</summary>
-    public void AddBending(int first, ReadOnlySpan<double> factors, double weight) => AddTo(_bending, [.. Enumerable.Range(first, factors.Length)], factors, weight);
+    public void AddBending(int first, ReadOnlySpan<double> factors, double weight) =>
+        AddTo(_bending, [.. Enumerable.Range(first, factors.Length)], factors, weight);
 
     /// <summary>Adds one node of the integral of the energy.</summary>
     public void AddBending(int[] numbers, ReadOnlySpan<double> factors, double weight) => AddTo(_bending, numbers, factors, weight);
@@ -47,7 +50,9 @@ internal sealed class PenalizedFit(int poles, int reach)
     {
         if (weight is { } given)
         {
-            return Balanced(given) is { } balanced ? (LinePass.Points(balanced.Poles), given, _equations.Count - Freedom(balanced.Factors, given)) : throw Undetermined();
+            return Balanced(given) is { } balanced
+                ? (LinePass.Points(balanced.Poles), given, _equations.Count - Freedom(balanced.Factors, given))
+                : throw Undetermined();
         }
 
         var unit = Trace(_points) / Trace(_bending);
@@ -104,7 +109,8 @@ internal sealed class PenalizedFit(int poles, int reach)
     }
 
     /// <summary>Points minus the trace of A^-1 G, with G = A - weight P, to avoid cancellation in a nearly exact fit.</summary>
-    private double Freedom(BandedSymmetric factors, double weight) => _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
+    private double Freedom(BandedSymmetric factors, double weight) =>
+        _equations.Count - poles + (weight * TraceOfProduct(factors.Inverse(), _bending));
 
     /// <summary>The fit for a weight; null if it is not determined to rounding.</summary>
     private (double[] Poles, BandedSymmetric Factors)? Balanced(double weight)
@@ -151,7 +157,8 @@ internal sealed class PenalizedFit(int poles, int reach)
             for (var i = 0; i < numbers.Length; i++)
             {
                 var target = rest.AsSpan(numbers[i] * 3, 3);
-                (target[0], target[1], target[2]) = (target[0] + (factors[i] * x), target[1] + (factors[i] * y), target[2] + (factors[i] * z));
+                (target[0], target[1], target[2]) = (
+                    target[0] + (factors[i] * x), target[1] + (factors[i] * y), target[2] + (factors[i] * z));
             }
         }
 
@@ -208,5 +215,6 @@ internal sealed class PenalizedFit(int poles, int reach)
         return sum;
     }
 
-    private static GeometryException Undetermined() => new(GeometryError.RankDeficient, "the points lie on one line in the parameters, or are fewer than three: they determine no smooth fit");
+    private static GeometryException Undetermined() => new(
+        GeometryError.RankDeficient, "the points lie on one line in the parameters, or are fewer than three: they determine no smooth fit");
 }

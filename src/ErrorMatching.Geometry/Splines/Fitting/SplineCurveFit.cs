@@ -7,7 +7,8 @@ public static class SplineCurveFit
     /// <param name="points">At least two points in order; neighbors differ.</param>
     /// <param name="degree">The highest degree; lower if there are too few points.</param>
     /// <exception cref="GeometryException">The points do not determine a curve.</exception>
-    public static SplineCurve Interpolate(ReadOnlySpan<Point3> points, int degree = 3) => Interpolate(points, SplineParameters.ChordLength(points), degree);
+    public static SplineCurve Interpolate(ReadOnlySpan<Point3> points, int degree = 3) =>
+        Interpolate(points, SplineParameters.ChordLength(points), degree);
 
     /// <summary>The curve through every point at given parameters.</summary>
     /// <param name="points">At least two points in order.</param>
@@ -36,7 +37,8 @@ public static class SplineCurveFit
     /// <param name="parameters">Ascending parameters.</param>
     /// <param name="knots">Degree and knots.</param>
     /// <exception cref="GeometryException">As for one curve.</exception>
-    public static IReadOnlyList<SplineCurve> LeastSquaresFamily(IReadOnlyList<Point3[]> curves, ReadOnlySpan<double> parameters, KnotVector knots)
+    public static IReadOnlyList<SplineCurve> LeastSquaresFamily(
+        IReadOnlyList<Point3[]> curves, ReadOnlySpan<double> parameters, KnotVector knots)
     {
         ArgumentNullException.ThrowIfNull(curves);
         ArgumentNullException.ThrowIfNull(knots);
@@ -48,7 +50,8 @@ public static class SplineCurveFit
         var lines = LinePass.Numbers(curves.SelectMany(c => c).ToArray());
         var poles = LinePass.Fit(knots, parameters, LinePass.Transposed(lines, curves.Count, parameters.Length), 3 * curves.Count);
         var byCurve = LinePass.Points(LinePass.Transposed(poles, knots.PoleCount, curves.Count));
-        return [.. Enumerable.Range(0, curves.Count).Select(j => new SplineCurve(knots, byCurve.AsSpan(j * knots.PoleCount, knots.PoleCount)))];
+        return [
+            .. Enumerable.Range(0, curves.Count).Select(j => new SplineCurve(knots, byCurve.AsSpan(j * knots.PoleCount, knots.PoleCount)))];
     }
 
     /// <summary>The curve with given knots that balances the points against its bending energy. The weight predicts left-out points
@@ -69,7 +72,8 @@ public static class SplineCurveFit
 
         if (knots.Degree < 2)
         {
-            throw new GeometryException(GeometryError.BadKnots, "a smoothed curve of degree 1; its degree must be at least 2, or there is no bending to weigh");
+            throw new GeometryException(
+                GeometryError.BadKnots, "a smoothed curve of degree 1; its degree must be at least 2, or there is no bending to weigh");
         }
 
         var p = knots.Degree;

@@ -43,7 +43,12 @@ public static partial class SplineSurfaceFit
     /// <param name="gapMm">Maximum distance between curves that should meet. The surface passes through both up to that gap.</param>
     /// <exception cref="GeometryException">As for <see cref="Skin"/>; or two curves that should meet are farther apart than the gap
     /// (<see cref="GeometryError.OpenMesh"/>).</exception>
-    public static SplineSurface Gordon(IReadOnlyList<SplineCurve> alongU, ReadOnlySpan<double> vs, IReadOnlyList<SplineCurve> alongV, ReadOnlySpan<double> us, double gapMm)
+    public static SplineSurface Gordon(
+        IReadOnlyList<SplineCurve> alongU,
+        ReadOnlySpan<double> vs,
+        IReadOnlyList<SplineCurve> alongV,
+        ReadOnlySpan<double> us,
+        double gapMm)
     {
         CheckFamily(alongU);
         CheckFamily(alongV);
@@ -60,7 +65,10 @@ public static partial class SplineSurfaceFit
                 {
                     throw new GeometryException(
                         GeometryError.OpenMesh,
-                        string.Create(CultureInfo.InvariantCulture, $"curve {j + 1} along u and curve {i + 1} along v pass each other {apart:0.#####} mm apart; at most {gapMm:0.#####} mm is expected where curves of a mesh meet"));
+                        string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"curve {j + 1} along u and curve {i + 1} along v pass each other {apart:0.#####} mm apart; at most "
+                                + $"{gapMm:0.#####} mm is expected where curves of a mesh meet"));
                 }
 
                 meetings[(i * vs.Length) + j] = a + ((b - a) * 0.5);
@@ -87,7 +95,8 @@ public static partial class SplineSurfaceFit
 
         if (curves.Any(c => c.IsRational))
         {
-            throw new GeometryException(GeometryError.BadPoles, "a rational curve among those that a surface is to run through; fit it without weights first");
+            throw new GeometryException(
+                GeometryError.BadPoles, "a rational curve among those that a surface is to run through; fit it without weights first");
         }
     }
 }

@@ -28,7 +28,10 @@ public static partial class SplineSurfaceFit
         CheckScattered(points, us, vs, knotsU, knotsV);
         if (knotsU.Degree < 2 || knotsV.Degree < 2)
         {
-            throw new GeometryException(GeometryError.BadKnots, $"a smoothed surface of degrees {knotsU.Degree} and {knotsV.Degree}; both must be at least 2, or there is no bending to weigh");
+            throw new GeometryException(
+                GeometryError.BadKnots,
+                $"a smoothed surface of degrees {knotsU.Degree} and {knotsV.Degree}; both must be at least 2, or there is no bending to "
+                    + $"weigh");
         }
 
         if (!(lengthU > 0 && lengthV > 0 && double.IsFinite(lengthU) && double.IsFinite(lengthV)))

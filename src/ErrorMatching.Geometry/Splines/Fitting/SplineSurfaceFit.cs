@@ -24,7 +24,9 @@ public static partial class SplineSurfaceFit
     /// <param name="degreeU">The highest degree along u; lower if there are too few points.</param>
     /// <param name="degreeV">The highest degree along v; lower if there are too few points.</param>
     /// <exception cref="GeometryException">The parameters do not ascend or match the points, or a coordinate is not finite.</exception>
-    public static SplineSurface Interpolate(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, int degreeU = 3, int degreeV = 3) => LeastSquares(
+    public static SplineSurface Interpolate(
+        ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, int degreeU = 3, int degreeV = 3) =>
+        LeastSquares(
         points,
         us,
         vs,
@@ -40,7 +42,8 @@ public static partial class SplineSurfaceFit
     /// <param name="knotsV">Degree and knots along v.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole
     /// (<see cref="FittingKnots.Determine"/>); the parameters do not ascend or match the points; a coordinate is not finite.</exception>
-    public static SplineSurface LeastSquares(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
+    public static SplineSurface LeastSquares(
+        ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         ArgumentNullException.ThrowIfNull(knotsU);
         ArgumentNullException.ThrowIfNull(knotsV);
@@ -65,7 +68,8 @@ public static partial class SplineSurfaceFit
     /// <param name="knotsV">Degree and knots along v.</param>
     /// <exception cref="GeometryException"><see cref="GeometryError.RankDeficient"/> if the points do not determine every pole; the counts
     /// differ; a number is not finite.</exception>
-    public static SplineSurface LeastSquaresScattered(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
+    public static SplineSurface LeastSquaresScattered(
+        ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         CheckScattered(points, us, vs, knotsU, knotsV);
         var (p, q, stride) = (knotsU.Degree, knotsV.Degree, knotsV.PoleCount);
@@ -109,7 +113,8 @@ public static partial class SplineSurfaceFit
         return first;
     }
 
-    private static void CheckScattered(ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
+    private static void CheckScattered(
+        ReadOnlySpan<Point3> points, ReadOnlySpan<double> us, ReadOnlySpan<double> vs, KnotVector knotsU, KnotVector knotsV)
     {
         ArgumentNullException.ThrowIfNull(knotsU);
         ArgumentNullException.ThrowIfNull(knotsV);
@@ -122,7 +127,8 @@ public static partial class SplineSurfaceFit
         {
             if (!points[i].IsFinite || !double.IsFinite(us[i]) || !double.IsFinite(vs[i]))
             {
-                throw new GeometryException(GeometryError.NotFinite, $"point {i + 1} has a coordinate or a parameter that is no finite number");
+                throw new GeometryException(
+                    GeometryError.NotFinite, $"point {i + 1} has a coordinate or a parameter that is no finite number");
             }
         }
     }

@@ -24,8 +24,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _shell = shell;
         (_looked, _byItself) = (shell.Looked.Correction, shell.Looked.Shown);
         _pause = new(Station.Clock, SayDecisions);
-        Approve = Decision(Act.Approve, needsReason: false, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
-        Reject = Decision(Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
+        Approve = Decision(
+            Act.Approve,
+            needsReason: false,
+            (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
+        Reject = Decision(
+            Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
         Release = Decision(
             Act.Release,
             needsReason: false,
@@ -40,7 +44,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                 LookAt(wait.First);
             }
         });
-        Revert = new(() => Sign(k => RevertSigning.Of(_shell, k)), () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
+        Revert = new(
+            () => Sign(k => RevertSigning.Of(_shell, k)),
+            () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
         Refresh();
     }
 
@@ -103,13 +109,15 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     public bool IsOutdated => IsUndecided && Detail!.IsOfChangedJob && _shell.Who is { } who && Rights.Allows(who.Role, Act.Reject);
 
     /// <summary>True if it is at its machine.</summary>
-    public bool IsAtMachine => State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
+    public bool IsAtMachine =>
+        State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
 
     /// <summary>Why a button is disabled or missing; null if no explanation is needed.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
         : !IsUndecided && !IsAtMachine ? Ended
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
-        : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve) ? Texts.Current["Compensation.ApproveTakesSetter"]
+        : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve)
+            ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
         : State is CorrectionState.Verified && Detail.Kept.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
         : null;
@@ -145,7 +153,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
     // The last piece cut with it, whose counterpart is not measured yet.
-    private bool IsToBeMeasured(Correction cut) => Station.State.LastCut.GetValueOrDefault((cut.Machine!, cut.Slot!)) is { IsMating: true, Counterpart: null } last && last.Correction.Id == cut.Id;
+    private bool IsToBeMeasured(Correction cut) =>
+        Station.State.LastCut.GetValueOrDefault((cut.Machine!, cut.Slot!)) is { IsMating: true, Counterpart: null } last
+            && last.Correction.Id == cut.Id;
 
     // Not part of the details: the correction ahead of it can change while it stays the same.
     private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Kept.Correction) : null;
@@ -196,12 +206,29 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     private Command Decision(Act act, bool needsReason, Func<long, string, string?, CancellationToken, Task> carryOut) => new(
-        () => Sign(kept => new(Station, _shell.Who!, act, kept.Subject, needsReason, (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
-        {
-            Correction = kept.Correction,
-            ConsequenceKey = act == Act.Approve ? () => WaitOf(kept.Correction) is { Severity: Severity.Attention } ? "Act.Approve.Consequence.InLine" : "Act.Approve.Consequence" : null,
-            Known = act == Act.Approve && Detail is { } detail ? () => [.. WaitOf(kept.Correction) is { Severity: Severity.Attention } wait ? [new Fact(wait.Text, wait.Severity)] : Array.Empty<Fact>(), .. detail.Now().Facts] : null,
-        }),
+        () => Sign(
+            kept => new(
+                Station,
+                _shell.Who!,
+                act,
+                kept.Subject,
+                needsReason,
+                (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
+            {
+                Correction = kept.Correction,
+                ConsequenceKey = act == Act.Approve
+                ? () => WaitOf(kept.Correction) is { Severity: Severity.Attention }
+                ? "Act.Approve.Consequence.InLine"
+                : "Act.Approve.Consequence"
+                : null,
+                Known = act == Act.Approve && Detail is { } detail
+                ? () => [
+                    .. WaitOf(kept.Correction) is { Severity: Severity.Attention } wait
+                        ? [new Fact(wait.Text, wait.Severity)]
+                        : Array.Empty<Fact>(),
+                    .. detail.Now().Facts]
+                : null,
+            }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
         {
             Act.Approve => c.State is CorrectionState.Proposed || (c.State is CorrectionState.Failed && c.ProgramSha256 is not null),
@@ -258,9 +285,16 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         // In the order of measuring, whatever their state, so that no row moves under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
-        Rows.Show([.. undecided.Concat(held).Concat(status.Slots.SelectMany(s => s.Approved)).OrderBy(c => c.Turn).ThenBy(c => c.Id).Select(Row)]);
+        Rows.Show(
+            [
+                .. undecided.Concat(held)
+                    .Concat(status.Slots.SelectMany(s => s.Approved))
+                    .OrderBy(c => c.Turn)
+                    .ThenBy(c => c.Id)
+                    .Select(Row)]);
         Say(nameof(IsEmpty));
-        _waiting = [.. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
+        _waiting = [
+            .. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
 
         // A returning user finds the last selection, unless that correction is gone. One being recalculated will still appear.
         _looked = _isOpened || Rows.Any(r => r.Id == _looked) || status.InWork.Any(c => c.Id == _looked) ? _looked : null;
@@ -272,7 +306,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private long? ByItself()
     {
         var now = Rows.FirstOrDefault(r => r.Id == _byItself);
-        var row = now is not null && _waiting.Contains(now.Id) ? now : Rows.FirstOrDefault(r => _waiting.Contains(r.Id)) ?? now ?? (_byItself is null ? Rows.FirstOrDefault() : null);
+        var row = now is not null && _waiting.Contains(now.Id)
+            ? now
+            : Rows.FirstOrDefault(r => _waiting.Contains(r.Id)) ?? now ?? (_byItself is null ? Rows.FirstOrDefault() : null);
         return _byItself = row?.Id ?? _byItself;
     }
 
@@ -309,7 +345,9 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         {
             if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version, isOfChangedJob) != shown)
             {
-                var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version ? known : KeptCorrection.Read(Station.Store, correction);
+                var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
+                    ? known
+                    : KeptCorrection.Read(Station.Store, correction);
                 read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });

@@ -17,7 +17,9 @@ public sealed class CorrectionDetail
         var report = kept.Report;
         Quantities = [.. report?.Features.SelectMany(f => f.Quantities.Select(q => Row(f, q))) ?? []];
         Decisions = [.. report?.Features.Select(f => Row(report, f)) ?? []];
-        Steps = [.. Enumerable.Reverse(kept.Steps).Select(s => new StepRow(Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), BasisOf(s)))];
+        Steps = [
+            .. Enumerable.Reverse(kept.Steps).Select(s => new StepRow(
+                Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), BasisOf(s)))];
         if (report is not null)
         {
             _piece = KeptPiece.Predicted(kept.Correction, report);
@@ -57,10 +59,21 @@ public sealed class CorrectionDetail
     public string? Target => CorrectionLabel.Target(Kept.Correction);
 
     /// <summary>Work order, gauge and file in one line.</summary>
-    public string Origin => string.Join(" · ", new[] { Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder, Kept.Correction.Gauge, Kept.Correction.FileName, Shown.Time(Kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+    public string Origin => string.Join(
+        " · ",
+        new[]
+        {
+            Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder,
+            Kept.Correction.Gauge,
+            Kept.Correction.FileName,
+            Shown.Time(Kept.Correction.ArrivedAt, _clock)
+        }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>The largest displacement of the program and its place; null before it is computed.</summary>
-    public string? Largest => Kept.Correction.LargestMm is not > 0 ? null : (Kept.TriedAt is { } at ? KeptMove.PlaceOf(at) : KeptMove.PlaceOf(Kept.Steps)) is { } place
+    public string? Largest =>
+        Kept.Correction.LargestMm is not > 0
+            ? null
+            : (Kept.TriedAt is { } at ? KeptMove.PlaceOf(at) : KeptMove.PlaceOf(Kept.Steps)) is { } place
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
 
@@ -79,7 +92,8 @@ public sealed class CorrectionDetail
             var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
             return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
                 : pushed.Count == outside.Count ? Texts.Current.With("Head.AllPushedOut", Texts.Current.Listed(pushed))
-                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, Texts.Current.Listed(outside)) + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", Texts.Current.Listed(pushed)) : ""));
+                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, Texts.Current.Listed(outside))
+                    + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", Texts.Current.Listed(pushed)) : ""));
         }
     }
 
@@ -102,7 +116,10 @@ public sealed class CorrectionDetail
     public IReadOnlyList<DecisionRow> Decisions { get; }
 
     /// <summary>The sign convention of the deviations, with one of them as an example; empty if there are none.</summary>
-    public string DecisionsNote => Kept.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm)) : "";
+    public string DecisionsNote =>
+        Kept.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example
+            ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm))
+            : "";
 
     /// <summary>Its history, latest first.</summary>
     public IReadOnlyList<StepRow> Steps { get; }
@@ -149,7 +166,10 @@ public sealed class CorrectionDetail
 
     /// <summary>What was proved, in one or two sentences.</summary>
     public string Proof => Kept.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
-        proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm));
+        proof.Holds ? "Head.Proved" : "Head.NotProved",
+        Shown.Count(proof.Motions),
+        Shown.Count(proof.MovedMotions),
+        Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
     public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks));
@@ -178,32 +198,56 @@ public sealed class CorrectionDetail
     {
         string[] recorded = [.. Kept.Report?.Warnings.Select(w => w.Message) ?? Kept.Surface?.Warnings ?? []];
         var told = recorded.Where(w => step.Basis.Contains(" " + w, StringComparison.Ordinal)).ToArray();
-        var basis = RecordedText.Of(told.Aggregate(step.Basis, (b, w) => b.Replace(" " + w, "", StringComparison.Ordinal)), Kept.Correction);
+        var basis = RecordedText.Of(
+            told.Aggregate(step.Basis, (b, w) => b.Replace(" " + w, "", StringComparison.Ordinal)), Kept.Correction);
         return told.Length == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", told.Length));
     }
 
     // The errors are the piece's, as in the verification: both screens use one convention.
     private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
-        p.Point, p.Feature, Shown.Mm(p.Theoretical.X), Shown.Mm(p.Theoretical.Y), Shown.Mm(p.Actual.X), Shown.Mm(p.Actual.Y), Shown.SignedMm(p.Correction.X), Shown.SignedMm(p.Correction.Y),
-        Shown.SignedMm(errors.BeforeError.NormalMm), Shown.SignedMm(errors.AfterError.NormalMm), _piece!.IsOutside(p.Point, errors.AfterError.NormalMm));
+        p.Point,
+        p.Feature,
+        Shown.Mm(p.Theoretical.X),
+        Shown.Mm(p.Theoretical.Y),
+        Shown.Mm(p.Actual.X),
+        Shown.Mm(p.Actual.Y),
+        Shown.SignedMm(p.Correction.X),
+        Shown.SignedMm(p.Correction.Y),
+        Shown.SignedMm(errors.BeforeError.NormalMm),
+        Shown.SignedMm(errors.AfterError.NormalMm),
+        _piece!.IsOutside(p.Point, errors.AfterError.NormalMm));
 
     private static QuantityRow Row(KeptFeature feature, KeptQuantity q)
     {
         Func<double?, string> number = q.IsAngle ? Shown.Degrees : Shown.Mm;
-        return new(feature.Name, Texts.Current.Or("Quantity." + q.Name, q.Name), number(q.Theoretical), number(q.Actual), number(q.Corrected), q.IsAngle ? "°" : "mm");
+        return new(
+            feature.Name,
+            Texts.Current.Or("Quantity." + q.Name, q.Name),
+            number(q.Theoretical),
+            number(q.Actual),
+            number(q.Corrected),
+            q.IsAngle ? "°" : "mm");
     }
 
     private static DecisionRow Row(KeptReport report, KeptFeature feature)
     {
         var texts = Texts.Current;
-        var outside = report.Points.Where(p => p.Feature == feature.Name && p.ExcessMm != 0).OrderByDescending(p => Math.Abs(p.ExcessMm)).ToArray();
-        var beyond = outside is [var worst, ..] ? texts.With("Decision.Beyond", outside.Length, worst.Point, Shown.Mm(Math.Abs(worst.ExcessMm))) : texts["Decision.Outside"];
+        var outside = report.Points.Where(p => p.Feature == feature.Name && p.ExcessMm != 0)
+            .OrderByDescending(p => Math.Abs(p.ExcessMm))
+            .ToArray();
+        var beyond = outside is [var worst, ..]
+            ? texts.With("Decision.Beyond", outside.Length, worst.Point, Shown.Mm(Math.Abs(worst.ExcessMm)))
+            : texts["Decision.Outside"];
         var reason = feature.Decision switch
         {
             "within-tolerance" => texts.With("Decision.Within", Shown.SignedMm(feature.LowerMm), Shown.SignedMm(feature.UpperMm)),
             "not-significant" => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),
             _ => texts.With(report.FollowsWhole ? "Decision.FollowsWhole" : "Decision.FollowsExcess", beyond),
         };
-        return new($"{feature.Name} · {texts["Kind." + feature.Kind]}", texts["Decided." + feature.Decision], reason, Shown.SignedMm(feature.LargestMm));
+        return new(
+            $"{feature.Name} · {texts["Kind." + feature.Kind]}",
+            texts["Decided." + feature.Decision],
+            reason,
+            Shown.SignedMm(feature.LargestMm));
     }
 }

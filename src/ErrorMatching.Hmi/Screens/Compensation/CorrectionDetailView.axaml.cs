@@ -45,11 +45,19 @@ public sealed partial class CorrectionDetailView : UserControl
     }
 
     private bool Has(CorrectionDetail detail, object? side) =>
-        side == SurfaceSide ? detail.IsSurface : side == ProgramSide ? detail.Lines is not null : side == CourseSide ? detail.HasCourse : detail.HasReport;
+        side == SurfaceSide
+            ? detail.IsSurface
+            : side == ProgramSide
+            ? detail.Lines is not null
+            : side == CourseSide
+            ? detail.HasCourse
+            : detail.HasReport;
 
-    private void OnPrevious(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());
+    private void OnPrevious(object? sender, RoutedEventArgs e) =>
+        Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());
 
-    private void OnNext(object? sender, RoutedEventArgs e) => Show(Lines?.Changes.Where(c => c > At()).Select(c => (int?)c).FirstOrDefault());
+    private void OnNext(object? sender, RoutedEventArgs e) =>
+        Show(Lines?.Changes.Where(c => c > At()).Select(c => (int?)c).FirstOrDefault());
 
     private void OnWarnings(object? sender, RoutedEventArgs e) => ShowWarnings();
 
@@ -85,7 +93,9 @@ public sealed partial class CorrectionDetailView : UserControl
     {
         ProgramList.ScrollIntoView(index);
         ProgramList.UpdateLayout();
-        if (ProgramList.ContainerFromIndex(index) is { } row && ProgramList.Scroll is ScrollViewer scroll && row.TranslatePoint(new(0, row.Bounds.Height / 2), scroll) is { } middle)
+        if (ProgramList.ContainerFromIndex(index) is { } row
+            && ProgramList.Scroll is ScrollViewer scroll
+            && row.TranslatePoint(new(0, row.Bounds.Height / 2), scroll) is { } middle)
         {
             scroll.Offset = scroll.Offset.WithY(Math.Max(0, scroll.Offset.Y + middle.Y - (scroll.Viewport.Height / 2)));
         }

@@ -13,4 +13,14 @@ namespace ErrorMatching.Hmi;
 /// <param name="LeftOver">The predicted mating error with compensation, by the same convention.</param>
 /// <param name="IsOutside">True if that error is outside its limits.</param>
 public sealed record PointRow(
-    string Point, string Feature, string TheoreticalX, string TheoreticalY, string ActualX, string ActualY, string CompensationX, string CompensationY, string Without, string LeftOver, bool IsOutside);
+    string Point,
+    string Feature,
+    string TheoreticalX,
+    string TheoreticalY,
+    string ActualX,
+    string ActualY,
+    string CompensationX,
+    string CompensationY,
+    string Without,
+    string LeftOver,
+    bool IsOutside);

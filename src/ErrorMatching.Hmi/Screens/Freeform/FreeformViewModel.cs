@@ -128,7 +128,8 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         var isRead = await TryAsync(() =>
         {
             measured = Measured(job);
-            var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction ?? (measured is [var newest, ..] ? newest.Correction : null);
+            var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction
+                ?? (measured is [var newest, ..] ? newest.Correction : null);
             if (correction is not null)
             {
                 if ((correction.Id, correction.Version) != shown)
@@ -214,5 +215,11 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     }
 
     private static SurfaceRow Row(Correction c, KeptSurface surface) =>
-        new(c.Id, CorrectionLabel.Of(c), surface.JobName, Texts.Current.Word(c.State), Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm", CorrectionLabel.SeverityOf(c.State));
+        new(
+            c.Id,
+            CorrectionLabel.Of(c),
+            surface.JobName,
+            Texts.Current.Word(c.State),
+            Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm",
+            CorrectionLabel.SeverityOf(c.State));
 }

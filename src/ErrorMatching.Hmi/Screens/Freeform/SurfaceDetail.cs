@@ -24,7 +24,15 @@ public sealed class SurfaceDetail
     public string Job => _kept.Surface!.JobName;
 
     /// <summary>Work order, gauge, file and time in one line.</summary>
-    public string Origin => string.Join(" · ", new[] { _kept.Correction.WorkOrder, _kept.Correction.Gauge, _kept.Correction.FileName, Shown.Time(_kept.Correction.ArrivedAt, _clock) }.Where(t => !string.IsNullOrEmpty(t)));
+    public string Origin => string.Join(
+        " · ",
+        new[]
+        {
+            _kept.Correction.WorkOrder,
+            _kept.Correction.Gauge,
+            _kept.Correction.FileName,
+            Shown.Time(_kept.Correction.ArrivedAt, _clock)
+        }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
     public string? Missing => _kept.Missing;
@@ -36,5 +44,8 @@ public sealed class SurfaceDetail
     public ProgramLines? Lines => _kept.Lines;
 
     /// <summary>Name and size of the finishing program.</summary>
-    public string ProgramCaption => Lines is { } lines ? Texts.Current.With("Freeform.ProgramSize", _kept.Correction.Program ?? "", Shown.Count(lines.Count), Shown.Count(lines.Bytes)) : "";
+    public string ProgramCaption =>
+        Lines is { } lines
+            ? Texts.Current.With("Freeform.ProgramSize", _kept.Correction.Program ?? "", Shown.Count(lines.Count), Shown.Count(lines.Bytes))
+            : "";
 }

@@ -17,7 +17,12 @@ public sealed class SurfaceFigures
         Measured = Map(kept.Map.BeforeMm, p => p.ErrorMm, "Freeform.AtMeasured");
         Mirror = Map(kept.Map.MirrorMm, p => p.MirrorMm, "Freeform.AtMirror");
         ToolRadius = Map(kept.Map.ToolRadiusMm, p => p.ToolRadiusMm, "Freeform.AtToolRadius");
-        Plan = new(kept.Map.Net, null, LimitMm, [.. kept.Points.Select(p => (Shown.Id(p.Number), Above(p.Nominal), PlanText(p.Number, p.Nominal)))], ShowsWay: true);
+        Plan = new(
+            kept.Map.Net,
+            null,
+            LimitMm,
+            [.. kept.Points.Select(p => (Shown.Id(p.Number), Above(p.Nominal), PlanText(p.Number, p.Nominal)))],
+            ShowsWay: true);
         Errors = ErrorsOf();
         Statistics =
         [
@@ -56,14 +61,25 @@ public sealed class SurfaceFigures
 
     /// <summary>Standard deviation and profile, before and expected.</summary>
     public string Summary => Texts.Current.With(
-        "Freeform.Summary", Shown.Micrometers(_kept.Before.StandardDeviationMm), Shown.Micrometers(_kept.Expected.StandardDeviationMm), Shown.Micrometers(_kept.Before.ProfileIsoMm), Shown.Micrometers(_kept.Expected.ProfileIsoMm));
+        "Freeform.Summary",
+        Shown.Micrometers(_kept.Before.StandardDeviationMm),
+        Shown.Micrometers(_kept.Expected.StandardDeviationMm),
+        Shown.Micrometers(_kept.Before.ProfileIsoMm),
+        Shown.Micrometers(_kept.Expected.ProfileIsoMm));
 
     /// <summary>How and by how much it is compensated, and after which stage it was measured.</summary>
     public string How => Texts.Current.With(
-        _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius", Shown.Mm(_kept.LargestMoveMm), Shown.Number(_kept.Gain), Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
+        _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius",
+        Shown.Mm(_kept.LargestMoveMm),
+        Shown.Number(_kept.Gain),
+        Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
 
     /// <summary>How reliable the expected error is.</summary>
-    public string Trust => Texts.Current.With("Freeform.Trust", Shown.Micrometers(_kept.PointUncertaintyMm), Texts.Current[_kept.IsSystematic switch { true => "Freeform.Systematic", false => "Freeform.Noise", null => "Freeform.Undetermined" }]);
+    public string Trust => Texts.Current.With(
+        "Freeform.Trust",
+        Shown.Micrometers(_kept.PointUncertaintyMm),
+        Texts.Current[
+            _kept.IsSystematic switch { true => "Freeform.Systematic", false => "Freeform.Noise", null => "Freeform.Undetermined" }]);
 
     /// <summary>Caption of the map for mirroring.</summary>
     public string MirrorCaption => Caption("Freeform.ExpectedMirror", _kept.Mirror, _kept.IsMirror);
@@ -83,15 +99,28 @@ public sealed class SurfaceFigures
     /// <summary>What was proved about the program, in one or two sentences.</summary>
     public string Proof => (_kept.Proof, _kept.ToolPath) switch
     {
-        ({ } proof, _) => Texts.Current.With(proof.Holds ? "Head.Proved" : "Head.NotProved", Shown.Count(proof.Motions), Shown.Count(proof.MovedMotions), Shown.Mm(proof.MaxDeviationFromWantedMm)),
+        ({ } proof, _) => Texts.Current.With(
+            proof.Holds ? "Head.Proved" : "Head.NotProved",
+            Shown.Count(proof.Motions),
+            Shown.Count(proof.MovedMotions),
+            Shown.Mm(proof.MaxDeviationFromWantedMm)),
         (_, { } path) => Sentence.Joined(
-            Texts.Current.With("Freeform.Path", Shown.Count(path.Passes), Shown.Count(path.Points), Shown.Count((long)Math.Round(path.LengthMm)), Shown.Micrometers(path.ChordMm), Shown.Micrometers(path.ScallopMm)),
-            path.RaisedPoints == 0 ? Texts.Current.With("Freeform.NoGouge", Shown.Micrometers(path.GougeMm)) : Texts.Current.With("Freeform.Raised", Shown.Count(path.RaisedPoints), Shown.Micrometers(path.RaisedMm))),
+            Texts.Current.With(
+                "Freeform.Path",
+                Shown.Count(path.Passes),
+                Shown.Count(path.Points),
+                Shown.Count((long)Math.Round(path.LengthMm)),
+                Shown.Micrometers(path.ChordMm),
+                Shown.Micrometers(path.ScallopMm)),
+            path.RaisedPoints == 0
+                ? Texts.Current.With("Freeform.NoGouge", Shown.Micrometers(path.GougeMm))
+                : Texts.Current.With("Freeform.Raised", Shown.Count(path.RaisedPoints), Shown.Micrometers(path.RaisedMm))),
         _ => "",
     };
 
     /// <summary>A failed proof is an alarm; material left over needs attention.</summary>
-    public Severity ProofSeverity => _kept.Proof is { Holds: false } ? Severity.Alarm : _kept.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention : Severity.Quiet;
+    public Severity ProofSeverity =>
+        _kept.Proof is { Holds: false } ? Severity.Alarm : _kept.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention : Severity.Quiet;
 
     /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => _kept.Warnings;
@@ -99,7 +128,8 @@ public sealed class SurfaceFigures
     public bool HasWarnings => Warnings.Count > 0;
 
     /// <summary>The text shown on tapping a point of a plan.</summary>
-    internal static string PlanText(int number, Point3 at) => Texts.Current.With("Freeform.AtPlan", Shown.Id(number), Shown.Mm(at.X), Shown.Mm(at.Y), Shown.Mm(at.Z));
+    internal static string PlanText(int number, Point3 at) =>
+        Texts.Current.With("Freeform.AtPlan", Shown.Id(number), Shown.Mm(at.X), Shown.Mm(at.Y), Shown.Mm(at.Z));
 
     /// <summary>A position seen from above.</summary>
     internal static Point2 Above(Point3 at) => new(at.X, at.Y);
@@ -113,7 +143,16 @@ public sealed class SurfaceFigures
     }
 
     private SurfaceDrawing Map(IReadOnlyList<double> valuesMm, Func<KeptSurfacePoint, double> valueMm, string text) => new(
-        _kept.Map.Net, valuesMm, LimitMm, [.. _kept.Points.Select(p => (Shown.ShortMicrometers(valueMm(p)), Above(p.Nominal), Texts.Current.With(text, Shown.Id(p.Number), Shown.SignedMicrometers(valueMm(p)))))], ShowsWay: false);
+        _kept.Map.Net,
+        valuesMm,
+        LimitMm,
+        [
+            .. _kept.Points.Select(
+                p => (
+                    Shown.ShortMicrometers(valueMm(p)),
+                    Above(p.Nominal),
+                    Texts.Current.With(text, Shown.Id(p.Number), Shown.SignedMicrometers(valueMm(p)))))],
+        ShowsWay: false);
 
     private SeriesDrawing ErrorsOf()
     {
@@ -121,10 +160,15 @@ public sealed class SurfaceFigures
         Func<KeptSurfacePoint, double> expected = _kept.IsMirror ? p => p.MirrorMm : p => p.ToolRadiusMm;
         return new(
             [.. _kept.Points.Select(p => Shown.Id(p.Number))],
-            [.. _kept.Points.Select(p => texts.With("Freeform.AtError", Shown.Id(p.Number), Shown.SignedMicrometers(p.ErrorMm), Shown.SignedMicrometers(expected(p))))],
+            [
+                .. _kept.Points.Select(p => texts.With(
+                    "Freeform.AtError", Shown.Id(p.Number), Shown.SignedMicrometers(p.ErrorMm), Shown.SignedMicrometers(expected(p))))],
             [
                 new(SeriesKind.Before, texts["Freeform.Measured"], [.. _kept.Points.Select(p => (double?)(1000 * p.ErrorMm))]),
-                new(SeriesKind.After, texts[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"], [.. _kept.Points.Select(p => (double?)(1000 * expected(p)))]),
+                new(
+                    SeriesKind.After,
+                    texts[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"],
+                    [.. _kept.Points.Select(p => (double?)(1000 * expected(p)))]),
             ],
             [],
             [],
@@ -132,9 +176,18 @@ public sealed class SurfaceFigures
     }
 
     private static string Caption(string name, DeviationStatistics statistics, bool isChosen) =>
-        Texts.Current.With(isChosen ? "Freeform.CaptionChosen" : "Freeform.Caption", Texts.Current[name], Shown.Micrometers(statistics.StandardDeviationMm), Shown.Micrometers(statistics.ProfileIsoMm));
+        Texts.Current.With(
+            isChosen ? "Freeform.CaptionChosen" : "Freeform.Caption",
+            Texts.Current[name],
+            Shown.Micrometers(statistics.StandardDeviationMm),
+            Shown.Micrometers(statistics.ProfileIsoMm));
 
     private static StatisticsRow Row(string name, DeviationStatistics s, bool isChosen) => new(
         isChosen ? Texts.Current.With("Freeform.Chosen", Texts.Current[name]) : Texts.Current[name],
-        Shown.Count(s.Count), Shown.SignedMicrometers(s.MeanMm), Shown.Micrometers(s.StandardDeviationMm), Shown.Micrometers(s.ProfileIsoMm), Shown.Micrometers(s.ProfileRangeMm), isChosen);
+        Shown.Count(s.Count),
+        Shown.SignedMicrometers(s.MeanMm),
+        Shown.Micrometers(s.StandardDeviationMm),
+        Shown.Micrometers(s.ProfileIsoMm),
+        Shown.Micrometers(s.ProfileRangeMm),
+        isChosen);
 }

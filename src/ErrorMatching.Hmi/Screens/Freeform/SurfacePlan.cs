@@ -18,10 +18,15 @@ public sealed record SurfacePlan(SurfaceDrawing Drawing, string Caption, string?
         var files = new FreeformFiles(job.File);
         var surface = files.Surface();
         var plan = files.Plan(surface);
-        var points = plan.Points.Select(p => (Shown.Id(p.Number), SurfaceFigures.Above(p.Position), SurfaceFigures.PlanText(p.Number, p.Position)));
+        var points = plan.Points.Select(
+            p => (Shown.Id(p.Number), SurfaceFigures.Above(p.Position), SurfaceFigures.PlanText(p.Number, p.Position)));
         return new(
             new(SurfaceNet.Of(surface), null, 0, [.. points], ShowsWay: true),
-            Texts.Current.With("Freeform.PlanCaption", Shown.Count(plan.Points.Count), Shown.Count(plan.Curves), Shown.Count((long)Math.Round(plan.TravelMm))),
+            Texts.Current.With(
+                "Freeform.PlanCaption",
+                Shown.Count(plan.Points.Count),
+                Shown.Count(plan.Curves),
+                Shown.Count((long)Math.Round(plan.TravelMm))),
             plan.Refusals.Count > 0 ? CodeText.Of(plan.Refusals[0].Code, plan.Refusals[0].Message) : null);
     }
 }

@@ -43,7 +43,8 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             },
             () => shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
         Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
-        ChooseFolder = new(async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
+        ChooseFolder = new(
+            async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
         Search.Execute(null);
     }
 
@@ -136,10 +137,18 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     /// <summary>Whether the measured counterpart is within its limits: the one cut with the opened correction, or the opened one
     /// itself. Null if none of the last pieces matches.</summary>
-    public string? Measured => _measured is { } piece ? Sentence.Joined(Texts.Current.With("History.Measured", CorrectionLabel.Of(piece.Counterpart!)), PieceDetail.VerdictOf(piece)) : null;
+    public string? Measured =>
+        _measured is { } piece
+            ? Sentence.Joined(Texts.Current.With("History.Measured", CorrectionLabel.Of(piece.Counterpart!)), PieceDetail.VerdictOf(piece))
+            : null;
 
     /// <summary>The same in a few words; null likewise.</summary>
-    public string? MeasuredInShort => _measured is not { } piece ? null : piece.Outside.Count is > 0 and var outside ? Texts.Current.With("History.MeasuredOutside", outside) : Texts.Current["History.MeasuredWithin"];
+    public string? MeasuredInShort =>
+        _measured is not { } piece
+            ? null
+            : piece.Outside.Count is > 0 and var outside
+            ? Texts.Current.With("History.MeasuredOutside", outside)
+            : Texts.Current["History.MeasuredWithin"];
 
     public Severity MeasuredSeverity => _measured is { IsWithin: false } ? Severity.Attention : Severity.Quiet;
 
@@ -229,7 +238,13 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
 
     private HistoryRow Row(Correction c) => new(
-        c.Id, Shown.Time(c.ArrivedAt, Station.Clock), c.Serial ?? c.FileName, c.WorkOrder ?? c.JobWorkOrder ?? Shown.Nothing, c.Job ?? Shown.Nothing, Texts.Current.Word(c.State), c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
+        c.Id,
+        Shown.Time(c.ArrivedAt, Station.Clock),
+        c.Serial ?? c.FileName,
+        c.WorkOrder ?? c.JobWorkOrder ?? Shown.Nothing,
+        c.Job ?? Shown.Nothing,
+        Texts.Current.Word(c.State),
+        c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
 
     private async Task ScanAsync(string code)
     {
@@ -270,7 +285,18 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     // Null if a date is invalid.
     private HistoryQuery? Query() => TryDay(From, 0, out var from) && TryDay(To, 1, out var to)
-        ? new() { IsLoose = true, Serial = Given(Serial), WorkOrder = Given(WorkOrder), From = from, To = to, Program = Given(Program), User = Given(UserName), State = State.State, Most = Most }
+        ? new()
+        {
+            IsLoose = true,
+            Serial = Given(Serial),
+            WorkOrder = Given(WorkOrder),
+            From = from,
+            To = to,
+            Program = Given(Program),
+            User = Given(UserName),
+            State = State.State,
+            Most = Most
+        }
         : null;
 
     // Days are in the computer's time zone; the last day is included completely.
@@ -300,8 +326,10 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         {
             var correction = new CorrectionDecisions(Station.Store).Demand(id);
             read = new(KeptCorrection.Read(Station.Store, correction), Station.Clock);
-            measured = MatingChoice.Of(Station.Settings).FirstOrDefault(m => m.Jobs.Contains(correction.Job, StringComparer.Ordinal)) is { } mating
-                ? _kept.Read(Station.Store, mating.Jobs, KeptPieces.Most).FirstOrDefault(p => p.IsMeasured && (p.Correction.Id == id || p.LastId == id))
+            measured = MatingChoice.Of(Station.Settings).FirstOrDefault(m => m.Jobs.Contains(
+                correction.Job, StringComparer.Ordinal)) is { } mating
+                ? _kept.Read(Station.Store, mating.Jobs, KeptPieces.Most).FirstOrDefault(
+                    p => p.IsMeasured && (p.Correction.Id == id || p.LastId == id))
                 : null;
         }))
         {
@@ -317,7 +345,11 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     {
         var (correction, folder) = (Detail!.Kept.Correction, Folder.Trim());
         if (await TryAsync(() => OutputFile.WriteAll(
-            [.. CorrectionFiles.Of(correction).Select(f => (Path.Combine(folder, f.Name), (ReadOnlyMemory<byte>)Station.Store.Content(f.Sha256)))], [Station.Settings.File], cancellation)))
+            [
+                .. CorrectionFiles.Of(correction).Select(
+                    f => (Path.Combine(folder, f.Name), (ReadOnlyMemory<byte>)Station.Store.Content(f.Sha256)))],
+            [Station.Settings.File],
+            cancellation)))
         {
             Exported = Texts.Current.With("History.Exported", folder);
         }

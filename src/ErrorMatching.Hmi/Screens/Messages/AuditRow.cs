@@ -13,5 +13,6 @@ public sealed record AuditRow(string Number, string Time, string Who, string Wha
     private const int LongBasis = 100;
 
     /// <summary>The basis; if it is long, only its first sentence.</summary>
-    public string Short => Basis.Length > LongBasis && Sentence.First(Basis) is { } first && first.Length < Basis.Length ? first + " …" : Basis;
+    public string Short =>
+        Basis.Length > LongBasis && Sentence.First(Basis) is { } first && first.Length < Basis.Length ? first + " …" : Basis;
 }

@@ -62,7 +62,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     };
 
     /// <summary>A broken trail is an alarm.</summary>
-    public Severity FindingSeverity => _finding switch { { Fault: not null } => Severity.Alarm, { IsSealChecked: false } => Severity.Attention, _ => Severity.Quiet };
+    public Severity FindingSeverity =>
+        _finding switch { { Fault: not null } => Severity.Alarm, { IsSealChecked: false } => Severity.Attention, _ => Severity.Quiet };
 
     /// <summary>Completes when the trail is read.</summary>
     internal Task Reading { get; private set; } = Task.CompletedTask;
@@ -110,12 +111,19 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         var texts = Texts.Current;
         if (!status.IsRunning)
         {
-            yield return new(Severity.Alarm, status.Heartbeat is { } last ? texts.With("Message.NotRunningSince", Shown.Time(last.At, Station.Clock)) : texts["Message.NotRunning"], texts["Message.NotRunning.Next"], null);
+            yield return new(
+                Severity.Alarm,
+                status.Heartbeat is { } last
+                    ? texts.With("Message.NotRunningSince", Shown.Time(last.At, Station.Clock))
+                    : texts["Message.NotRunning"],
+                texts["Message.NotRunning.Next"],
+                null);
         }
 
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
-            var (where, since, what) = (CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
+            var (where, since, what) = (
+                CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
             yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
         }
 
@@ -139,7 +147,13 @@ public sealed partial class MessagesViewModel : ScreenViewModel
             var newest = outside.Newest;
             yield return new(
                 Severity.Attention,
-                string.Join('\n', new[] { texts.With("Message.Outside", CorrectionLabel.Of(newest.Counterpart!), PieceDetail.VerdictOf(newest)), outside.Others }.OfType<string>()),
+                string.Join(
+                    '\n',
+                    new[]
+                    {
+                        texts.With("Message.Outside", CorrectionLabel.Of(newest.Counterpart!), PieceDetail.VerdictOf(newest)),
+                        outside.Others
+                    }.OfType<string>()),
                 texts["Message.Outside.Next"],
                 newest.LastId)
             {
@@ -151,7 +165,11 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         {
             yield return new(
                 Severity.Attention,
-                texts.With("Message.HeldUp", CorrectionLabel.Of(up.Correction), $"{slot.Machine.Name}/{slot.Slot.Name}", WaitReason.Numbers(up.Behind)),
+                texts.With(
+                    "Message.HeldUp",
+                    CorrectionLabel.Of(up.Correction),
+                    $"{slot.Machine.Name}/{slot.Slot.Name}",
+                    WaitReason.Numbers(up.Behind)),
                 texts["Message.HeldUp.Next"],
                 up.Behind[0].Id)
             {
@@ -161,10 +179,16 @@ public sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var proposed in status.Proposed)
         {
-            yield return new(Severity.Attention, texts.With("Message.Proposed", CorrectionLabel.Of(proposed), Shown.Mm(proposed.LargestMm)), texts["Message.Proposed.Next"], proposed.Id);
+            yield return new(
+                Severity.Attention,
+                texts.With("Message.Proposed", CorrectionLabel.Of(proposed), Shown.Mm(proposed.LargestMm)),
+                texts["Message.Proposed.Next"],
+                proposed.Id);
         }
 
-        foreach (var slot in status.Slots.Where(s => s.Held is { State: CorrectionState.Reverted } || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
+        foreach (var slot in status.Slots.Where(
+            s => s.Held is { State: CorrectionState.Reverted }
+                || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
         {
             var (name, held) = ($"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!));
             yield return slot.Held!.State == CorrectionState.Reverted
@@ -202,7 +226,12 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     }
 
     private AuditRow Row(AuditEntry entry) => new(
-        Shown.Id(entry.Seq), Shown.Time(entry.At, Station.Clock), RecordedText.Who(entry.Who), Texts.Current.Or("Audited." + entry.What, entry.What), Short(RecordedText.Of(entry.Subject ?? "")), Short(RecordedText.Of(entry.Basis)));
+        Shown.Id(entry.Seq),
+        Shown.Time(entry.At, Station.Clock),
+        RecordedText.Who(entry.Who),
+        Texts.Current.Or("Audited." + entry.What, entry.What),
+        Short(RecordedText.Of(entry.Subject ?? "")),
+        Short(RecordedText.Of(entry.Basis)));
 
     // The first digits identify a hash; the export has the whole one.
     private static string Short(string text) => Hash().Replace(text, m => m.Value[..Digits] + "…");

@@ -10,7 +10,13 @@ public sealed partial class OverviewView : UserControl
 
     private void OnTile(object? sender, RoutedEventArgs e)
     {
-        if (DataContext is OverviewViewModel piece && (sender as Control)?.DataContext switch { WaitingTile { IsMeasured: true } measured => measured.Id, SlotTile { IsPiece: true } cut => cut.Correction, _ => null } is { } id)
+        if (DataContext is OverviewViewModel piece
+            && (sender as Control)?.DataContext switch
+            {
+                WaitingTile { IsMeasured: true } measured => measured.Id,
+                SlotTile { IsPiece: true } cut => cut.Correction,
+                _ => null
+            } is { } id)
         {
             piece.LookAtPiece(id);
         }

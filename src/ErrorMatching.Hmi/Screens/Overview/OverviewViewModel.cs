@@ -64,9 +64,20 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
-        Waiting.Show([.. status.Failed.Select(c => Tile(c, Severity.Alarm)), .. OutsidePieces.Of(Station.Outside).Select(Tile), .. status.Proposed.Select(c => Tile(c, Severity.Attention)), .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)), .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        Waiting.Show(
+            [
+                .. status.Failed.Select(c => Tile(c, Severity.Alarm)),
+                .. OutsidePieces.Of(Station.Outside).Select(Tile),
+                .. status.Proposed.Select(c => Tile(c, Severity.Attention)),
+                .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)),
+                .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
-        string[] counts = [.. new[] { CountOf("Overview.Approvals", proposed), CountOf("Overview.PiecesOutside", Station.Outside.Count) }.OfType<string>()];
+        string[] counts = [
+            .. new[]
+            {
+                CountOf("Overview.Approvals", proposed),
+                CountOf("Overview.PiecesOutside", Station.Outside.Count)
+            }.OfType<string>()];
         Counts = counts.Length == 1 && failed == 0 && status.IsRunning ? "" : string.Join(" · ", counts);
         (Summary, Severity) =
             Station.State.StoreTrouble is not null ? (texts["Overview.StoreAway"], Severity.Alarm)
@@ -75,12 +86,14 @@ public sealed class OverviewViewModel : ScreenViewModel
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
             : Station.Outside is { Count: > 0 } outside ? (texts.With("Overview.Outside", Shown.Count(outside.Count)), Severity.Attention)
             : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Attention)
-            : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
+            : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots
+                ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
             : (texts["Overview.Well"], Severity.Quiet);
         Say();
     }
 
-    private static string? CountOf(string key, long count) => count == 0 ? null : Texts.Current.Counted(key, (int)count, Shown.Count(count));
+    private static string? CountOf(string key, long count) =>
+        count == 0 ? null : Texts.Current.Counted(key, (int)count, Shown.Count(count));
 
     private static IReadOnlyList<CellTrouble> Troubles(CellStatus status) => status.IsRunning ? status.Heartbeat!.Troubles : [];
 
@@ -93,29 +106,66 @@ public sealed class OverviewViewModel : ScreenViewModel
         // A correction without approval is not queued.
         var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
         var inLine = Math.Max(0, slot.Waiting - proposed);
-        var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine))) + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)));
+        var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine)))
+            + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)));
         return (trouble, slot.Held) switch
         {
-            ({ } t, var held) => new(name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
-            (_, { State: CorrectionState.Reverted } held) => new(name, slot.Slot.Program, texts.Word(held.State), texts.With("Overview.TakenBack", CorrectionLabel.Of(held)), waiting, Severity.Attention, held.Id),
-            (_, { } held) => new(name, slot.Slot.Program, texts.Word(held.State), $"{Label(held)}\n{Shown.Time(held.ChangedAt, Station.Clock)}", waiting, Severity.Quiet, held.Id),
-            _ when slot.HeldUp is [{ Behind: [var first, ..] } up, ..] => new(name, slot.Slot.Program, texts["Overview.HeldUp"], texts.With("Overview.HeldUpBy", CorrectionLabel.Of(up.Correction), CorrectionLabel.Of(first)), waiting, Severity.Attention, first.Id),
-            _ when Station.State.LastCut.GetValueOrDefault((slot.Machine.Name, slot.Slot.Name)) is { } last => new(name, slot.Slot.Program, texts["Overview.Free"], Words(last), waiting, Severity.Quiet, last.Correction.Id) { IsPiece = last.IsMating },
-            _ => new(name, slot.Slot.Program, texts["Overview.Free"], texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"], waiting, Severity.Quiet, null),
+            ({ } t, var held) => new(
+                name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
+            (_, { State: CorrectionState.Reverted } held) => new(
+                name,
+                slot.Slot.Program,
+                texts.Word(held.State),
+                texts.With("Overview.TakenBack", CorrectionLabel.Of(held)),
+                waiting,
+                Severity.Attention,
+                held.Id),
+            (_, { } held) => new(
+                name,
+                slot.Slot.Program,
+                texts.Word(held.State),
+                $"{Label(held)}\n{Shown.Time(held.ChangedAt, Station.Clock)}",
+                waiting,
+                Severity.Quiet,
+                held.Id),
+            _ when slot.HeldUp is [{ Behind: [var first, ..] } up, ..] => new(
+                name,
+                slot.Slot.Program,
+                texts["Overview.HeldUp"],
+                texts.With("Overview.HeldUpBy", CorrectionLabel.Of(up.Correction), CorrectionLabel.Of(first)),
+                waiting,
+                Severity.Attention,
+                first.Id),
+            _ when Station.State.LastCut.GetValueOrDefault((slot.Machine.Name, slot.Slot.Name)) is { } last =>
+                new(name, slot.Slot.Program, texts["Overview.Free"], Words(last), waiting, Severity.Quiet, last.Correction.Id)
+                {
+                    IsPiece = last.IsMating
+                },
+            _ => new(
+                name,
+                slot.Slot.Program,
+                texts["Overview.Free"],
+                texts[slot.Holding.ProgramSha256 is null ? "Overview.NothingSent" : "Overview.LastReleased"],
+                waiting,
+                Severity.Quiet,
+                null),
         };
     }
 
     private static string Words(LastCut last) => last switch
     {
         { IsMating: false } => Texts.Current.With("Overview.LastSurface", CorrectionLabel.Of(last.Correction)),
-        { Counterpart: { } counterpart } => Texts.Current.With("Overview.LastVerified", CorrectionLabel.Of(last.Correction), "#" + Shown.Id(counterpart.Id)),
+        { Counterpart: { } counterpart } =>
+            Texts.Current.With("Overview.LastVerified", CorrectionLabel.Of(last.Correction), "#" + Shown.Id(counterpart.Id)),
         _ => Texts.Current.With("Overview.LastCut", CorrectionLabel.Of(last.Correction)),
     };
 
     private static GaugeTile Tile(CellStatus status, GaugeSettings gauge)
     {
         var texts = Texts.Current;
-        var source = gauge.Machine is { } machine ? texts.With("Overview.AtMachine", machine) : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
+        var source = gauge.Machine is { } machine
+            ? texts.With("Overview.AtMachine", machine)
+            : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
         var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name)
             || t.Where == CellTrouble.OfFolder(gauge.Name));
         return trouble is null
@@ -125,21 +175,29 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     private WaitingTile Tile(Correction correction, Severity severity) => Tile(
         correction,
-        severity == Severity.Alarm && correction.Code is { } code ? CodeText.Of(code, correction.Reason) : string.Join(" · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
+        severity == Severity.Alarm && correction.Code is { } code
+            ? CodeText.Of(code, correction.Reason)
+            : string.Join(
+                " · ", new[] { Texts.Current["Waiting." + correction.State], CorrectionLabel.Target(correction) }.OfType<string>()),
         severity);
 
     // Approved corrections are listed until they are sent, so that a delay is explained.
     private WaitingTile Tile(CellStatus status, Correction approved)
     {
         var wait = WaitReason.Of(status, approved.Id);
-        return Tile(approved, $"{Texts.Current["Waiting." + approved.State]} · {wait?.Text ?? Texts.Current["Wait.Next"]}", wait?.Severity ?? Severity.Quiet);
+        return Tile(
+            approved,
+            $"{Texts.Current["Waiting." + approved.State]} · {wait?.Text ?? Texts.Current["Wait.Next"]}",
+            wait?.Severity ?? Severity.Quiet);
     }
 
     private WaitingTile Tile(OutsidePieces outside) => new(
         outside.Newest.LastId,
         outside.Newest.JobName,
         CorrectionLabel.Of(outside.Newest.Counterpart!),
-        string.Join('\n', new[] { Texts.Current.With("Overview.Measured", PieceDetail.VerdictOf(outside.Newest)), outside.Others }.OfType<string>()),
+        string.Join(
+            '\n',
+            new[] { Texts.Current.With("Overview.Measured", PieceDetail.VerdictOf(outside.Newest)), outside.Others }.OfType<string>()),
         "",
         Shown.Time(outside.Newest.Counterpart!.ChangedAt, Station.Clock),
         Severity.Attention)
@@ -159,5 +217,6 @@ public sealed class OverviewViewModel : ScreenViewModel
         IsOfChangedJob = Station.State.OfChangedJob.Contains(correction.Id),
     };
 
-    private string Label(Correction correction) => string.Join(" · ", new[] { Station.JobNames.Of(correction), CorrectionLabel.Of(correction) }.OfType<string>());
+    private string Label(Correction correction) =>
+        string.Join(" · ", new[] { Station.JobNames.Of(correction), CorrectionLabel.Of(correction) }.OfType<string>());
 }

@@ -15,13 +15,21 @@ public sealed class FeatureEdit : Observable
     {
         (_editing, _index) = (editing ?? throw new ArgumentNullException(nameof(editing)), index);
         Kind = editing.Draft.Features[index].Kind;
-        Name = new(editing, DraftPaths.Feature(index, "name"), "Points.Name", d => d.Features[index].Name, (d, t) => d.WithFeature(index, f => f with { Name = t }))
+        Name = new(
+            editing,
+            DraftPaths.Feature(index, "name"),
+            "Points.Name",
+            d => d.Features[index].Name,
+            (d, t) => d.WithFeature(index, f => f with { Name = t }))
         {
             Row = () => NameOf(editing, index),
         };
         Flanks = [.. Enumerable.Range(0, editing.Draft.Features[index].Flanks.Count).Select(k => new FlankEdit(editing, index, k))];
         Remove = new(() => editing.Change("", d => d with { Features = d.Features.Without(index) }), () => editing.CanEdit);
-        Up = new(() => editing.Change("", d => d with { Features = d.Features.Replaced(index, d.Features[index - 1]).Replaced(index - 1, d.Features[index]) }), () => editing.CanEdit && index > 0);
+        Up = new(
+            () => editing.Change(
+                "", d => d with { Features = d.Features.Replaced(index, d.Features[index - 1]).Replaced(index - 1, d.Features[index]) }),
+            () => editing.CanEdit && index > 0);
     }
 
     /// <summary>Its kind.</summary>
@@ -61,7 +69,8 @@ public sealed class FeatureEdit : Observable
     internal IEnumerable<EditField> Fields => [Name, .. Flanks.Select(f => f.Count)];
 
     /// <summary>Its name in the draft; empty for one that is not there any more.</summary>
-    internal static string NameOf(JobEditing editing, int index) => index < editing.Draft.Features.Count ? editing.Draft.Features[index].Name : "";
+    internal static string NameOf(JobEditing editing, int index) =>
+        index < editing.Draft.Features.Count ? editing.Draft.Features[index].Name : "";
 
     /// <summary>Shows what the draft has.</summary>
     internal void Refresh()

@@ -23,15 +23,21 @@ public sealed class FlankEdit : Observable
         Count = new(
             editing,
             path,
-            _isOne ? "Points.Count" : string.Create(CultureInfo.InvariantCulture, $"Points.Count.{editing.Draft.Features[feature].Kind}.{flank + 1}"),
+            _isOne
+                ? "Points.Count"
+                : string.Create(CultureInfo.InvariantCulture, $"Points.Count.{editing.Draft.Features[feature].Kind}.{flank + 1}"),
             d => CountOf(d).ToString(CultureInfo.InvariantCulture),
             (d, t) => IsCount(t, out var count) ? d.WithPoints(feature, flank, count) : d,
             t => IsCount(t, out _) ? null : "not-a-count")
         {
             Row = () => FeatureEdit.NameOf(editing, feature),
         };
-        Less = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) - 1)), () => editing.CanEdit && CountOf(editing.Draft) > 0);
-        More = new(() => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) + 1)), () => editing.CanEdit && CountOf(editing.Draft) < Most);
+        Less = new(
+            () => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) - 1)),
+            () => editing.CanEdit && CountOf(editing.Draft) > 0);
+        More = new(
+            () => editing.Change("", d => d.WithPoints(feature, flank, CountOf(d) + 1)),
+            () => editing.CanEdit && CountOf(editing.Draft) < Most);
     }
 
     /// <summary>How many.</summary>
@@ -56,7 +62,11 @@ public sealed class FlankEdit : Observable
         More.Refresh();
     }
 
-    private static bool IsCount(string text, out int count) => int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out count) && count <= Most;
+    private static bool IsCount(string text, out int count) =>
+        int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out count) && count <= Most;
 
-    private int CountOf(MatingDraft draft) => _feature < draft.Features.Count && _flank < draft.Features[_feature].Flanks.Count ? draft.Features[_feature].Flanks[_flank].Count : 0;
+    private int CountOf(MatingDraft draft) =>
+        _feature < draft.Features.Count && _flank < draft.Features[_feature].Flanks.Count
+            ? draft.Features[_feature].Flanks[_flank].Count
+            : 0;
 }

@@ -20,7 +20,8 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         Workpiece = new(Editing, "$.name", "Points.Workpiece", d => d.Name, (d, t) => d with { Name = t });
         _features = new(Editing, "$.features", "Points.Features");
         Adds = [.. FeatureKinds.All.Select(k => new KindChoice(k, Adding(k)))];
-        _minute = Station.Clock.CreateTimer(_ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
+        _minute = Station.Clock.CreateTimer(
+            _ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
         Editing.Begun += GoToFirstField;
         Begin();
     }

@@ -43,12 +43,13 @@ public sealed class AboutViewModel : ScreenViewModel
     protected override void Translate() => Say();
 
     // Release number, and the first digits of the commit.
-    private static string Version => typeof(AboutViewModel).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') switch
-    {
-        [var release, { Length: > CommitDigits } commit] => $"{release} ({commit[..CommitDigits]})",
-        [var release, ..] => release,
-        _ => Shown.Nothing,
-    };
+    private static string Version =>
+        typeof(AboutViewModel).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') switch
+        {
+            [var release, { Length: > CommitDigits } commit] => $"{release} ({commit[..CommitDigits]})",
+            [var release, ..] => release,
+            _ => Shown.Nothing,
+        };
 
     private static string Place(StoreSettings settings) => settings switch
     {

@@ -12,7 +12,8 @@ public sealed record ConnectionRow(string Kind, string Name, string Where, Sever
     public string KindName => Texts.Current["Connection." + Kind];
 
     /// <summary>Key of the icon of the result; null before it was tested.</summary>
-    public string? Icon => Found switch { Severity.Alarm => "Icon.alarm", Severity.Attention => "Icon.attention", Severity.Quiet => "Icon.quiet", _ => null };
+    public string? Icon =>
+        Found switch { Severity.Alarm => "Icon.alarm", Severity.Attention => "Icon.attention", Severity.Quiet => "Icon.quiet", _ => null };
 
     /// <summary>True if it does not respond.</summary>
     public bool IsAlarm => Found is Severity.Alarm;

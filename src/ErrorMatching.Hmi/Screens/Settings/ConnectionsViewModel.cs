@@ -75,7 +75,8 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     /// <summary>Sets the machine's password.</summary>
     public Command SetPassword { get; }
 
-    private MachineSettings? Machine => Chosen is { Kind: "machine" } row ? Station.Settings.Machines.FirstOrDefault(m => m.Name == row.Name) : null;
+    private MachineSettings? Machine =>
+        Chosen is { Kind: "machine" } row ? Station.Settings.Machines.FirstOrDefault(m => m.Name == row.Name) : null;
 
     /// <inheritdoc/>
     protected override void Follow()
@@ -97,7 +98,8 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         base.Dispose(isDisposing);
     }
 
-    private static ConnectionRow Row(string kind, string name, string where, CheckProblem? problem, string? well) => problem is { Errors: var errors }
+    private static ConnectionRow Row(string kind, string name, string where, CheckProblem? problem, string? well) =>
+        problem is { Errors: var errors }
         ? new(kind, name, where, Severity.Alarm, Sentence.Joined(errors.Select(Words)))
         : new(kind, name, where, well is null ? null : Severity.Quiet, well ?? Texts.Current["Connection.Untested"]);
 
@@ -132,14 +134,38 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     private void Show()
     {
         var (settings, texts) = (Station.Settings, Texts.Current);
-        var store = settings.Store is SqliteSettings { File: var file } ? file : settings.Store is PostgresSettings p ? string.Create(CultureInfo.InvariantCulture, $"{p.Host}:{p.Port} {p.Database}") : "";
+        var store = settings.Store is SqliteSettings { File: var file }
+            ? file
+            : settings.Store is PostgresSettings p
+            ? string.Create(CultureInfo.InvariantCulture, $"{p.Host}:{p.Port} {p.Database}")
+            : "";
         var kept = _chosen;
         Rows.Show(
         [
-            Row("store", settings.Store is SqliteSettings ? "SQLite" : "PostgreSQL", store, _check?.Store.Problem, _check is null ? null : texts["Connection.StoreAnswers"]),
-            .. settings.Machines.Select((m, i) => Row("machine", m.Name, m.Transport.Address, _check?.Machines[i].Problem, _check is null ? null : texts.With("Connection.Listed", Shown.Count(_check.Machines[i].Names?.Count ?? 0)))),
-            .. settings.Gauges.Select((g, i) => Row("gauge", g.Name, g.Incoming ?? texts.With("Overview.AtMachine", g.Machine!), _check?.Gauges[i].Problem, _check is null ? null : texts.With("Connection.Waiting", Shown.Count(_check.Gauges[i].Files.Count + _check.Gauges[i].More)))),
-            .. settings.Jobs.Select((j, i) => Row("job", j.Name, j.File, _check?.Jobs[i].Problem, _check is null ? null : texts["Connection.JobReads"])),
+            Row(
+                "store",
+                settings.Store is SqliteSettings ? "SQLite" : "PostgreSQL",
+                store,
+                _check?.Store.Problem,
+                _check is null ? null : texts["Connection.StoreAnswers"]),
+            .. settings.Machines.Select(
+                (m, i) => Row(
+                    "machine",
+                    m.Name,
+                    m.Transport.Address,
+                    _check?.Machines[i].Problem,
+                    _check is null ? null : texts.With("Connection.Listed", Shown.Count(_check.Machines[i].Names?.Count ?? 0)))),
+            .. settings.Gauges.Select(
+                (g, i) => Row(
+                    "gauge",
+                    g.Name,
+                    g.Incoming ?? texts.With("Overview.AtMachine", g.Machine!),
+                    _check?.Gauges[i].Problem,
+                    _check is null
+                        ? null
+                        : texts.With("Connection.Waiting", Shown.Count(_check.Gauges[i].Files.Count + _check.Gauges[i].More)))),
+            .. settings.Jobs.Select(
+                (j, i) => Row("job", j.Name, j.File, _check?.Jobs[i].Problem, _check is null ? null : texts["Connection.JobReads"])),
         ]);
         Chosen = kept is null ? null : Rows.FirstOrDefault(r => r.AutomationId == kept.AutomationId);
     }

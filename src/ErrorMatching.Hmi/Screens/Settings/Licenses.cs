@@ -26,6 +26,7 @@ internal static class Licenses
     /// <summary>System libraries for drawing on Linux; they are not part of the station.</summary>
     public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
     [
-        ("cairo", "LGPL-2.1 OR MPL-1.1"), ("fontconfig", "MIT (HPND)"), ("FreeType", "FTL OR GPL-2.0"), ("HarfBuzz", "MIT (Old)"), ("libX11", "MIT"),
+        ("cairo", "LGPL-2.1 OR MPL-1.1"), ("fontconfig", "MIT (HPND)"), ("FreeType", "FTL OR GPL-2.0"), ("HarfBuzz", "MIT (Old)"),
+        ("libX11", "MIT"),
     ];
 }

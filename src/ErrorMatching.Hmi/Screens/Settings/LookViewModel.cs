@@ -13,12 +13,15 @@ public sealed class LookViewModel : ScreenViewModel
     }
 
     /// <summary>The languages, each in its own words.</summary>
-    public IReadOnlyList<LookChoice> Languages { get; } = [.. Enum.GetValues<Language>().Select(l => new LookChoice(l.ToString(), () => Texts.Of(l)["Language.Name"]))];
+    public IReadOnlyList<LookChoice> Languages { get; } = [
+        .. Enum.GetValues<Language>().Select(l => new LookChoice(l.ToString(), () => Texts.Of(l)["Language.Name"]))];
 
-    public IReadOnlyList<LookChoice> Themes { get; } = [new("light", () => Texts.Current["Look.Light"]), new("dark", () => Texts.Current["Look.Dark"])];
+    public IReadOnlyList<LookChoice> Themes { get; } = [
+        new("light", () => Texts.Current["Look.Light"]), new("dark", () => Texts.Current["Look.Dark"])];
 
     /// <summary>The heights of touch targets.</summary>
-    public IReadOnlyList<LookChoice> Sizes { get; } = [.. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), () => Texts.Current.Word(s)))];
+    public IReadOnlyList<LookChoice> Sizes { get; } = [
+        .. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), () => Texts.Current.Word(s)))];
 
     public LookChoice? Language
     {
@@ -57,7 +60,8 @@ public sealed class LookViewModel : ScreenViewModel
     }
 
     /// <summary>Where it is stored, in words.</summary>
-    public string Kept => _shell.Preferences.File is { } file ? Texts.Current.With("Look.Kept", _shell.UserName, file) : Texts.Current["Look.NotKept"];
+    public string Kept =>
+        _shell.Preferences.File is { } file ? Texts.Current.With("Look.Kept", _shell.UserName, file) : Texts.Current["Look.NotKept"];
 
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)

@@ -19,11 +19,31 @@ public sealed class UsersViewModel : ScreenViewModel
         _shell = shell;
         _role = Roles[0];
         New = new(() => Chosen = null, () => IsManaging && !IsNew);
-        Add = Change("Users.Add", () => Name.Trim(), () => IsManaging && Name.Trim().Length > 0 && HasPassword, (by, name) => (password, role) => Station.Users.Add(by, name, role, password));
-        SetRole = Change("Users.SetRole", () => Chosen!.Name, () => IsManaging && Chosen is { } u && u.Role != Role.Role, (by, name) => (_, role) => Station.Users.SetRole(by, name, role));
-        SetPassword = Change("Users.SetPassword", () => Chosen!.Name, () => Chosen is { } u && (IsManaging || u.Name == _shell.UserName) && HasPassword, (by, name) => (password, _) => Station.Users.SetPassword(by, name, password));
-        Disable = Change("Users.Disable", () => Chosen!.Name, () => IsManaging && Chosen is { IsDisabled: false }, (by, name) => (_, _) => Station.Users.Disable(by, name));
-        Enable = Change("Users.Enable", () => Chosen!.Name, () => IsManaging && Chosen is { IsDisabled: true }, (by, name) => (_, _) => Station.Users.Enable(by, name));
+        Add = Change(
+            "Users.Add",
+            () => Name.Trim(),
+            () => IsManaging && Name.Trim().Length > 0 && HasPassword,
+            (by, name) => (password, role) => Station.Users.Add(by, name, role, password));
+        SetRole = Change(
+            "Users.SetRole",
+            () => Chosen!.Name,
+            () => IsManaging && Chosen is { } u && u.Role != Role.Role,
+            (by, name) => (_, role) => Station.Users.SetRole(by, name, role));
+        SetPassword = Change(
+            "Users.SetPassword",
+            () => Chosen!.Name,
+            () => Chosen is { } u && (IsManaging || u.Name == _shell.UserName) && HasPassword,
+            (by, name) => (password, _) => Station.Users.SetPassword(by, name, password));
+        Disable = Change(
+            "Users.Disable",
+            () => Chosen!.Name,
+            () => IsManaging && Chosen is { IsDisabled: false },
+            (by, name) => (_, _) => Station.Users.Disable(by, name));
+        Enable = Change(
+            "Users.Enable",
+            () => Chosen!.Name,
+            () => IsManaging && Chosen is { IsDisabled: true },
+            (by, name) => (_, _) => Station.Users.Enable(by, name));
         Loading = LoadAsync(shell.UserName).Watched();
     }
 
@@ -151,7 +171,12 @@ public sealed class UsersViewModel : ScreenViewModel
         {
             var (subject, password, role) = (name(), Password, Role.Role);
             var signing = new SigningViewModel(
-                Station, _shell.Who!, Act.ManageUsers, title == "Users.SetRole" ? $"{subject}: {Texts.Current.Word(role)}" : subject, needsReason: false, (by, _, _) => Task.FromResult(change(by, subject)(password, role)))
+                Station,
+                _shell.Who!,
+                Act.ManageUsers,
+                title == "Users.SetRole" ? $"{subject}: {Texts.Current.Word(role)}" : subject,
+                needsReason: false,
+                (by, _, _) => Task.FromResult(change(by, subject)(password, role)))
             { TitleKey = title, IsDemandedElsewhere = true };
             signing.Signed += () => Loading = LoadAsync(subject).Watched();
             _shell.Sign(signing);
@@ -193,5 +218,9 @@ public sealed class UsersViewModel : ScreenViewModel
         user.Role,
         Texts.Current.Word(user.Role),
         user.IsDisabled,
-        user.IsDisabled ? Texts.Current["Users.IsDisabled"] : user.LockedUntil is { } until ? Texts.Current.With("Users.IsLocked", Shown.Time(until, Station.Clock)) : "");
+        user.IsDisabled
+            ? Texts.Current["Users.IsDisabled"]
+            : user.LockedUntil is { } until
+            ? Texts.Current.With("Users.IsLocked", Shown.Time(until, Station.Clock))
+            : "");
 }

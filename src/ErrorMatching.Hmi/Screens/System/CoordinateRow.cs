@@ -34,7 +34,8 @@ public sealed record CoordinateRow(string Feature, TextField Label, TextField X,
                         DraftPaths.Label(draft, f, k, p),
                         hasZ,
                         d => d.Features[feature].Flanks[flank][point],
-                        (d, now) => d.WithFeature(feature, x => x with { Flanks = x.Flanks.Replaced(flank, x.Flanks[flank].Replaced(point, now)) }));
+                        (d, now) => d.WithFeature(
+                            feature, x => x with { Flanks = x.Flanks.Replaced(flank, x.Flanks[flank].Replaced(point, now)) }));
                 }
             }
         }
@@ -42,13 +43,28 @@ public sealed record CoordinateRow(string Feature, TextField Label, TextField X,
         for (var p = 0; p < draft.OtherPoints.Count; p++)
         {
             var point = p;
-            yield return Row(editing, "", DraftPaths.OtherLabel(p), hasZ, d => d.OtherPoints[point], (d, now) => d with { OtherPoints = d.OtherPoints.Replaced(point, now) });
+            yield return Row(
+                editing,
+                "",
+                DraftPaths.OtherLabel(p),
+                hasZ,
+                d => d.OtherPoints[point],
+                (d, now) => d with { OtherPoints = d.OtherPoints.Replaced(point, now) });
         }
     }
 
-    private static CoordinateRow Row(JobEditing editing, string feature, string path, bool hasZ, Func<MatingDraft, PointDraft> get, Func<MatingDraft, PointDraft, MatingDraft> set)
+    private static CoordinateRow Row(
+        JobEditing editing,
+        string feature,
+        string path,
+        bool hasZ,
+        Func<MatingDraft, PointDraft> get,
+        Func<MatingDraft, PointDraft, MatingDraft> set)
     {
-        var label = new TextField(editing, path, "System.Label", d => get(d).Label, (d, t) => set(d, get(d) with { Label = t })) { Row = () => feature };
+        var label = new TextField(editing, path, "System.Label", d => get(d).Label, (d, t) => set(d, get(d) with { Label = t }))
+        {
+            Row = () => feature
+        };
         return new(
             feature,
             label,

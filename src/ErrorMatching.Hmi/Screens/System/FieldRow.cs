@@ -7,7 +7,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="RemoveId">Identifies the button for that.</param>
 public sealed record FieldRow(string Title, IReadOnlyList<EditField> Cells, Command? Remove = null, string RemoveId = "")
 {
-    /// <summary>How many fields have room side by side, so that those of several rows stand under each other; 0 for as many as there are.</summary>
+    /// <summary>How many fields have room side by side, so that those of several rows stand under each other;
+    /// 0 for as many as there are.</summary>
     public int Columns { get; init; }
 
     /// <summary>True if it can be taken away.</summary>

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>The head of a side of a screen: its name, how much is to be corrected and to be filled in there, and whether something is asked about.</summary>
+/// <summary>The head of a side of a screen: its name, how much is to be corrected and to be filled in there,
+/// and whether something is asked about.</summary>
 /// <param name="title">Key of its name.</param>
 public sealed class SideHead(string title) : Observable
 {
@@ -15,7 +16,16 @@ public sealed class SideHead(string title) : Observable
     public string Missing => Shown.Count(_missing);
 
     /// <summary>All in words; null if there is nothing.</summary>
-    public string? Problem => HasWrong || HasMissing || HasAsked ? string.Join(" · ", new[] { JobEditing.CountOf(_wrong, _missing), HasAsked ? Texts.Current.With("Setup.Asked", _asked) : "" }.Where(t => t.Length > 0)) : null;
+    public string? Problem =>
+        HasWrong || HasMissing || HasAsked
+            ? string.Join(
+                " · ",
+                new[]
+                {
+                    JobEditing.CountOf(_wrong, _missing),
+                    HasAsked ? Texts.Current.With("Setup.Asked", _asked) : ""
+                }.Where(t => t.Length > 0))
+            : null;
 
     /// <summary>True if something is to be corrected there.</summary>
     public bool HasWrong => _wrong > 0;
@@ -32,7 +42,8 @@ public sealed class SideHead(string title) : Observable
     /// <summary>True where it is shown that something is asked about.</summary>
     public bool ShowsAsked => HasAsked && !HasWrong && !HasMissing;
 
-    /// <summary>Says how much is to be corrected and to be filled in there, and how much is asked about, in the language of the screen.</summary>
+    /// <summary>Says how much is to be corrected and to be filled in there, and how much is asked about,
+    /// in the language of the screen.</summary>
     internal void Show(int wrong, int missing, int asked)
     {
         (_wrong, _missing, _asked) = (wrong, missing, asked);

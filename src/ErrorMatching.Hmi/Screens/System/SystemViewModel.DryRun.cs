@@ -27,8 +27,13 @@ public sealed partial class SystemViewModel
     /// <summary>True while the form is shown, and not a dry run.</summary>
     public bool IsForm => Detail is null;
 
-    /// <summary>Why the dry run is hardly what was meant: of points that were measured not every one is as designed; null if it may be.</summary>
-    public string? DryRunDoubt => Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file } && report.Points.All(p => p.Actual == p.Theoretical) ? Texts.Current.With("System.DryRunDrawing", file) : null;
+    /// <summary>Why the dry run is hardly what was meant: of points that were measured not every one is as designed;
+    /// null if it may be.</summary>
+    public string? DryRunDoubt =>
+        Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file }
+            && report.Points.All(p => p.Actual == p.Theoretical)
+            ? Texts.Current.With("System.DryRunDrawing", file)
+            : null;
 
     /// <summary>Tries the draft with the last measurement of the job in the store.</summary>
     public LongCommand DryRun { get; }
@@ -63,7 +68,10 @@ public sealed partial class SystemViewModel
         {
             if (Station.Store.Search(new() { Most = Latest }).Where(c => c.Job == job.Name && c.Piece == piece).MaxBy(c => c.Turn) is { } c)
             {
-                last = (c, Station.Store.Content(c.MeasurementSha256), c.PartSha256 is { } part ? new("part.csv", Station.Store.Content(part)) : null);
+                last = (
+                    c,
+                    Station.Store.Content(c.MeasurementSha256),
+                    c.PartSha256 is { } part ? new("part.csv", Station.Store.Content(part)) : null);
             }
         }))
         {
@@ -82,7 +90,8 @@ public sealed partial class SystemViewModel
 
     private async Task DryRunFileAsync(CancellationToken cancellation)
     {
-        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(new(FileChoiceKind.Open, "System.ChooseMeasurement", [".csv", ".txt"]) { Sample = DemoCell.PartFile })) is not { } path)
+        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(
+            new(FileChoiceKind.Open, "System.ChooseMeasurement", [".csv", ".txt"]) { Sample = DemoCell.PartFile })) is not { } path)
         {
             return;
         }
@@ -92,7 +101,10 @@ public sealed partial class SystemViewModel
         if (await TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
         {
             var name = Path.GetFileName(path);
-            var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length) { Job = Editing.Place!.Name };
+            var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length)
+            {
+                Job = Editing.Place!.Name
+            };
             await TryOutAsync(given, new(name, bytes), null, cancellation);
         }
 
@@ -103,7 +115,12 @@ public sealed partial class SystemViewModel
     {
         var (draft, job) = (Editing.Draft, Editing.Job!);
         var isOfPart = draft.Compensation.From == "part";
-        var request = new MatingRequest { Part = isOfPart ? measurement : part, Counterpart = isOfPart ? null : measurement, Gain = (job.Policy ?? Station.Settings.Policy).Gain };
+        var request = new MatingRequest
+        {
+            Part = isOfPart ? measurement : part,
+            Counterpart = isOfPart ? null : measurement,
+            Gain = (job.Policy ?? Station.Settings.Policy).Gain
+        };
         KeptCorrection? kept = null;
         Func<string>? refusal = null;
         await TryAsync(() =>
@@ -111,7 +128,9 @@ public sealed partial class SystemViewModel
             try
             {
                 var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
-                refusal = outcome.Result is null ? () => Sentence.Joined(outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message))) : null;
+                refusal = outcome.Result is null
+                    ? () => Sentence.Joined(outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message)))
+                    : null;
                 kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
             }
             catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
@@ -135,6 +154,9 @@ public sealed partial class SystemViewModel
         // What the store has of the measurement came of the job as it was: the figures are those of the trial.
         var move = LargestMove.Of(matched);
         var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
-        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker)) { TriedAt = move.At };
+        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker))
+        {
+            TriedAt = move.At
+        };
     }
 }

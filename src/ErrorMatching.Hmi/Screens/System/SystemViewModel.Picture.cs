@@ -24,7 +24,8 @@ public sealed partial class SystemViewModel
     internal Task Opening { get; private set; } = Task.CompletedTask;
 
     // A feature without blocks is the next to be picked for.
-    private int NextPicked(int otherwise) => Editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
+    private int NextPicked(int otherwise) =>
+        Editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
 
     private BlocksRow[] MakeBlocks()
     {
@@ -80,7 +81,9 @@ public sealed partial class SystemViewModel
     {
         try
         {
-            return of.Job is null || of.Program.Length == 0 ? null : OpenedProgram.Read(MatingDraftCheck.ProgramOf(draft, of.Job), MatingDraftCheck.DialectOf(draft, of.Job));
+            return of.Job is null || of.Program.Length == 0
+                ? null
+                : OpenedProgram.Read(MatingDraftCheck.ProgramOf(draft, of.Job), MatingDraftCheck.DialectOf(draft, of.Job));
         }
         catch (Exception e) when (e is InputException or NcException or JsonDocumentException or ArgumentException)
         {
@@ -92,7 +95,9 @@ public sealed partial class SystemViewModel
     // One after the other, so that the last marks are those of the last draft.
     private void Mark(ProgramPicture picture, MatingDraft draft)
     {
-        var marked = string.Join('\n', draft.Features.Select(f => $"{f.Name}: {f.Blocks}; {f.Plane} {string.Join(' ', f.Points)}").Append($"{draft.Counterpart}"));
+        var marked = string.Join(
+            '\n',
+            draft.Features.Select(f => $"{f.Name}: {f.Blocks}; {f.Plane} {string.Join(' ', f.Points)}").Append($"{draft.Counterpart}"));
         if (marked != _marked)
         {
             _marked = marked;
@@ -116,7 +121,8 @@ public sealed partial class SystemViewModel
         var feature = _picked;
         if (Editing.CanEdit && feature < Editing.Draft.Features.Count)
         {
-            var blocks = string.Join(", ", choice.IsMore ? [.. Editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
+            var blocks = string.Join(
+                ", ", choice.IsMore ? [.. Editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
             Editing.Change("", d => d.WithFeature(feature, f => f with { Blocks = blocks }));
             _picked = choice.IsMore ? feature : NextPicked(feature);
             ShowPicture();
@@ -137,7 +143,8 @@ public sealed partial class SystemViewModel
         while (!ReferenceEquals(draft, Editing.Draft));
 
         var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
-        Editing.Change("", d => found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })));
+        Editing.Change(
+            "", d => found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })));
         _picked = NextPicked(_picked);
         ShowPicture();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];

@@ -6,7 +6,8 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed; tried out before it is saved.</summary>
+/// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed;
+/// tried out before it is saved.</summary>
 public sealed partial class SystemViewModel : SetupViewModel
 {
     // As many as stand in two lines; which others there are is seen at their fields.
@@ -26,14 +27,33 @@ public sealed partial class SystemViewModel : SetupViewModel
         Dialect = new(Editing, "$.counterpart.dialect", "System.Program");
         Rules = new(Editing, "$.recognition", "System.Gauge");
         AddPoint = Doing(AddOtherPoint);
-        RemovePoint = new(() => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }), () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
+        RemovePoint = new(
+            () => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }),
+            () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
         AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
         SameLimits = new(() => Editing.Change("", d => d.WithSameLimits()), () => Editing.CanEdit && Editing.Draft.Features.Count > 1);
         AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
-        AddContribution = Doing(() => Editing.Change("", d => d with { Gauge = d.Gauge with { Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")], Uncertainty = "" } }));
+        AddContribution = Doing(() => Editing.Change(
+            "",
+            d => d with
+            {
+                Gauge = d.Gauge with
+                {
+                    Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")],
+                    Uncertainty = ""
+                }
+            }));
         ReadPoints = new(_ => ReadPointsAsync(), () => Editing.CanEdit);
-        ReadProgram = new(async _ => await ReadAsync(new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"]) { Sample = DemoCell.ProgramFile }, ImportProgramAsync), () => Editing.CanEdit);
-        FindBlocks = new(FindBlocksAsync, () => Editing.CanEdit && Picture is not null && Editing.Draft.Features.Any(f => f.BlockList.Count == 0));
+        ReadProgram = new(
+            async _ => await ReadAsync(
+                new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"])
+                {
+                    Sample = DemoCell.ProgramFile
+                },
+                ImportProgramAsync),
+            () => Editing.CanEdit);
+        FindBlocks = new(
+            FindBlocksAsync, () => Editing.CanEdit && Picture is not null && Editing.Draft.Features.Any(f => f.BlockList.Count == 0));
         DryRun = new(DryRunAsync, CanTry);
         DryRunFile = new(DryRunFileAsync, CanTry);
         Back = new(() => Detail = null);
@@ -56,7 +76,8 @@ public sealed partial class SystemViewModel : SetupViewModel
     }
 
     /// <summary>The heads of the sides, with what is to be corrected and to be filled in on each.</summary>
-    public IReadOnlyList<SideHead> Heads { get; } = [new("System.Coordinates"), new("System.ProgramAndBlocks"), new("System.Tolerances"), new("System.Machine"), new("System.Gauge")];
+    public IReadOnlyList<SideHead> Heads { get; } = [
+        new("System.Coordinates"), new("System.ProgramAndBlocks"), new("System.Tolerances"), new("System.Machine"), new("System.Gauge")];
 
     /// <summary>The theoretical points.</summary>
     public ObservableCollection<CoordinateRow> Coordinates { get; } = [];
@@ -73,8 +94,12 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>What is wrong with the points as a whole.</summary>
     public NoteField Points { get; }
 
-    /// <summary>Which points lie on rounded corners, and how much further from these they can be met, in words; null if none does.</summary>
-    public string? Corners => Editing.Doubts.Where(d => d.Code == WarningForms.PointOnCorner.Name).Select(d => Texts.Current.With("System.Corner", d.Found, d.Amount)).ToArray() is { Length: > 0 } corners
+    /// <summary>Which points lie on rounded corners, and how much further from these they can be met, in words;
+    /// null if none does.</summary>
+    public string? Corners =>
+        Editing.Doubts.Where(d => d.Code == WarningForms.PointOnCorner.Name)
+            .Select(d => Texts.Current.With("System.Corner", d.Found, d.Amount))
+            .ToArray() is { Length: > 0 } corners
         ? Texts.Current.With("System.Corners", TableText.Listed(corners, MostCorners)) : null;
 
     /// <summary>What is wrong with the program.</summary>
@@ -88,7 +113,8 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     /// <summary>Which program it is.</summary>
     public string ProgramText => Editing.Draft.Counterpart.Program.Length == 0 ? Texts.Current["System.NoProgram"]
-        : Editing.Draft.Program is { } program ? Texts.Current.With("System.ProgramImported", Editing.Draft.Counterpart.Program, Shown.Count(program.Bytes.Length))
+        : Editing.Draft.Program is { } program
+            ? Texts.Current.With("System.ProgramImported", Editing.Draft.Counterpart.Program, Shown.Count(program.Bytes.Length))
         : Editing.Draft.Counterpart.Program;
 
     /// <summary>The control that it is for.</summary>
@@ -157,7 +183,8 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields =>
     [
-        Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks), .. Tolerances.Concat(Chain).SelectMany(r => r.Cells), .. Frame, .. Alignment, .. Compensation,
+        Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks),
+        .. Tolerances.Concat(Chain).SelectMany(r => r.Cells), .. Frame, .. Alignment, .. Compensation,
         .. Gauge, .. Contributions.Concat(Comparisons).SelectMany(r => r.Cells), Rules,
     ];
 
@@ -174,7 +201,9 @@ public sealed partial class SystemViewModel : SetupViewModel
     public async Task ImportPointsAsync(string path)
     {
         PointTable? table = null;
-        if (await TryAsync(() => table = PointTable.Read(Encoding.UTF8.GetString(InputFile.Bytes(path, MeasurementFormat.Points.MaxBytes)).TrimStart('\uFEFF'))))
+        if (await TryAsync(
+            () => table = PointTable.Read(
+                Encoding.UTF8.GetString(InputFile.Bytes(path, MeasurementFormat.Points.MaxBytes)).TrimStart('\uFEFF'))))
         {
             Take(table!, Path.GetFileName(path));
         }
@@ -191,11 +220,14 @@ public sealed partial class SystemViewModel : SetupViewModel
     }
 
     /// <summary>The row of <see cref="Pairs"/> that a field stands in; -1 if it is no coordinate's.</summary>
-    internal int RowOf(string automationId) => Pairs.ToList().FindIndex(p => new[] { p.First, p.Second }.OfType<CoordinateRow>().SelectMany(c => c.Fields).Any(f => f.AutomationId == automationId));
+    internal int RowOf(string automationId) => Pairs.ToList().FindIndex(
+        p => new[] { p.First, p.Second }.OfType<CoordinateRow>().SelectMany(c => c.Fields).Any(f => f.AutomationId == automationId));
 
     /// <inheritdoc/>
-    protected override string ShapeOf(MatingDraft draft) => string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
-        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}"
+    protected override string ShapeOf(MatingDraft draft) =>
+        string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
+        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}"
+        + $"/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}"
         + $"/{draft.Points.Any(p => p.Z.Length > 0) || draft.Features.Any(f => f.Plane != "XY")}";
 
     /// <inheritdoc/>
@@ -221,7 +253,15 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <inheritdoc/>
     protected override void ShowMore()
     {
-        foreach (var command in new[] { AddPoint, RemovePoint, AddLink, SameLimits, AddComparison, AddContribution }.Concat(Chain.Concat(Contributions).Concat(Comparisons).Select(r => r.Remove!)))
+        foreach (var command in new[]
+        {
+            AddPoint,
+            RemovePoint,
+            AddLink,
+            SameLimits,
+            AddComparison,
+            AddContribution
+        }.Concat(Chain.Concat(Contributions).Concat(Comparisons).Select(r => r.Remove!)))
         {
             command.Refresh();
         }
@@ -234,11 +274,14 @@ public sealed partial class SystemViewModel : SetupViewModel
         Decimals.Align(Coordinates.Select(c => c.X));
         Decimals.Align(Coordinates.Select(c => c.Y));
         Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
-        var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field))).Where(p => p.Place.Screen == Key).ToLookup(p => p.Place.Side);
+        var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field)))
+            .Where(p => p.Place.Screen == Key)
+            .ToLookup(p => p.Place.Side);
         var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
-            Heads[side].Show(sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing), asked[side].Count());
+            Heads[side].Show(
+                sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing), asked[side].Count());
         }
 
         ShowPicture();
@@ -296,7 +339,8 @@ public sealed partial class SystemViewModel : SetupViewModel
             return;
         }
 
-        await ReadAsync(new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync);
+        await ReadAsync(
+            new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync);
     }
 
     private void Take(PointTable table, string? file = null)
@@ -308,12 +352,17 @@ public sealed partial class SystemViewModel : SetupViewModel
 
         // What was said of a table before is over, also where nothing was taken of this one.
         Editing.Note(refused is not null ? null : () => Sentence.Joined(
-            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "", TableText.Taken(table, taken)));
+            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
+            TableText.Taken(table, taken)));
 
         Show();
     }
 
     // What was measured reads like a drawing, and is one for nobody: the job itself says how its measurements are called.
     private bool IsMeasurement(string file) =>
-        new[] { Editing.Draft.MeasuredFile, Editing.Draft.Counterpart.Measured }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
+        new[]
+        {
+            Editing.Draft.MeasuredFile,
+            Editing.Draft.Counterpart.Measured
+        }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
 }

@@ -13,7 +13,9 @@ internal static class TableText
     /// <param name="taken">What came of it.</param>
     public static Func<string>? Refused(PointTable table, TakenTable taken) => table switch
     {
-        { Fault: { } fault } => () => Texts.Current.With("System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text),
+        { Fault: { } fault } =>
+            () => Texts.Current.With(
+                "System.BadRow", fault.Line, fault.Text.Length > MostShown ? fault.Text[..MostShown] + "…" : fault.Text),
         { Count: 0 } => () => Texts.Current["System.NoCoordinates"],
         _ => taken.Refusal switch
         {
@@ -23,7 +25,9 @@ internal static class TableText
             PointTableRefusal.OtherCount => () => Sentence.Joined(
                 Texts.Current.With("System.TableCount", taken.Rows, taken.Points),
                 taken.OnlyInTable.Count > 0 ? Texts.Current.With("System.OnlyInTable", Listed(taken.OnlyInTable, MostRefused)) : "",
-                taken.OnlyInFeatures.Count > 0 ? Texts.Current.With("System.OnlyInFeatures", Listed(taken.OnlyInFeatures, MostRefused)) : "",
+                taken.OnlyInFeatures.Count > 0
+                    ? Texts.Current.With("System.OnlyInFeatures", Listed(taken.OnlyInFeatures, MostRefused))
+                    : "",
                 Texts.Current["System.TableCountNext"]),
             _ => null,
         },
@@ -34,14 +38,19 @@ internal static class TableText
     /// <param name="taken">What came of it.</param>
     public static string Taken(PointTable table, TakenTable taken) => Sentence.Joined(
         Texts.Current.With("System.Table", table.Count),
-        taken.HasNewLabels ? Texts.Current.With("System.TableLabels", Listed([.. taken.Draft.Features.Where(f => f.Points.Any()).Select(LabelsOf)], MostFeatures)) : "",
+        taken.HasNewLabels
+            ? Texts.Current.With(
+                "System.TableLabels", Listed([.. taken.Draft.Features.Where(f => f.Points.Any()).Select(LabelsOf)], MostFeatures))
+            : "",
         taken.OnlyInTable.Count > 0 ? Texts.Current.With("System.TableOther", Listed(taken.OnlyInTable)) : "",
         taken.OnlyInFeatures.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(taken.OnlyInFeatures)) : "");
 
     /// <summary>The first of many words.</summary>
     /// <param name="words">The words.</param>
     /// <param name="most">How many are listed.</param>
-    public static string Listed(IReadOnlyList<string> words, int most = MostLabels) => Texts.Current.Listed(words.Take(most)) + (words.Count > most ? " …" : "");
+    public static string Listed(IReadOnlyList<string> words, int most = MostLabels) =>
+        Texts.Current.Listed(words.Take(most)) + (words.Count > most ? " …" : "");
 
-    private static string LabelsOf(FeatureDraft feature) => Texts.Current.With("System.LabelsOf", feature.Name, feature.Points.First().Label, feature.Points.Last().Label);
+    private static string LabelsOf(FeatureDraft feature) =>
+        Texts.Current.With("System.LabelsOf", feature.Name, feature.Points.First().Label, feature.Points.Last().Label);
 }

@@ -12,6 +12,9 @@ public sealed record MatingChoice(string Name, IReadOnlyList<string> Jobs)
     public static IReadOnlyList<MatingChoice> Of(CellSettings settings)
     {
         ArgumentNullException.ThrowIfNull(settings);
-        return [.. settings.Jobs.Where(j => !j.IsFreeform).GroupBy(j => j.File, StringComparer.Ordinal).Select(g => new MatingChoice(g.First().Name, [.. g.Select(j => j.Name)]))];
+        return [
+            .. settings.Jobs.Where(j => !j.IsFreeform)
+                .GroupBy(j => j.File, StringComparer.Ordinal)
+                .Select(g => new MatingChoice(g.First().Name, [.. g.Select(j => j.Name)]))];
     }
 }

@@ -20,7 +20,8 @@ public sealed class PieceDetail : Observable
     public PieceDetail(KeptPiece piece, IReadOnlyList<KeptPiece> series)
     {
         _piece = piece ?? throw new ArgumentNullException(nameof(piece));
-        _features = piece.Boundaries.SelectMany(b => b.Points.Select(p => (p.Label, b.Name))).ToDictionary(p => p.Label, p => p.Name, StringComparer.Ordinal);
+        _features = piece.Boundaries.SelectMany(b => b.Points.Select(p => (p.Label, b.Name))).ToDictionary(
+            p => p.Label, p => p.Name, StringComparer.Ordinal);
         Features = [.. piece.Result.Features.Select(Row)];
         Points = [.. piece.Result.Points.Select(Row)];
         Errors = ErrorsOf();
@@ -38,8 +39,12 @@ public sealed class PieceDetail : Observable
 
     /// <summary>The origin of the results, in a sentence.</summary>
     public string Origin => Sentence.Joined(
-        _piece.Counterpart is { } counterpart ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart)) : Texts.Current["Verify.Predicted"],
-        _piece.Before is { } before ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", before.Name) : Texts.Current["Verify.BeforeDesigned"]);
+        _piece.Counterpart is { } counterpart
+            ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart))
+            : Texts.Current["Verify.Predicted"],
+        _piece.Before is { } before
+            ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", before.Name)
+            : Texts.Current["Verify.BeforeDesigned"]);
 
     /// <summary>The improvement, in a sentence with numbers.</summary>
     public string Summary
@@ -48,8 +53,20 @@ public sealed class PieceDetail : Observable
         {
             var (result, texts) = (_piece.Result, Texts.Current);
             var better = result.RmsImprovementPercent;
-            var word = better is null ? "Verdict.Same" : IsWorse ? "Verdict.Worse" : _piece.IsMeasured ? "Verdict.Better" : "Verdict.BetterPredicted";
-            return texts.With(word, Shown.Percent(Math.Abs(better ?? 0))) + texts.With("Verdict.Figures", Shown.Mm(result.RmsBeforeMm), Shown.Mm(result.RmsAfterMm), Shown.Mm(result.MaxBeforeMm), Shown.Mm(result.MaxAfterMm));
+            var word = better is null
+                ? "Verdict.Same"
+                : IsWorse
+                ? "Verdict.Worse"
+                : _piece.IsMeasured
+                ? "Verdict.Better"
+                : "Verdict.BetterPredicted";
+            return texts.With(word, Shown.Percent(Math.Abs(better ?? 0)))
+                + texts.With(
+                    "Verdict.Figures",
+                    Shown.Mm(result.RmsBeforeMm),
+                    Shown.Mm(result.RmsAfterMm),
+                    Shown.Mm(result.MaxBeforeMm),
+                    Shown.Mm(result.MaxAfterMm));
         }
     }
 
@@ -60,7 +77,8 @@ public sealed class PieceDetail : Observable
     public string Verdict => VerdictOf(_piece);
 
     /// <summary>Number of warnings of its correction; null if there are none, or if the correction is unknown.</summary>
-    public string? Warnings => _piece.Match is { Warnings: { Count: > 0 } warnings } ? Texts.Current.With("Head.Warnings", warnings.Count) : null;
+    public string? Warnings =>
+        _piece.Match is { Warnings: { Count: > 0 } warnings } ? Texts.Current.With("Head.Warnings", warnings.Count) : null;
 
     /// <summary>Opens those warnings.</summary>
     public Command? ReadWarnings { get; init; }
@@ -69,7 +87,12 @@ public sealed class PieceDetail : Observable
     /// nothing can be compared.</summary>
     public string? Missed => _piece.Misses is not { Count: > 0 } all ? null
         : Significant is { Count: > 0 } missed && missed.MaxBy(m => Math.Abs(m.Mm)) is var worst
-            ? Texts.Current.With("Verdict.Missed", missed.Count, Listed(missed.Take(MostMissed).Select(m => m.Point)) + (missed.Count > MostMissed ? " …" : ""), Shown.Mm(Math.Abs(worst.Mm)), worst.Point)
+            ? Texts.Current.With(
+                "Verdict.Missed",
+                missed.Count,
+                Listed(missed.Take(MostMissed).Select(m => m.Point)) + (missed.Count > MostMissed ? " …" : ""),
+                Shown.Mm(Math.Abs(worst.Mm)),
+                worst.Point)
             : Texts.Current.With("Verdict.Met", Shown.Mm(all.Max(m => Math.Abs(m.Mm))));
 
     /// <summary>True if the prediction was off at some point.</summary>
@@ -108,7 +131,10 @@ public sealed class PieceDetail : Observable
     public SeriesDrawing Trend { get; }
 
     /// <summary>How to read the trend. Also says if the pieces are based on different counterparts.</summary>
-    public string TrendCaption => Sentence.Joined(Texts.Current["Verify.TrendCaption"], Trend.IsHollow.Any(h => h) ? Texts.Current["Verify.TrendHollow"] : "", Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
+    public string TrendCaption => Sentence.Joined(
+        Texts.Current["Verify.TrendCaption"],
+        Trend.IsHollow.Any(h => h) ? Texts.Current["Verify.TrendHollow"] : "",
+        Trend.Lines.Any(l => l.Beginnings.Count > 0) ? Texts.Current["Verify.TrendBreaks"] : "");
 
     /// <summary>The assembly without compensation.</summary>
     public GapDrawing Before { get; }
@@ -120,7 +146,8 @@ public sealed class PieceDetail : Observable
     public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Shown.Mm(Before.LargestMm));
 
     /// <summary>The largest gap or overlap with compensation.</summary>
-    public string AfterCaption => Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
+    public string AfterCaption =>
+        Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
 
     /// <summary>Note on the exaggeration, and on whether the drawing is turned.</summary>
     public string Exaggeration => Before.Note;
@@ -143,14 +170,17 @@ public sealed class PieceDetail : Observable
     internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
 
     /// <summary>Whether all errors of a piece are within their limits, and which are not.</summary>
-    internal static string VerdictOf(KeptPiece piece) => piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
+    internal static string VerdictOf(KeptPiece piece) =>
+        piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
         Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)),
         piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "");
 
     internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
 
     // No program can meet its deviation, but other limits or another point may help: the correction warned of it.
-    private bool IsOnCorner(string point) => _piece.Match?.Warnings.Any(w => w.Code == WarningForms.PointOnCorner.Name && w.Values is [var corner, ..] && corner == point) == true;
+    private bool IsOnCorner(string point) =>
+        _piece.Match?.Warnings.Any(
+            w => w.Code == WarningForms.PointOnCorner.Name && w.Values is [var corner, ..] && corner == point) == true;
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
@@ -174,8 +204,14 @@ public sealed class PieceDetail : Observable
             [.. points.Select(p => p.Label)],
             [.. Points.Select(p => texts.With("Verify.At", p.Point, p.Before, p.After, p.Low, p.High))],
             [
-                new(SeriesKind.Before, texts[_piece.IsBeforeMeasured ? "Verify.LineBefore" : "Verify.LineBeforeDesigned"], [.. points.Select(p => (double?)p.BeforeError.NormalMm)]),
-                new(SeriesKind.After, texts[_piece.IsMeasured ? "Verify.LineAfter" : "Verify.LineAfterPredicted"], [.. points.Select(p => (double?)p.AfterError.NormalMm)]),
+                new(
+                    SeriesKind.Before,
+                    texts[_piece.IsBeforeMeasured ? "Verify.LineBefore" : "Verify.LineBeforeDesigned"],
+                    [.. points.Select(p => (double?)p.BeforeError.NormalMm)]),
+                new(
+                    SeriesKind.After,
+                    texts[_piece.IsMeasured ? "Verify.LineAfter" : "Verify.LineAfterPredicted"],
+                    [.. points.Select(p => (double?)p.AfterError.NormalMm)]),
             ],
             bands,
             [])
@@ -184,7 +220,8 @@ public sealed class PieceDetail : Observable
         };
     }
 
-    private static string BaseOf(KeptPiece piece) => piece.Before is { } before ? Texts.Current.With("Verify.TrendBefore", before.Name) : Texts.Current["Verify.TrendBeforeDesigned"];
+    private static string BaseOf(KeptPiece piece) =>
+        piece.Before is { } before ? Texts.Current.With("Verify.TrendBefore", before.Name) : Texts.Current["Verify.TrendBeforeDesigned"];
 
     private static SeriesDrawing TrendOf(IReadOnlyList<KeptPiece> series)
     {
@@ -194,11 +231,26 @@ public sealed class PieceDetail : Observable
         var breaks = Enumerable.Range(0, series.Count).Where(i => i > 0 && series[i].Before != series[i - 1].Before).ToHashSet();
         return new(
             [.. series.Select(p => p.Correction.Serial ?? "#" + Shown.Id(p.Correction.Id))],
-            [.. series.Select(p => texts.With("Verify.TrendAt", CorrectionLabel.Of(p.Correction), KindOf(p), Shown.Mm(p.Result.MaxBeforeMm), Shown.Mm(p.Result.MaxAfterMm), Shown.Mm(p.Result.RmsBeforeMm), Shown.Mm(p.Result.RmsAfterMm), BaseOf(p)))],
             [
-                new(SeriesKind.Before, texts["Verify.LargestBefore"], [.. series.Select(p => (double?)p.Result.MaxBeforeMm)]) { Beginnings = breaks },
+                .. series.Select(p => texts.With(
+                    "Verify.TrendAt",
+                    CorrectionLabel.Of(p.Correction),
+                    KindOf(p),
+                    Shown.Mm(p.Result.MaxBeforeMm),
+                    Shown.Mm(p.Result.MaxAfterMm),
+                    Shown.Mm(p.Result.RmsBeforeMm),
+                    Shown.Mm(p.Result.RmsAfterMm),
+                    BaseOf(p)))],
+            [
+                new(SeriesKind.Before, texts["Verify.LargestBefore"], [.. series.Select(p => (double?)p.Result.MaxBeforeMm)])
+                {
+                    Beginnings = breaks
+                },
                 new(SeriesKind.After, texts["Verify.LargestAfter"], [.. series.Select(p => (double?)p.Result.MaxAfterMm)]),
-                new(SeriesKind.BeforeMean, texts["Verify.RmsBefore"], [.. series.Select(p => (double?)p.Result.RmsBeforeMm)]) { Beginnings = breaks },
+                new(SeriesKind.BeforeMean, texts["Verify.RmsBefore"], [.. series.Select(p => (double?)p.Result.RmsBeforeMm)])
+                {
+                    Beginnings = breaks
+                },
                 new(SeriesKind.AfterMean, texts["Verify.RmsAfter"], [.. series.Select(p => (double?)p.Result.RmsAfterMm)]),
             ],
             [],
@@ -211,7 +263,9 @@ public sealed class PieceDetail : Observable
     {
         // Compares the displayed values: a difference that rounds to zero counts as none.
         var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
-        var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent)) : Shown.Percent(f.ImprovementPercent);
+        var improvement = isWorse
+            ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent))
+            : Shown.Percent(f.ImprovementPercent);
         var (quantity, unit) = (Texts.Current["VerifiedQuantity." + f.Quantity.Word], f.Quantity.Unit);
         if (!f.Quantity.IsDeviation)
         {
@@ -226,15 +280,23 @@ public sealed class PieceDetail : Observable
     }
 
     // With its sign, if the report names the point.
-    private string Deviation(VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error) => f.Points.Count == 0 ? Shown.Mm(largestMm) : Shown.SignedMm(
-        _piece.Result.Points.Where(p => f.Points.Contains(p.Label)).Select(p => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm).MaxBy(Math.Abs));
+    private string Deviation(VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error) =>
+        f.Points.Count == 0 ? Shown.Mm(largestMm) : Shown.SignedMm(
+        _piece.Result.Points.Where(p => f.Points.Contains(p.Label))
+            .Select(p => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm)
+            .MaxBy(Math.Abs));
 
     private MatingErrorRow Row(VerifiedPoint p)
     {
         var band = _piece.BandOf(p.Label);
         var isOutside = _piece.IsOutside(p.Label, p.AfterError.NormalMm);
         return new(
-            p.Label, _features.GetValueOrDefault(p.Label, ""), Shown.SignedMm(band?.LowerMm), Shown.SignedMm(band?.UpperMm), Shown.SignedMm(p.BeforeError.NormalMm), Shown.SignedMm(p.AfterError.NormalMm),
+            p.Label,
+            _features.GetValueOrDefault(p.Label, ""),
+            Shown.SignedMm(band?.LowerMm),
+            Shown.SignedMm(band?.UpperMm),
+            Shown.SignedMm(p.BeforeError.NormalMm),
+            Shown.SignedMm(p.AfterError.NormalMm),
             Texts.Current[isOutside ? "Verify.PointOutside" : "Verify.PointWithin"], isOutside);
     }
 }

@@ -104,7 +104,9 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         var isRead = await TryAsync(() =>
         {
             // The piece selected on another screen may belong to another mating.
-            mating = sought is { } id && Station.Store.Find(id)?.Job is { } job ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating : mating;
+            mating = sought is { } id && Station.Store.Find(id)?.Job is { } job
+                ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating
+                : mating;
             pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], KeptPieces.Most);
         });
         if (load != _load)
@@ -157,5 +159,11 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     }
 
     private static PieceRow Row(KeptPiece piece) =>
-        new(piece.Correction.Id, CorrectionLabel.Of(piece.Correction), piece.JobName, PieceDetail.KindOf(piece), Shown.Mm(piece.Result.MaxAfterMm) + " mm", PieceDetail.SeverityOf(piece));
+        new(
+            piece.Correction.Id,
+            CorrectionLabel.Of(piece.Correction),
+            piece.JobName,
+            PieceDetail.KindOf(piece),
+            Shown.Mm(piece.Result.MaxAfterMm) + " mm",
+            PieceDetail.SeverityOf(piece));
 }

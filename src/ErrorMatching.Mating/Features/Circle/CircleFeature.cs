@@ -76,7 +76,8 @@ public sealed record CircleFeature(
                 .FirstOrDefault(i => !path.Motions[i].IsArc || !CircleKind.BelongsTo(path, pass.First, i), -1);
             if (motion >= 0)
             {
-                const string Why = "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.";
+                const string Why =
+                    "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.";
                 return FeatureMapper.At(path, path.Motions[motion].Block, NotOneCircle, Why, Name);
             }
         }
@@ -89,7 +90,9 @@ public sealed record CircleFeature(
             path,
             path.Motions[map.Passes[0].First].Block,
             AngleTooSmall,
-            string.Create(CultureInfo.InvariantCulture, $"its key points cover {covered:0} degrees of the circle; expected {needed}. Measure points further round."),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"its key points cover {covered:0} degrees of the circle; expected {needed}. Measure points further round."),
             Name);
     }
 
@@ -104,7 +107,10 @@ public sealed record CircleFeature(
             cut.Path,
             cut.Path.Motions[cut.Pass.First].Block,
             RadiusVanishes,
-            string.Create(CultureInfo.InvariantCulture, $"its radius would change by {growth:+0.000;-0.000} mm to {path.Path.Radius + growth:0.000} mm, and no circle about its center would be left. The tool is too large for this circle, or the points are wrong."),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"its radius would change by {growth:+0.000;-0.000} mm to {path.Path.Radius + growth:0.000} mm, and no circle about its "
+                    + $"center would be left. The tool is too large for this circle, or the points are wrong."),
             Name);
     }
 

@@ -120,7 +120,8 @@ public sealed class CircleKind : FeatureKind
     {
         const double Same = 0.01;
         var (a, m) = (path.Motions[arc], path.Motions[motion]);
-        return !m.MovesInPlane || (m.Kind == a.Kind && m.Center.DistanceTo(a.Center) <= Same && Math.Abs(m.Arc.Radius - a.Arc.Radius) <= Same);
+        return !m.MovesInPlane
+            || (m.Kind == a.Kind && m.Center.DistanceTo(a.Center) <= Same && Math.Abs(m.Arc.Radius - a.Arc.Radius) <= Same);
     }
 
     /// <summary>A circle as a closed polyline.</summary>

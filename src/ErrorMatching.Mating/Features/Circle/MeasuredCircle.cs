@@ -7,7 +7,8 @@ namespace ErrorMatching.Mating;
 /// <param name="CenterStandardError">Standard errors of its center in x and in y, mm.</param>
 /// <param name="RadiusStandardError">Standard error of its radius, mm.</param>
 /// <param name="Residuals">Signed distance of each point from it, positive outside, mm.</param>
-internal sealed record MeasuredCircle(Circle2 Circle, Vector2 CenterStandardError, double RadiusStandardError, IReadOnlyList<double> Residuals)
+internal sealed record MeasuredCircle(
+    Circle2 Circle, Vector2 CenterStandardError, double RadiusStandardError, IReadOnlyList<double> Residuals)
 {
     /// <summary>By how much the points differ in their distance from the center, mm.</summary>
     public double RoundnessMm => Residuals.Max() - Residuals.Min();

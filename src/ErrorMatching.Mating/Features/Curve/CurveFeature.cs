@@ -49,7 +49,8 @@ public sealed record CurveFeature(
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var options = new PolynomialFitOptions { Degree = Degree, Ridge = Ridge, PointUncertaintyMm = u };
-        var chord = new FeatureQuantity(CurveKind.Chord, theoretical[0].DistanceTo(theoretical[^1]), actual[0].DistanceTo(actual[^1]), Math.Sqrt(2) * u);
+        var chord = new FeatureQuantity(
+            CurveKind.Chord, theoretical[0].DistanceTo(theoretical[^1]), actual[0].DistanceTo(actual[^1]), Math.Sqrt(2) * u);
         var (wanted, found) = (Fit(theoretical, options), Fit(actual, options));
         if (wanted is null || found is null)
         {
@@ -57,7 +58,10 @@ public sealed record CurveFeature(
         }
 
         var length = ArcLength(wanted);
-        return new([chord, new(CurveKind.ArcLength, length, ArcLength(found), Math.Sqrt(2) * u)], found.Residuals, Sparse(length)) { Curve = found };
+        return new([chord, new(CurveKind.ArcLength, length, ArcLength(found), Math.Sqrt(2) * u)], found.Residuals, Sparse(length))
+        {
+            Curve = found
+        };
     }
 
     /// <inheritdoc/>
@@ -65,19 +69,22 @@ public sealed record CurveFeature(
 
     /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
-        Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
+        Outlines.Boundary(
+            measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
 
     // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does,
     // the smooth course is taken and the arc comes as near as it can.
     private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
     {
-        if (cut.Job.Compensation.Along == CompensationDirection.Vector || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
+        if (cut.Job.Compensation.Along == CompensationDirection.Vector
+            || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
         {
             return FeatureWish.Course(cut, values => Smooth(cut.Job, cut.Pass, values));
         }
 
         var smooth = Smooth(cut.Job, cut.Pass, [.. cut.Corrections.Select((c, i) => c.Dot(FeatureWish.LeftOf(cut.Pass.Feet[i])))]);
-        return double.IsPositiveInfinity(circle.LeaveOneOutRms) || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
+        return double.IsPositiveInfinity(circle.LeaveOneOutRms)
+            || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
             ? circle.At
             : (s, normal) => normal * smooth.At(s);
     }
@@ -113,7 +120,10 @@ public sealed record CurveFeature(
             return [];
         }
 
-        var (count, length, spacing) = (Points.Count.ToString(CultureInfo.InvariantCulture), lengthMm.ToString("0.#", CultureInfo.InvariantCulture), RecommendedSpacingMm.ToString(CultureInfo.InvariantCulture));
+        var (count, length, spacing) = (
+            Points.Count.ToString(CultureInfo.InvariantCulture),
+            lengthMm.ToString("0.#", CultureInfo.InvariantCulture),
+            RecommendedSpacingMm.ToString(CultureInfo.InvariantCulture));
         return [WarningForms.Warning(WarningForms.SparsePoints, Name, count, length, spacing)];
     }
 }

@@ -60,7 +60,10 @@ public sealed class CurveKind : FeatureKind
         ArgumentNullException.ThrowIfNull(counts);
         var count = counts[0];
         Point2[] points = [.. Enumerable.Range(0, count).Select(i => At(i))];
-        return new(points, count > 1 ? [.. Enumerable.Range(0, ((count - 1) * Pieces) + 1).Select(i => At((double)i / Pieces))] : points, step * (count + 0.5));
+        return new(
+            points,
+            count > 1 ? [.. Enumerable.Range(0, ((count - 1) * Pieces) + 1).Select(i => At((double)i / Pieces))] : points,
+            step * (count + 0.5));
 
         Point2 At(double i) => new(step * i, height * Math.Sin(Math.PI * i / Math.Max(1, count - 1)));
     }

@@ -40,14 +40,19 @@ public sealed record LineFeature(
         return new(
             [
                 new(LineKind.Length, wanted.Length, found.Length, Math.Sqrt(2) * u),
-                new(FeatureQuantity.Direction, wanted.Line.Direction.Direction.Normalized.Degrees, found.Line.Direction.Direction.Normalized.Degrees, found.AngleStandardError.Degrees),
+                new(
+                    FeatureQuantity.Direction,
+                    wanted.Line.Direction.Direction.Normalized.Degrees,
+                    found.Line.Direction.Direction.Normalized.Degrees,
+                    found.AngleStandardError.Degrees),
             ],
             found.Residuals,
             []);
     }
 
     /// <inheritdoc/>
-    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut, FeatureWish.Course(cut, FeatureWish.Straight(cut)));
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) =>
+        FeatureWish.Along(cut, FeatureWish.Course(cut, FeatureWish.Straight(cut)));
 
     /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) => measured.Actual;

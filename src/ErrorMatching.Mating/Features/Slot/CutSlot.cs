@@ -83,7 +83,8 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
         var (from, end) = along < length / 2 ? (Other, to.Other) : (One, to.One);
         var (ray, shift) = ((place - from).Normalize(), end - from);
         var across = shift.Cross(ray);
-        return ray * (shift.Dot(ray) + Math.Sqrt(Math.Max(0, (to.PathRadius * to.PathRadius) - (across * across))) - place.DistanceTo(from));
+        return ray * (
+            shift.Dot(ray) + Math.Sqrt(Math.Max(0, (to.PathRadius * to.PathRadius) - (across * across))) - place.DistanceTo(from));
     }
 
     private bool Has(in NcMotion motion, MotionKind turn)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
@@ -72,7 +73,8 @@ internal sealed record MeasuredSlot
             : p.DistanceTo(i == 1 ? slot.FirstCenter : slot.SecondCenter) - radius))];
 
         // Both flanks turn alike: their distance turns by how far apart along them they are known.
-        var tilt = u / Math.Sqrt(points[0].Sum(p => Square((p - first).Dot(direction))) + points[2].Sum(p => Square((p - second).Dot(direction))));
+        var tilt = u / Math.Sqrt(
+            points[0].Sum(p => Square((p - first).Dot(direction))) + points[2].Sum(p => Square((p - second).Dot(direction))));
         var width = Math.Sqrt((u * u / points[0].Count) + (u * u / points[2].Count) + Square(tilt * (second - first).Dot(direction)));
         var (oneError, otherError) = (u / Math.Sqrt(one.Share), u / Math.Sqrt(other.Share));
         var (along, aside) = (new Vector2(oneError, otherError).Length / 2, width / 2);
@@ -132,7 +134,12 @@ internal sealed record MeasuredSlot
         var beside = points.Max(p => Math.Abs(axis.SignedDistance(p)));
         if (beside >= radius)
         {
-            throw new GeometryException(GeometryError.NotAround, FormattableString.Invariant($"A point of an end lies {beside:0.###} mm beside the center line, no less than half the width of {2 * radius:0.###} mm."));
+            throw new GeometryException(
+                GeometryError.NotAround,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"A point of an end lies {beside:0.###} mm beside the center line, no less than half the width of {2 * radius:0.###} "
+                        + $"mm."));
         }
 
         var along = points.Average(p => axis.Along(p) - (outward * Math.Sqrt(Square(radius) - Square(axis.SignedDistance(p)))));

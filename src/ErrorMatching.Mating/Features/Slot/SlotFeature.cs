@@ -52,7 +52,11 @@ public sealed record SlotFeature(
                 new(SlotKind.Length, wanted.LengthMm, found.LengthMm, errors.Length),
                 new(SlotKind.CenterX, wanted.Middle.X, found.Middle.X, errors.Middle.X),
                 new(SlotKind.CenterY, wanted.Middle.Y, found.Middle.Y, errors.Middle.Y),
-                new(FeatureQuantity.Direction, wanted.Direction.Direction.Normalized.Degrees, found.Direction.Direction.Normalized.Degrees, Angle.FromRadians(errors.Direction).Degrees),
+                new(
+                    FeatureQuantity.Direction,
+                    wanted.Direction.Direction.Normalized.Degrees,
+                    found.Direction.Direction.Normalized.Degrees,
+                    Angle.FromRadians(errors.Direction).Degrees),
             ],
             found.Residuals,
             []);
@@ -94,7 +98,10 @@ public sealed record SlotFeature(
             cut.Path,
             cut.Pass.First,
             SlotVanishes,
-            string.Create(CultureInfo.InvariantCulture, $"displaced as asked, its ends would have a radius of {radius:0.000} mm and its flanks a length of {flanks:0.000} mm. The tool is too large for this slot, or the points are wrong."));
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"displaced as asked, its ends would have a radius of {radius:0.000} mm and its flanks a length of {flanks:0.000} mm. "
+                    + $"The tool is too large for this slot, or the points are wrong."));
     }
 
     /// <inheritdoc/>

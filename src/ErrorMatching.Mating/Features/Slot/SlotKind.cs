@@ -82,9 +82,13 @@ public sealed class SlotKind : FeatureKind
         IReadOnlyList<Point2>[] lists =
         [
             [.. Enumerable.Range(1, counts[0]).Select(i => new Point2(radius + (length * i / (counts[0] + 1)), -radius))],
-            [.. Enumerable.Range(1, counts[1]).Select(i => new Circle2(right, radius).At(Angle.FromDegrees(-90 + (180.0 * i / (counts[1] + 1)))))],
+            [
+                .. Enumerable.Range(1, counts[1]).Select(
+                    i => new Circle2(right, radius).At(Angle.FromDegrees(-90 + (180.0 * i / (counts[1] + 1)))))],
             [.. Enumerable.Range(1, counts[2]).Select(i => new Point2(radius + length - (length * i / (counts[2] + 1)), radius))],
-            [.. Enumerable.Range(1, counts[3]).Select(i => new Circle2(left, radius).At(Angle.FromDegrees(90 + (180.0 * i / (counts[3] + 1)))))],
+            [
+                .. Enumerable.Range(1, counts[3]).Select(
+                    i => new Circle2(left, radius).At(Angle.FromDegrees(90 + (180.0 * i / (counts[3] + 1)))))],
         ];
         return new([.. lists.SelectMany(l => l)], Outline(lists), length + (2 * radius) + step);
     }

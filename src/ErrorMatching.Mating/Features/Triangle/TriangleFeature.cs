@@ -44,7 +44,11 @@ public sealed record TriangleFeature(
             [
                 new(TriangleKind.ApexX, wanted.Apex.X, found.Apex.X, found.ApexStandardError.X),
                 new(TriangleKind.ApexY, wanted.Apex.Y, found.Apex.Y, found.ApexStandardError.Y),
-                new(TriangleKind.IncludedAngle, wanted.IncludedAngle.Degrees, found.IncludedAngle.Degrees, found.IncludedAngleStandardError.Degrees),
+                new(
+                    TriangleKind.IncludedAngle,
+                    wanted.IncludedAngle.Degrees,
+                    found.IncludedAngle.Degrees,
+                    found.IncludedAngleStandardError.Degrees),
                 new(TriangleKind.FirstFlank, wanted.FirstLength, found.FirstLength, flank),
                 new(TriangleKind.SecondFlank, wanted.SecondLength, found.SecondLength, flank),
             ],

@@ -5,7 +5,8 @@ namespace ErrorMatching.Mating;
 /// <summary>Notches and ridges of two straight flanks.</summary>
 public sealed class TriangleKind : FeatureKind
 {
-    internal const string ApexX = "apexXMm", ApexY = "apexYMm", IncludedAngle = "angleDeg", FirstFlank = "firstFlankMm", SecondFlank = "secondFlankMm";
+    internal const string ApexX = "apexXMm", ApexY = "apexYMm", IncludedAngle = "angleDeg", FirstFlank = "firstFlankMm",
+        SecondFlank = "secondFlankMm";
 
     private TriangleKind()
     {
@@ -59,7 +60,9 @@ public sealed class TriangleKind : FeatureKind
         var (first, all) = (counts[0], counts[0] + counts[1]);
 
         // Straight down to the apex, which is half a step from the last point of either flank.
-        Point2[] points = [.. Enumerable.Range(0, all).Select(i => new Point2(step * i, i < first ? -height * (i + 1) / (first + 0.5) : -height * (all - i) / (counts[1] + 0.5)))];
+        Point2[] points = [
+            .. Enumerable.Range(0, all).Select(i => new Point2(
+                step * i, i < first ? -height * (i + 1) / (first + 0.5) : -height * (all - i) / (counts[1] + 0.5)))];
         return new(points, Outline([points[..first], points[first..]]), step * (all + 0.5));
     }
 

@@ -55,7 +55,13 @@ internal static class TriangleWish
     }
 
     private static ElementWish Between(
-        NcPath path, FeaturePass pass, int index, int lastBefore, int firstBehind, Func<double, Vector2, Vector2> before, Func<double, Vector2, Vector2> behind)
+        NcPath path,
+        FeaturePass pass,
+        int index,
+        int lastBefore,
+        int firstBehind,
+        Func<double, Vector2, Vector2> before,
+        Func<double, Vector2, Vector2> behind)
     {
         var (from, to) = (pass.Starts[lastBefore + 1 - pass.First], pass.Starts[firstBehind - pass.First]);
         var element = FeatureWish.Element(path, pass, index, (s, normal) =>

@@ -4,8 +4,8 @@ namespace ErrorMatching.Mating;
 
 /// <summary>The report of a match as one HTML file that needs no network and no script.</summary>
 /// <remarks>
-/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed; the same report always gives the same bytes.
-/// Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang 2021.
+/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed;
+/// the same report always gives the same bytes. Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang 2021.
 /// </remarks>
 public static class MatchReportHtml
 {
@@ -25,7 +25,17 @@ public static class MatchReportHtml
                 new("proof", "Proof", html => MatchProof.Write(html, report)),
                 new("program", "Program", html => MatchProgram.Write(html, report)),
                 new("measuring", "Measuring", html => MatchMeasuring.Write(html, report)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "match", ("--part", "part"), ("--counterpart", "counterpart"), ("--program", "program"))),
+                new(
+                    "inputs",
+                    "Files",
+                    html => ReportInputs.Write(
+                        html,
+                        report.Job,
+                        report.Inputs,
+                        "match",
+                        ("--part", "part"),
+                        ("--counterpart", "counterpart"),
+                        ("--program", "program"))),
             ]);
     }
 }

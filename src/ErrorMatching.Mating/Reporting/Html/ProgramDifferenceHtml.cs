@@ -4,8 +4,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The difference of any two programs as one HTML file that needs no network and no script: what moved by how much, and the blocks side by side.</summary>
-/// <remarks>Lengths in millimetres. Well-formed as XML too, UTF-8 without a byte order mark; the same programs always give the same bytes.</remarks>
+/// <summary>The difference of any two programs as one HTML file that needs no network and no script:
+/// what moved by how much, and the blocks side by side.</summary>
+/// <remarks>Lengths in millimetres. Well-formed as XML too, UTF-8 without a byte order mark;
+/// the same programs always give the same bytes.</remarks>
 public static class ProgramDifferenceHtml
 {
     /// <summary>As many motions as a person may want to read; the JSON of a comparison has them all.</summary>
@@ -47,7 +49,12 @@ public static class ProgramDifferenceHtml
         }
 
         ReportFacts.Write(html, [.. facts]);
-        html.Put("p", comparison.IsSame ? "Both programs do the same." : "Motions are compared, not text: another block number or spelling is no difference. Tool radius compensation is not applied.");
+        html.Put(
+            "p",
+            comparison.IsSame
+                ? "Both programs do the same."
+                : "Motions are compared, not text: another block number or spelling is no difference. Tool radius compensation is not "
+                    + "applied.");
     }
 
     private static void WriteMotions(HtmlText html, MotionComparison comparison)
@@ -58,8 +65,16 @@ public static class ProgramDifferenceHtml
             return;
         }
 
-        TableColumn[] columns = [new("Line", true), new("Block"), new("Change"), new("X", true, "Displacement (mm)"), new("Y", true, "Displacement (mm)"), new("Z", true, "Displacement (mm)"), new("Words that move nothing")];
-        HtmlTable.Write(html, "motions-table", "Motions that differ, in the order of the programs", columns, comparison.Differences.Take(MotionsShown), (row, d) =>
+        TableColumn[] columns = [
+            new("Line", true), new("Block"), new("Change"), new("X", true, "Displacement (mm)"), new("Y", true, "Displacement (mm)"),
+            new("Z", true, "Displacement (mm)"), new("Words that move nothing")];
+        HtmlTable.Write(
+            html,
+            "motions-table",
+            "Motions that differ, in the order of the programs",
+            columns,
+            comparison.Differences.Take(MotionsShown),
+            (row, d) =>
         {
             row.Number((BlockOf(comparison, d) + 1).ToString(CultureInfo.InvariantCulture));
             row.Header(Name(comparison, d));
@@ -90,7 +105,8 @@ public static class ProgramDifferenceHtml
         BlockTable.Write(html, blocks);
     }
 
-    private static int BlockOf(MotionComparison comparison, MotionDifference d) => d.Before >= 0 ? comparison.Before.Motions[d.Before].Block : comparison.After.Motions[d.After].Block;
+    private static int BlockOf(MotionComparison comparison, MotionDifference d) =>
+        d.Before >= 0 ? comparison.Before.Motions[d.Before].Block : comparison.After.Motions[d.After].Block;
 
     private static string Name(MotionComparison comparison, MotionDifference d)
     {

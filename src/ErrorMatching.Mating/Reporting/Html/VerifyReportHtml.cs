@@ -4,8 +4,8 @@ namespace ErrorMatching.Mating;
 
 /// <summary>The report of a verification as one HTML file that needs no network and no script.</summary>
 /// <remarks>
-/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed; the same report always gives the same bytes.
-/// Plots as in figures 13, 14, 18 and 19 of Wang 2021.
+/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed;
+/// the same report always gives the same bytes. Plots as in figures 13, 14, 18 and 19 of Wang 2021.
 /// </remarks>
 public static class VerifyReportHtml
 {
@@ -21,7 +21,17 @@ public static class VerifyReportHtml
                 new("features", "Features", html => VerifyTables.WriteFeatures(html, report.Result)),
                 new("pictures", "Before and after", html => VerifyPictures.Write(html, report)),
                 new("points", "Key points", html => VerifyTables.WritePoints(html, report.Result)),
-                new("inputs", "Files", html => ReportInputs.Write(html, report.Job, report.Inputs, "verify", ("--before", "counterpart"), ("--after", "counterpart-after"), ("--part", "part"))),
+                new(
+                    "inputs",
+                    "Files",
+                    html => ReportInputs.Write(
+                        html,
+                        report.Job,
+                        report.Inputs,
+                        "verify",
+                        ("--before", "counterpart"),
+                        ("--after", "counterpart-after"),
+                        ("--part", "part"))),
             ]);
     }
 }

@@ -5,7 +5,10 @@ namespace ErrorMatching.Measurement;
 /// <summary>Reads a table with one row per coordinate of a feature.</summary>
 internal static class FeatureRows
 {
-    public static (IReadOnlyList<LabelledPoint> Actuals, IReadOnlyList<LabelledPoint> Nominals, Place Labels) Read(Table table, MeasurementFormat format, FeatureTableColumns columns)
+    public static (
+        IReadOnlyList<LabelledPoint> Actuals,
+        IReadOnlyList<LabelledPoint> Nominals,
+        Place Labels) Read(Table table, MeasurementFormat format, FeatureTableColumns columns)
     {
         var (feature, item) = (table.Find(columns.Feature), table.Find(columns.Item));
         var (nominal, actual) = (table.Find(columns.Nominal), table.Find(columns.Actual));
@@ -51,7 +54,9 @@ internal static class FeatureRows
             ref var slot = ref _axes[char.ToUpperInvariant(axis.Text[0]) - 'X'];
             if (slot is { } earlier)
             {
-                throw axis.Fail(MeasurementError.DuplicatePoint, $"each coordinate of feature {MeasurementException.Quote(label)} once: line {earlier.Line} has this one already");
+                throw axis.Fail(
+                    MeasurementError.DuplicatePoint,
+                    $"each coordinate of feature {MeasurementException.Quote(label)} once: line {earlier.Line} has this one already");
             }
 
             slot = (nominal, actual, axis.Place.Line);

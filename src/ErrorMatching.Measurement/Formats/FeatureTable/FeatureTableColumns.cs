@@ -7,13 +7,15 @@ namespace ErrorMatching.Measurement;
 /// <param name="Nominal">The nominal value.</param>
 /// <param name="Actual">The measured value.</param>
 /// <param name="Deviation">Actual - nominal, checked against both; null if the file has none.</param>
-public sealed record FeatureTableColumns(ColumnSelector Feature, ColumnSelector Item, ColumnSelector Nominal, ColumnSelector Actual, ColumnSelector? Deviation)
+public sealed record FeatureTableColumns(
+    ColumnSelector Feature, ColumnSelector Item, ColumnSelector Nominal, ColumnSelector Actual, ColumnSelector? Deviation)
     : MeasurementColumns
 {
     /// <inheritdoc/>
     public override string Kind => "feature-table";
 
-    internal override IEnumerable<ColumnSelector> Required => Deviation is { } d ? [Feature, Item, Nominal, Actual, d] : [Feature, Item, Nominal, Actual];
+    internal override IEnumerable<ColumnSelector> Required =>
+        Deviation is { } d ? [Feature, Item, Nominal, Actual, d] : [Feature, Item, Nominal, Actual];
 
     internal override IReadOnlyList<(string Name, bool IsOptional)> Members =>
         [("feature", false), ("item", false), ("nominal", false), ("actual", false), ("deviation", true)];
@@ -27,6 +29,9 @@ public sealed record FeatureTableColumns(ColumnSelector Feature, ColumnSelector 
         _ => this with { Deviation = column },
     };
 
-    internal override (IReadOnlyList<LabelledPoint> Points, IReadOnlyList<LabelledPoint> Nominals, Place Labels) Read(Table table, MeasurementFormat format) =>
+    internal override (
+        IReadOnlyList<LabelledPoint> Points,
+        IReadOnlyList<LabelledPoint> Nominals,
+        Place Labels) Read(Table table, MeasurementFormat format) =>
         FeatureRows.Read(table, format, this);
 }

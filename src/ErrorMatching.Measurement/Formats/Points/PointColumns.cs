@@ -22,7 +22,10 @@ public sealed record PointColumns(ColumnSelector Label, ColumnSelector X, Column
         _ => this with { Z = column },
     };
 
-    internal override (IReadOnlyList<LabelledPoint> Points, IReadOnlyList<LabelledPoint> Nominals, Place Labels) Read(Table table, MeasurementFormat format)
+    internal override (
+        IReadOnlyList<LabelledPoint> Points,
+        IReadOnlyList<LabelledPoint> Nominals,
+        Place Labels) Read(Table table, MeasurementFormat format)
     {
         var (points, labels) = PointRows.Read(table, format, this);
         return (points, [], labels);

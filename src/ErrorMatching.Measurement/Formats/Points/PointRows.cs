@@ -19,7 +19,10 @@ internal static class PointRows
                 throw name.Fail(MeasurementError.DuplicatePoint, $"each point once: line {lines[name.Text]} has this one already");
             }
 
-            var position = new Point3(Coordinate.Read(table.Cell(row, x), format), Coordinate.Read(table.Cell(row, y), format), z < 0 ? 0 : Coordinate.Read(table.Cell(row, z), format));
+            var position = new Point3(
+                Coordinate.Read(table.Cell(row, x), format),
+                Coordinate.Read(table.Cell(row, y), format),
+                z < 0 ? 0 : Coordinate.Read(table.Cell(row, z), format));
             Coordinate.ThrowIfTooMany(points.Count + 1, name, format);
             points.Add(new(name.Text, position, z >= 0, name.Place.Line));
         }

@@ -83,7 +83,8 @@ public sealed class BestSurfaceTests
     }
 
     [Fact]
-    public void Quadratics_with_noise_of_a_micrometer_come_out_within_a_third_of_it() => Assert.InRange(NoisyUm(TrueShape.Quadratics), 0.1, 0.35);
+    public void Quadratics_with_noise_of_a_micrometer_come_out_within_a_third_of_it() =>
+        Assert.InRange(NoisyUm(TrueShape.Quadratics), 0.1, 0.35);
 
     [Fact]
     public void Waves_with_noise_of_a_micrometer_come_out_within_six_tenths_of_it() => Assert.InRange(NoisyUm(TrueShape.Waves), 0.1, 0.6);
@@ -103,7 +104,8 @@ public sealed class BestSurfaceTests
     [Fact]
     public void A_part_turned_in_its_plane_is_met_as_well()
     {
-        static Point3 Turn(Point3 p) => new((Math.Cos(0.5) * p.X) - (Math.Sin(0.5) * p.Y) + 100, (Math.Sin(0.5) * p.X) + (Math.Cos(0.5) * p.Y) - 50, p.Z);
+        static Point3 Turn(Point3 p) =>
+            new((Math.Cos(0.5) * p.X) - (Math.Sin(0.5) * p.Y) + 100, (Math.Sin(0.5) * p.X) + (Math.Cos(0.5) * p.Y) - 50, p.Z);
         foreach (var shape in TrueShape.Quadratics.Concat(TrueShape.Breaks))
         {
             Assert.InRange(shape.DistanceUm(BestSurface.Fit(shape.Grid(map: Turn)).Surface, Turn).Mean, 0, 0.05);
@@ -122,13 +124,16 @@ public sealed class BestSurfaceTests
     [Fact]
     public void A_half_cylinder_is_no_height_and_is_met_over_its_chords()
     {
-        var curves = Enumerable.Range(0, 7).Select(j => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, 13).Select(i => new GridPoint(i, j, On(i / 12.0, 9.0 * j)))]).ToArray();
+        var curves = Enumerable.Range(0, 7)
+            .Select(j => (IReadOnlyList<GridPoint>)[.. Enumerable.Range(0, 13).Select(i => new GridPoint(i, j, On(i / 12.0, 9.0 * j)))])
+            .ToArray();
         var distance = new SurfaceDistance(BestSurface.Fit(new(curves)).Surface);
         var worst = Enumerable.Range(0, 101).Max(k => 1000 * Math.Abs(distance.To(On(k / 100.0, 31))));
 
         Assert.InRange(worst, 0, 0.1);
 
-        static Point3 On(double t, double y) => new(-30 * Math.Cos(Math.PI * 1.2 * (t - 0.08)), y, 30 * Math.Sin(Math.PI * 1.2 * (t - 0.08)));
+        static Point3 On(double t, double y) =>
+            new(-30 * Math.Cos(Math.PI * 1.2 * (t - 0.08)), y, 30 * Math.Sin(Math.PI * 1.2 * (t - 0.08)));
     }
 
     [Fact]
@@ -154,7 +159,8 @@ public sealed class BestSurfaceTests
     {
         var line = new PointGrid([[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))]]);
         Assert.Equal("too-few-points", Assert.Throws<FreeformException>(() => BestSurface.Fit(line)).Code);
-        var infinite = new PointGrid([[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))], [new(0, 1, new(0, 1, 0)), new(1, 1, new(1, 1, double.NaN))]]);
+        var infinite = new PointGrid(
+            [[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))], [new(0, 1, new(0, 1, 0)), new(1, 1, new(1, 1, double.NaN))]]);
         var refused = Assert.Throws<FreeformException>(() => BestSurface.Fit(infinite));
         Assert.Equal("not-finite", refused.Code);
         Assert.Contains("i = 1, j = 1", refused.Message, StringComparison.Ordinal);
@@ -162,5 +168,7 @@ public sealed class BestSurfaceTests
 
     /// <summary>Mean over shapes and ten seeds.</summary>
     private static double NoisyUm(IReadOnlyCollection<TrueShape> shapes) =>
-        shapes.Average(shape => Enumerable.Range(1, 10).Average(seed => shape.DistanceUm(BestSurface.Fit(shape.Grid(noise: 0.001, seed: seed)).Surface).Mean));
+        shapes.Average(
+            shape => Enumerable.Range(1, 10).Average(
+                seed => shape.DistanceUm(BestSurface.Fit(shape.Grid(noise: 0.001, seed: seed)).Surface).Mean));
 }

@@ -48,5 +48,6 @@ public sealed class DrawnShapesTests
     }
 
     private static double MeanUm(TrueShape shape, double noise, int seed) =>
-        shape.DistanceUm(SurfaceFitter.Fit(shape.Grid(noise: noise, seed: seed), FitMethod.Best, JobFit.Default.CurveToleranceMm).Surface).Mean;
+        shape.DistanceUm(
+            SurfaceFitter.Fit(shape.Grid(noise: noise, seed: seed), FitMethod.Best, JobFit.Default.CurveToleranceMm).Surface).Mean;
 }

@@ -57,9 +57,11 @@ public sealed class SplineCurveFitTests
     [Fact]
     public void Least_squares_of_a_constant_is_the_mean()
     {
-        // Residuals of +-1 in turns about a straight line, four of each side symmetric: the least-squares line of degree 1 without inner knots is y = 0.
+        // Residuals of +-1 in turns about a straight line, four of each side symmetric:
+        // the least-squares line of degree 1 without inner knots is y = 0.
         double[] t = [0, 1, 2, 3];
-        var curve = SplineCurveFit.LeastSquares([new(0, 1, 0), new(1, -1, 0), new(2, -1, 0), new(3, 1, 0)], t, KnotVector.Clamped(1, [0, 3]));
+        var curve = SplineCurveFit.LeastSquares(
+            [new(0, 1, 0), new(1, -1, 0), new(2, -1, 0), new(3, 1, 0)], t, KnotVector.Clamped(1, [0, 3]));
         Near(new(0, 0, 0), curve.PointAt(0), 1e-14);
         Near(new(3, 0, 0), curve.PointAt(3), 1e-14);
     }
@@ -70,7 +72,8 @@ public sealed class SplineCurveFitTests
         var t = Enumerable.Range(0, 40).Select(k => k / 39.0).ToArray();
         var noise = Draw.Noise(7, 40);
         var knots = FittingKnots.ForLeastSquares(3, t, 9);
-        var curve = SplineCurveFit.LeastSquares([.. t.Select((s, i) => new Point3(s, Math.Sin(6 * s) + noise[i], noise[39 - i]))], t, knots);
+        var curve = SplineCurveFit.LeastSquares(
+            [.. t.Select((s, i) => new Point3(s, Math.Sin(6 * s) + noise[i], noise[39 - i]))], t, knots);
         for (var pole = 0; pole < knots.PoleCount; pole++)
         {
             var poles = new Point3[knots.PoleCount];
@@ -95,7 +98,8 @@ public sealed class SplineCurveFitTests
     {
         double[] t = [0, 0.2, 0.3, 0.6, 0.8, 1];
         var knots = FittingKnots.ForLeastSquares(2, t, 4);
-        Point3[][] points = [.. Enumerable.Range(0, 3).Select(j => t.Select(s => new Point3(s, Math.Cos(s * (j + 1)), Math.Exp(s * j))).ToArray())];
+        Point3[][] points = [
+            .. Enumerable.Range(0, 3).Select(j => t.Select(s => new Point3(s, Math.Cos(s * (j + 1)), Math.Exp(s * j))).ToArray())];
         var family = SplineCurveFit.LeastSquaresFamily(points, t, knots);
         for (var j = 0; j < 3; j++)
         {
@@ -107,7 +111,8 @@ public sealed class SplineCurveFitTests
     public void Smoothing_keeps_a_straight_line_whatever_its_weight()
     {
         var t = Enumerable.Range(0, 20).Select(k => k / 19.0).ToArray();
-        var curve = SplineCurveFit.Smooth([.. t.Select(s => new Point3(3 * s, 1 - (2 * s), 5 * s))], t, FittingKnots.ForInterpolation(3, t));
+        var curve = SplineCurveFit.Smooth(
+            [.. t.Select(s => new Point3(3 * s, 1 - (2 * s), 5 * s))], t, FittingKnots.ForInterpolation(3, t));
         Assert.All(t, s => Near(new(3 * s, 1 - (2 * s), 5 * s), curve.PointAt(s), 1e-10));
     }
 
@@ -116,9 +121,11 @@ public sealed class SplineCurveFitTests
     {
         var t = Enumerable.Range(0, 100).Select(k => k / 99.0).ToArray();
         var noise = Draw.Noise(3, 100);
-        var curve = SplineCurveFit.Smooth([.. t.Select((s, i) => new Point3(s, Math.Sin(3 * s) + (0.1 * noise[i]), 0))], t, FittingKnots.ForLeastSquares(3, t, 40));
+        var curve = SplineCurveFit.Smooth(
+            [.. t.Select((s, i) => new Point3(s, Math.Sin(3 * s) + (0.1 * noise[i]), 0))], t, FittingKnots.ForLeastSquares(3, t, 40));
         var left = Math.Sqrt(t.Average(s => Math.Pow(curve.PointAt(s).Y - Math.Sin(3 * s), 2)));
-        // The noise has a standard deviation of 0.1 / sqrt(3) = 0.058; a quadratic with its 3 coefficients would leave sqrt(3 / 100) of it, an interpolation all.
+        // The noise has a standard deviation of 0.1 / sqrt(3) = 0.058; a quadratic with its 3 coefficients would leave sqrt(3 / 100) of it,
+        // an interpolation all.
         Assert.InRange(left, 0, 0.4 * 0.1 / Math.Sqrt(3));
     }
 
@@ -129,7 +136,8 @@ public sealed class SplineCurveFitTests
         Refused.With(GeometryError.CoincidentPoints, () => SplineCurveFit.Interpolate([new(0, 0, 0), new(1, 0, 0), new(1, 0, 0)]));
         Refused.With(GeometryError.NotFinite, () => SplineCurveFit.Interpolate([new(0, 0, 0), new(double.NaN, 0, 0)]));
         Refused.With(GeometryError.BadKnots, () => SplineCurveFit.Interpolate([new(0, 0, 0), new(1, 0, 0)], [0, 0]));
-        Refused.With(GeometryError.BadKnots, () => SplineCurveFit.Smooth([new(0, 0, 0), new(1, 0, 0)], [0, 1], KnotVector.Clamped(1, [0, 1])));
+        Refused.With(
+            GeometryError.BadKnots, () => SplineCurveFit.Smooth([new(0, 0, 0), new(1, 0, 0)], [0, 1], KnotVector.Clamped(1, [0, 1])));
     }
 
     private static Point3 Monomial(double t, int degree) => new(t, Math.Pow(t, degree), 2 - (3 * Math.Pow(t, degree)) + t);
@@ -142,5 +150,6 @@ public sealed class SplineCurveFitTests
         return Enumerable.Range(300, 401).Max(k => Math.Abs(curve.PointAt(k / 1000.0).Y - Math.Sin(5 * k / 1000.0)));
     }
 
-    private static void Near(Point3 expected, Point3 actual, double tolerance) => Assert.True((expected - actual).Length <= tolerance, $"{expected} {actual}");
+    private static void Near(Point3 expected, Point3 actual, double tolerance) =>
+        Assert.True((expected - actual).Length <= tolerance, $"{expected} {actual}");
 }

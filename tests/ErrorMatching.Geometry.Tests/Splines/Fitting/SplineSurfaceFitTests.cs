@@ -39,7 +39,8 @@ public sealed class SplineSurfaceFitTests
     [Fact]
     public void Fewer_points_than_the_degree_lower_it()
     {
-        var surface = SplineSurfaceFit.Interpolate([new(0, 0, 0), new(0, 9, 1), new(5, 0, 2), new(5, 9, 3), new(8, 0, 1), new(8, 9, 0)], 3, 2);
+        var surface = SplineSurfaceFit.Interpolate(
+            [new(0, 0, 0), new(0, 9, 1), new(5, 0, 2), new(5, 9, 3), new(8, 0, 1), new(8, 9, 0)], 3, 2);
         Assert.Equal((2, 1), (surface.KnotsU.Degree, surface.KnotsV.Degree));
     }
 
@@ -79,7 +80,9 @@ public sealed class SplineSurfaceFitTests
         Assert.Equal(3, stiff.EffectiveParameters, 1e-3);
         var free = SplineSurfaceFit.Smooth(rough, allU, allV, knotsU, knotsV, 10, 7);
         Assert.InRange(free.EffectiveParameters, 3, 56);
-        Assert.Equal(free.Surface.Poles.ToArray(), SplineSurfaceFit.Smooth(rough, allU, allV, knotsU, knotsV, 10, 7, free.Weight).Surface.Poles.ToArray());
+        Assert.Equal(
+            free.Surface.Poles.ToArray(),
+            SplineSurfaceFit.Smooth(rough, allU, allV, knotsU, knotsV, 10, 7, free.Weight).Surface.Poles.ToArray());
     }
 
     [Fact]
@@ -91,7 +94,8 @@ public sealed class SplineSurfaceFitTests
         var rough = Grid(Wave, us, vs).Select((p, k) => p + new Vector3(0, 0, 0.01 * noise[k])).ToArray();
         var knots = FittingKnots.ForLeastSquares(3, us, 12);
         var fit = SplineSurfaceFit.Smooth(rough, Scattered(us, vs, true), Scattered(us, vs, false), knots, knots, 40, 40);
-        var left = Math.Sqrt(Even(37).SelectMany(u => Even(37).Select(v => Math.Pow(fit.Surface.PointAt(u, v).Z - Wave(u, v).Z, 2))).Average());
+        var left = Math.Sqrt(
+            Even(37).SelectMany(u => Even(37).Select(v => Math.Pow(fit.Surface.PointAt(u, v).Z - Wave(u, v).Z, 2))).Average());
         // 0.0058 of noise; ten coefficients of a cubic would leave sqrt(10 / 400) of it.
         Assert.InRange(left, 0, 0.35 * 0.01 / Math.Sqrt(3));
     }
@@ -115,7 +119,8 @@ public sealed class SplineSurfaceFitTests
         double[] us = [0, 0.4, 0.7, 1], vs = [0, 0.5, 1];
         static Point3 Wavy(double u, double v) => new(10 * u, 9 * v, Math.Sin(4 * u) + (Math.Cos(5 * v) * u));
         // Curves of one family cross those of the other exactly at its interpolated points.
-        var alongU = vs.Select(v => SplineCurveFit.Interpolate([.. Even(11).Concat(us).Distinct().Order().Select(u => Wavy(u, v))], [.. Even(11).Concat(us).Distinct().Order()])).ToArray();
+        var alongU = vs.Select(v => SplineCurveFit.Interpolate(
+            [.. Even(11).Concat(us).Distinct().Order().Select(u => Wavy(u, v))], [.. Even(11).Concat(us).Distinct().Order()])).ToArray();
         var alongV = us.Select(u => SplineCurveFit.Interpolate([.. Even(9).Select(v => Wavy(u, v))], Even(9))).ToArray();
         var surface = SplineSurfaceFit.Gordon(alongU, vs, alongV, us, 1e-9);
         for (var j = 0; j < vs.Length; j++)
@@ -165,12 +170,15 @@ public sealed class SplineSurfaceFitTests
         Refused.With(GeometryError.TooFewPoints, () => SplineSurfaceFit.Skin([SplineCurveFit.Interpolate([new(0, 0, 0), new(1, 0, 0)])]));
         var line = KnotVector.Clamped(3, [0, 1]);
         // All on one line of the parameters: the bending of a plane about it costs nothing.
-        Refused.With(GeometryError.RankDeficient, () => SplineSurfaceFit.Smooth([new(0, 0, 0), new(1, 0, 0), new(2, 0, 0)], [0, 0.5, 1], [0.5, 0.5, 0.5], line, line, 2, 2));
+        Refused.With(
+            GeometryError.RankDeficient,
+            () => SplineSurfaceFit.Smooth([new(0, 0, 0), new(1, 0, 0), new(2, 0, 0)], [0, 0.5, 1], [0.5, 0.5, 0.5], line, line, 2, 2));
     }
 
     private static double[] Even(int count) => [.. Enumerable.Range(0, count).Select(k => k / (count - 1.0))];
 
-    private static Point3[] Grid(Func<double, double, Point3> surface, double[] us, double[] vs) => [.. us.SelectMany(u => vs.Select(v => surface(u, v)))];
+    private static Point3[] Grid(Func<double, double, Point3> surface, double[] us, double[] vs) =>
+        [.. us.SelectMany(u => vs.Select(v => surface(u, v)))];
 
     private static double[] Scattered(double[] us, double[] vs, bool isU) => [.. us.SelectMany(u => vs.Select(v => isU ? u : v))];
 
@@ -190,5 +198,6 @@ public sealed class SplineSurfaceFitTests
         }
     }
 
-    private static void Near(Point3 expected, Point3 actual, double tolerance) => Assert.True((expected - actual).Length <= tolerance, $"{expected} {actual}");
+    private static void Near(Point3 expected, Point3 actual, double tolerance) =>
+        Assert.True((expected - actual).Length <= tolerance, $"{expected} {actual}");
 }

@@ -23,10 +23,13 @@ public sealed class DrawingTests
     public void Plot_puts_points_limits_and_zero_where_a_ruler_would()
     {
         ToleranceBand band = new(-0.05, 0.05);
-        var svg = Draw(h => new ErrorPlot([new("a", "F", 0.04, 0, band), new("b", "F", -0.04, 0.01, band)]).Write(h, "p", "before", "after"));
+        var svg = Draw(
+            h => new ErrorPlot([new("a", "F", 0.04, 0, band), new("b", "F", -0.04, 0.01, band)]).Write(h, "p", "before", "after"));
 
         // Ticks of 0.02 from -0.06 to 0.06 over 300 - 52 pixels, zero at 176; two points over 716 - 74 pixels.
-        Assert.Equal(["-0.060", "-0.040", "-0.020", "0.000", "+0.020", "+0.040", "+0.060"], svg.WithClass("text", "tick").Select(t => t.Value).Take(7));
+        Assert.Equal(
+            ["-0.060", "-0.040", "-0.020", "0.000", "+0.020", "+0.040", "+0.060"],
+            svg.WithClass("text", "tick").Select(t => t.Value).Take(7));
         Assert.Equal("234.5,93.33 555.5,258.67", Points(svg, "before"));
         Assert.Equal("234.5,176 555.5,155.33", Points(svg, "after"));
         Assert.Equal("176|176", Attributes(svg.WithClass("line", "zero").Single(), "y1", "y2"));
@@ -47,17 +50,23 @@ public sealed class DrawingTests
     [Fact]
     public void Limits_that_change_are_labelled_where_they_change()
     {
-        var svg = Draw(h => new ErrorPlot([new("a", "F", 0, 0, new(-0.05, 0.05)), new("b", "G", 0, 0, new(-0.02, 0.01)), new("c", "H", 0, 0, null)]).Write(h, "p", "b", "a"));
+        var svg = Draw(
+            h => new ErrorPlot(
+                [new("a", "F", 0, 0, new(-0.05, 0.05)), new("b", "G", 0, 0, new(-0.02, 0.01)), new("c", "H", 0, 0, null)])
+                .Write(h, "p", "b", "a"));
 
-        Assert.Equal(["limit +0.050", "limit -0.050", "limit +0.010", "limit -0.020"], svg.WithClass("text", "limit-label").Select(t => t.Value));
+        Assert.Equal(
+            ["limit +0.050", "limit -0.050", "limit +0.010", "limit -0.020"], svg.WithClass("text", "limit-label").Select(t => t.Value));
         Assert.Equal(["74|214", "288|214"], svg.WithClass("rect", "band").Select(r => Attributes(r, "x", "width")));
     }
 
     [Fact]
     public void Assembly_shows_the_part_and_the_counterpart_apart_by_the_exaggerated_gap()
     {
-        // The part lies 0.1 mm beyond a horizontal boundary of 100 mm, the counterpart on it: 50 times exaggerated the gap is 5 mm, at 4.2 pixels a millimetre 21 pixels.
-        var scene = Scene(new DrawnPoint("1", new(0, 0), new(0, 1), 0.1, 0, 0.1), new DrawnPoint("2", new(100, 0), new(0, 1), 0.1, 0, 0.1))!;
+        // The part lies 0.1 mm beyond a horizontal boundary of 100 mm, the counterpart on it:
+        // 50 times exaggerated the gap is 5 mm, at 4.2 pixels a millimetre 21 pixels.
+        var scene = Scene(
+            new DrawnPoint("1", new(0, 0), new(0, 1), 0.1, 0, 0.1), new DrawnPoint("2", new(100, 0), new(0, 1), 0.1, 0, 0.1))!;
         var before = Draw(h => new AssemblyDrawing(scene, p => p.Before).Write(h, "b", "before"));
         var after = Draw(h => new AssemblyDrawing(scene, p => p.After).Write(h, "a", "after"));
 
@@ -65,7 +74,8 @@ public sealed class DrawingTests
         Assert.Equal("56,64 476,64", Points(before, "part"));
         Assert.Equal("56,85 476,85", Points(before, "counterpart"));
         Assert.Equal(Points(after, "part"), Points(after, "counterpart"));
-        Assert.EndsWith("The largest mating error is -0.100 mm at point 1: a gap.", before.Element("desc")!.Value, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "The largest mating error is -0.100 mm at point 1: a gap.", before.Element("desc")!.Value, StringComparison.Ordinal);
         Assert.Contains("0.1 mm of deviation", before.WithClass("text", "legend").Select(t => t.Value));
 
         // The part's material lies beyond its outline, the counterpart's behind its own.
@@ -78,16 +88,22 @@ public sealed class DrawingTests
     {
         DrawnPoint[] points = [new("1", new(0, 0), new(0, -1), 0.1, 0, 0), new("2", new(100, 0), new(0, -1), 0.1, 0, 0)];
 
-        Assert.All(DrawnFeature.Of([new(0, 0), new(100, 0)], points) is { } f ? Enumerable.Range(0, f.Segments).Select(f.Normal) : [], n => Assert.Equal(new(0, -1), n));
-        Assert.All(DrawnFeature.Of([new(100, 0), new(0, 0)], points) is { } g ? Enumerable.Range(0, g.Segments).Select(g.Normal) : [], n => Assert.Equal(new(0, -1), n));
+        Assert.All(
+            DrawnFeature.Of([new(0, 0), new(100, 0)], points) is { } f ? Enumerable.Range(0, f.Segments).Select(f.Normal) : [],
+            n => Assert.Equal(new(0, -1), n));
+        Assert.All(
+            DrawnFeature.Of([new(100, 0), new(0, 0)], points) is { } g ? Enumerable.Range(0, g.Segments).Select(g.Normal) : [],
+            n => Assert.Equal(new(0, -1), n));
     }
 
     [Fact]
     public void Displaced_pieces_meet_in_the_intersection_of_their_lines()
     {
         // Up to (0,10), then right: displaced by 1 to the left and by 2 upward they meet in (-1,12).
-        var first = DrawnFeature.Of([new(0, 0), new(0, 10)], [new("1", new(0, 0), new(-1, 0), 1, 0, 0), new("2", new(0, 10), new(-1, 0), 1, 0, 0)])!;
-        var second = DrawnFeature.Of([new(0, 10), new(10, 10)], [new("3", new(0, 10), new(0, 1), 2, 0, 0), new("4", new(10, 10), new(0, 1), 2, 0, 0)])!;
+        var first = DrawnFeature.Of(
+            [new(0, 0), new(0, 10)], [new("1", new(0, 0), new(-1, 0), 1, 0, 0), new("2", new(0, 10), new(-1, 0), 1, 0, 0)])!;
+        var second = DrawnFeature.Of(
+            [new(0, 10), new(10, 10)], [new("3", new(0, 10), new(0, 1), 2, 0, 0), new("4", new(10, 10), new(0, 1), 2, 0, 0)])!;
 
         var line = Assert.Single(DisplacedBoundary.Of(DisplacedBoundary.Chains([first, second], 0.1), (f, v) => f.At(v, p => p.Part)));
 
@@ -99,8 +115,10 @@ public sealed class DrawingTests
     public void Displaced_pieces_meet_at_oblique_angles_too()
     {
         // Up to (0,10), then along (4,3): v with v . (-1,0) = 1 and v . (-0.6,0.8) = 2 is (-1,1.75).
-        var first = DrawnFeature.Of([new(0, 0), new(0, 10)], [new("1", new(0, 0), new(-1, 0), 1, 0, 0), new("2", new(0, 10), new(-1, 0), 1, 0, 0)])!;
-        var second = DrawnFeature.Of([new(0, 10), new(4, 13)], [new("3", new(0, 10), new(-0.6, 0.8), 2, 0, 0), new("4", new(4, 13), new(-0.6, 0.8), 2, 0, 0)])!;
+        var first = DrawnFeature.Of(
+            [new(0, 0), new(0, 10)], [new("1", new(0, 0), new(-1, 0), 1, 0, 0), new("2", new(0, 10), new(-1, 0), 1, 0, 0)])!;
+        var second = DrawnFeature.Of(
+            [new(0, 10), new(4, 13)], [new("3", new(0, 10), new(-0.6, 0.8), 2, 0, 0), new("4", new(4, 13), new(-0.6, 0.8), 2, 0, 0)])!;
 
         var line = Assert.Single(DisplacedBoundary.Of(DisplacedBoundary.Chains([first, second], 0.1), (f, v) => f.At(v, p => p.Part)));
 
@@ -110,7 +128,8 @@ public sealed class DrawingTests
     [Fact]
     public void Deviations_change_evenly_between_key_points_and_stay_beyond_them()
     {
-        var feature = DrawnFeature.Of([new(0, 0), new(5, 0), new(10, 0)], [new("2", new(8, 0), new(0, 1), 4, 0, 0), new("1", new(2, 0), new(0, 1), 1, 0, 0)])!;
+        var feature = DrawnFeature.Of(
+            [new(0, 0), new(5, 0), new(10, 0)], [new("2", new(8, 0), new(0, 1), 4, 0, 0), new("1", new(2, 0), new(0, 1), 1, 0, 0)])!;
 
         // Vertices at 0, 2 (key point), 5, 8 (key point), 10.
         Assert.Equal([1, 1, 2.5, 4, 4], Enumerable.Range(0, feature.Segments + 1).Select(v => feature.At(v, p => p.Part)));
@@ -156,5 +175,6 @@ public sealed class DrawingTests
 
     private static string? Points(XElement svg, string name) => (string?)svg.WithClass("polyline", name).Single().Attribute("points");
 
-    private static string Attributes(XElement element, params string[] names) => string.Join('|', names.Select(n => (string?)element.Attribute(n)));
+    private static string Attributes(XElement element, params string[] names) =>
+        string.Join('|', names.Select(n => (string?)element.Attribute(n)));
 }

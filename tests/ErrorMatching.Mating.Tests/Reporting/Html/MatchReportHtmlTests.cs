@@ -33,16 +33,26 @@ public sealed class MatchReportHtmlTests
     {
         var table = Page(Report).Table("decisions-table");
 
-        Assert.Equal("L1|line|◆ compensated|-0.020|+0.050|job|+0.100|0.0054|-0.001|2 of its points lie outside, point 1 the furthest: 0.050 mm beyond its limit. The counterpart follows the whole deviation.", table.Row("L1"));
-        Assert.Equal("L2|line|✓ within tolerance|-0.020|+0.050|job|+0.010|0.0054|-0.010|Every point lies between -0.020 and +0.050 mm.", table.Row("L2"));
+        Assert.Equal(
+            "L1|line|◆ compensated|-0.020|+0.050|job|+0.100|0.0054|-0.001|2 of its points lie outside, point 1 the furthest: 0.050 mm "
+                + "beyond its limit. The counterpart follows the whole deviation.",
+            table.Row("L1"));
+        Assert.Equal(
+            "L2|line|✓ within tolerance|-0.020|+0.050|job|+0.010|0.0054|-0.010|Every point lies between -0.020 and +0.050 mm.",
+            table.Row("L2"));
     }
 
     [Fact]
     public void A_deviation_that_is_not_significant_says_against_what()
     {
-        var table = Page(Report with { Features = [HandMadeReport.Line with { Decision = Decision.NotSignificant, UncertaintyMm = 0.06 }] }).Table("decisions-table");
+        var table = Page(
+            Report with { Features = [HandMadeReport.Line with { Decision = Decision.NotSignificant, UncertaintyMm = 0.06 }] })
+            .Table("decisions-table");
 
-        Assert.EndsWith("0.050 mm beyond its limit. But no deviation is larger than 0.1200 mm, 2 times its uncertainty: it may be the gauge's.", table.Row("L1"), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "0.050 mm beyond its limit. But no deviation is larger than 0.1200 mm, 2 times its uncertainty: it may be the gauge's.",
+            table.Row("L1"),
+            StringComparison.Ordinal);
         Assert.Contains("○ not significant", table.Row("L1"), StringComparison.Ordinal);
     }
 
@@ -56,17 +66,30 @@ public sealed class MatchReportHtmlTests
         Assert.Equal("⚠ +0.021", LeftAt(0.021));
 
         static string LeftAt(double predicted) =>
-            Page(Report with { KeyPoints = [Report.KeyPoints[0] with { PredictedMm = predicted }] }).Table("decisions-table").Row("L1").Split('|')[8];
+            Page(Report with { KeyPoints = [Report.KeyPoints[0] with { PredictedMm = predicted }] }).Table("decisions-table")
+                .Row("L1")
+                .Split('|')[8];
     }
 
     [Fact]
     public void A_point_that_the_compensation_drives_out_is_told_from_one_that_stays_outside()
     {
-        // Part - design: 0.1 at point 1, 0.01 at point 3, limits -0.02 to +0.05. So point 1 is outside without compensation, and point 3 is not, whatever was decided about its feature.
+        // Part - design: 0.1 at point 1, 0.01 at point 3, limits -0.02 to +0.05. So point 1 is outside without compensation, and point 3 is
+        // not, whatever was decided about its feature.
         var summary = Summary(0.03, 0.03);
-        Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ Point 1 stays outside its limits, with the compensation as without it.", summary.Features[0], StringComparison.Ordinal);
-        Assert.EndsWith(" mating error left, as predicted: +0.030 mm. ⚠ The compensation drives point 3 out of its limits; uncompensated it is within them.", summary.Features[1], StringComparison.Ordinal);
-        Assert.StartsWith("Points 1 and 3 will be out of tolerance. Is that acceptable? If not, do not cut. ", summary.Steps[0], StringComparison.Ordinal);
+        Assert.EndsWith(
+            " mating error left, as predicted: +0.030 mm. ⚠ Point 1 stays outside its limits, with the compensation as without it.",
+            summary.Features[0],
+            StringComparison.Ordinal);
+        Assert.EndsWith(
+            " mating error left, as predicted: +0.030 mm. ⚠ The compensation drives point 3 out of its limits; uncompensated it is "
+                + "within them.",
+            summary.Features[1],
+            StringComparison.Ordinal);
+        Assert.StartsWith(
+            "Points 1 and 3 will be out of tolerance. Is that acceptable? If not, do not cut. ",
+            summary.Steps[0],
+            StringComparison.Ordinal);
         Assert.Equal(("⚠ +0.030", "⚠ +0.030", "-0.001"), (summary.Left("1"), summary.Left("3"), summary.Left("2")));
 
         var calm = Summary(-0.0004, -0.01);
@@ -76,9 +99,18 @@ public sealed class MatchReportHtmlTests
 
         static (string[] Features, string[] Steps, Func<string, string> Left) Summary(double at1, double at3)
         {
-            var page = Page(Report with { KeyPoints = [.. Report.KeyPoints.Select(p => p.Point switch { "1" => p with { PredictedMm = at1 }, "3" => p with { PredictedMm = at3 }, _ => p })] });
+            var page = Page(
+                Report with
+                {
+                    KeyPoints = [
+                        .. Report.KeyPoints.Select(
+                            p => p.Point switch { "1" => p with { PredictedMm = at1 }, "3" => p with { PredictedMm = at3 }, _ => p })]
+                });
             var summary = page.ById("summary");
-            return ([.. summary.Element("ul")!.Elements("li").Select(l => l.Value)], [.. summary.Element("ol")!.Elements("li").Select(l => l.Value)], label => page.Table("key-points-table").Row(label).Split('|')[12]);
+            return (
+                [.. summary.Element("ul")!.Elements("li").Select(l => l.Value)],
+                [.. summary.Element("ol")!.Elements("li").Select(l => l.Value)],
+                label => page.Table("key-points-table").Row(label).Split('|')[12]);
         }
     }
 
@@ -87,18 +119,28 @@ public sealed class MatchReportHtmlTests
     {
         var points = Report.KeyPoints.Select(p => p with { PredictedMm = p.Feature == "L1" ? -0.06 : 0.06 }).ToArray();
         Assert.Equal(
-            ["The compensation drives points 3 and 4 out of their limits; uncompensated they are within them.", "Points 1 and 2 stay outside their limits, with the compensation as without it."],
+            [
+                "The compensation drives points 3 and 4 out of their limits; uncompensated they are within them.",
+                "Points 1 and 2 stay outside their limits, with the compensation as without it."],
             OutsideWords.Of((Report with { KeyPoints = points }).Outside));
     }
 
     [Fact]
     public void Excess_says_that_only_the_excess_is_followed() =>
-        Assert.EndsWith("The counterpart follows what lies beyond the limit.", Page(Report with { Compensation = Report.Compensation with { Amount = CompensationAmount.Excess } }).Table("decisions-table").Row("L1"), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "The counterpart follows what lies beyond the limit.",
+            Page(
+                Report with { Compensation = Report.Compensation with { Amount = CompensationAmount.Excess } })
+                .Table("decisions-table").Row("L1"),
+            StringComparison.Ordinal);
 
     [Fact]
     public void Summary_says_what_was_measured_decided_and_changed()
     {
-        var facts = Page(Report).ById("summary").Element("dl")!.Elements("div").Select(d => $"{d.Element("dt")!.Value}: {d.Element("dd")!.Value}");
+        var facts = Page(Report).ById("summary")
+            .Element("dl")!
+            .Elements("div")
+            .Select(d => $"{d.Element("dt")!.Value}: {d.Element("dd")!.Value}");
 
         Assert.Equal(
             [
@@ -114,7 +156,8 @@ public sealed class MatchReportHtmlTests
     {
         var page = Page(Report with { Program = new("counterpart.nc", "", 0, 0, []), Proof = new(true, 12, 0, [], null, 0, true) });
 
-        Assert.Contains("Nothing: counterpart.nc is the original program, byte for byte.", page.ById("summary").Value, StringComparison.Ordinal);
+        Assert.Contains(
+            "Nothing: counterpart.nc is the original program, byte for byte.", page.ById("summary").Value, StringComparison.Ordinal);
         Assert.Contains("No block differs", page.ById("program").Value, StringComparison.Ordinal);
     }
 
@@ -125,9 +168,12 @@ public sealed class MatchReportHtmlTests
         var summary = page.ById("summary");
 
         Assert.Equal("✗ The proof does not hold. Do not use this program.", summary.Elements("p").First().Element("strong")!.Value);
-        Assert.Equal(["Do not send the program to a machine. Read under Proof what differs, and report it."], summary.Element("ol")!.Elements("li").Select(l => l.Value));
+        Assert.Equal(
+            ["Do not send the program to a machine. Read under Proof what differs, and report it."],
+            summary.Element("ol")!.Elements("li").Select(l => l.Value));
         Assert.DoesNotContain("wear value", summary.Value, StringComparison.Ordinal);
-        Assert.EndsWith("|✗ NO", page.Table("proof-table").Row("Every byte outside the changed words is the original one"), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "|✗ NO", page.Table("proof-table").Row("Every byte outside the changed words is the original one"), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -138,7 +184,10 @@ public sealed class MatchReportHtmlTests
         Assert.Equal("Motions compared|12", table.Row("Motions compared"));
         Assert.Equal("Motions that differ|3", table.Row("Motions that differ"));
         Assert.EndsWith("|0.0004 mm", table.Row("Largest distance of a motion from where it was wanted"), StringComparison.Ordinal);
-        Assert.EndsWith("|N5 slid along itself by 0.0303 mm; N15 followed by 0.0200 mm", table.Row("Neighbors that followed because they touch what moved"), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "|N5 slid along itself by 0.0303 mm; N15 followed by 0.0200 mm",
+            table.Row("Neighbors that followed because they touch what moved"),
+            StringComparison.Ordinal);
         Assert.EndsWith("|✓ yes", table.Row("Every byte outside the changed words is the original one"), StringComparison.Ordinal);
         Assert.Equal("Marker comment|(ERRORMATCH)", table.Row("Marker comment"));
     }
@@ -158,13 +207,18 @@ public sealed class MatchReportHtmlTests
     {
         var program = Report.Program with { Blocks = [new("", 9, "", "(MARK)", [], [new(0, 6)])] };
 
-        Assert.Equal(["9", "–", "inserted", "(MARK)"], Page(Report with { Program = program }).Table("blocks-table").Element("tbody")!.Element("tr")!.Elements().Select(c => c.Value));
+        Assert.Equal(
+            ["9", "–", "inserted", "(MARK)"],
+            Page(Report with { Program = program }).Table("blocks-table").Element("tbody")!.Element("tr")!.Elements().Select(c => c.Value));
     }
 
     [Fact]
     public void Lengths_and_angles_stand_as_ideal_actual_and_corrected()
     {
-        var rows = Page(Report).Table("quantities-table").Element("tbody")!.Elements("tr").Select(r => string.Join('|', r.Elements().Select(c => c.Value)));
+        var rows = Page(Report).Table("quantities-table")
+            .Element("tbody")!
+            .Elements("tr")
+            .Select(r => string.Join('|', r.Elements().Select(c => c.Value)));
 
         Assert.Equal(["L1|length|mm|100.000|100.020|-0.020|0.0030|100.019", "L1|direction|°|0.000|-0.012|+0.012|0.0024|–"], rows);
     }
@@ -181,9 +235,16 @@ public sealed class MatchReportHtmlTests
         // 12.5 - 0.02 - 0.01 and 12.5 + 0.03 + 0.01; middle 12.505, half widths 0.025 and 0.01 by root sum of squares 0.0269.
         Assert.Equal("worst case|12.500|12.470|12.540", page.Table("chain-sum-table").Row("worst case"));
         Assert.Equal("root sum of squares|12.500|12.478|12.532", page.Table("chain-sum-table").Row("root sum of squares"));
-        Assert.Contains("✓ The origin O was measured 0.004 mm off; 0.010 mm are allowed.", page.ById("measuring").Value, StringComparison.Ordinal);
-        Assert.Contains("Measuring: 3.000 s by equation (7) of Wang 2021, an estimate. Calculating: 0.012 s, as measured.", page.ById("measuring").Value, StringComparison.Ordinal);
-        Assert.Contains("a tool-radius wear value of +0.020 mm (+0.040 mm where the control keeps a diameter)", page.ById("summary").Value, StringComparison.Ordinal);
+        Assert.Contains(
+            "✓ The origin O was measured 0.004 mm off; 0.010 mm are allowed.", page.ById("measuring").Value, StringComparison.Ordinal);
+        Assert.Contains(
+            "Measuring: 3.000 s by equation (7) of Wang 2021, an estimate. Calculating: 0.012 s, as measured.",
+            page.ById("measuring").Value,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "a tool-radius wear value of +0.020 mm (+0.040 mm where the control keeps a diameter)",
+            page.ById("summary").Value,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -192,7 +253,9 @@ public sealed class MatchReportHtmlTests
         var page = Page(Report);
 
         Assert.Equal($"program|counterpart.nc|{new string('d', 64)}", page.Table("inputs-table").Row("program"));
-        Assert.Equal("errormatch match \"jobs/two lines.json\" --part part.csv --program counterpart.nc", page.WithClass("p", "command").Single().Value);
+        Assert.Equal(
+            "errormatch match \"jobs/two lines.json\" --part part.csv --program counterpart.nc",
+            page.WithClass("p", "command").Single().Value);
     }
 
     [Fact]
@@ -202,7 +265,9 @@ public sealed class MatchReportHtmlTests
 
         // The part may lie 0.05 too far away, which is a gap, and 0.02 too near, which overlaps.
         Assert.Equal(["limit +0.020", "limit -0.050"], plot.WithClass("text", "limit-label").Select(t => t.Value));
-        Assert.Equal(["Point 1, without compensation: -0.100 mm", "Point 1, as compensated (predicted): 0.000 mm"], plot.Descendants("title").Select(t => t.Value).Where(t => t.StartsWith("Point 1,", StringComparison.Ordinal)));
+        Assert.Equal(
+            ["Point 1, without compensation: -0.100 mm", "Point 1, as compensated (predicted): 0.000 mm"],
+            plot.Descendants("title").Select(t => t.Value).Where(t => t.StartsWith("Point 1,", StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -212,20 +277,40 @@ public sealed class MatchReportHtmlTests
         var drawings = page.WithClass("svg", "assembly").ToArray();
 
         // A twentieth of 100 mm is 50 times the largest deviation of 0.1 mm.
-        Assert.Equal(["Deviations exaggerated 50 times", "Deviations exaggerated 50 times"], drawings.SelectMany(d => d.WithClass("text", "factor")).Select(t => t.Value));
-        Assert.Contains("deviations exaggerated 50 times", drawings[0].Ancestors("figure").Single().Element("figcaption")!.Value, StringComparison.Ordinal);
+        Assert.Equal(
+            ["Deviations exaggerated 50 times", "Deviations exaggerated 50 times"],
+            drawings.SelectMany(d => d.WithClass("text", "factor")).Select(t => t.Value));
+        Assert.Contains(
+            "deviations exaggerated 50 times",
+            drawings[0].Ancestors("figure").Single().Element("figcaption")!.Value,
+            StringComparison.Ordinal);
     }
 
     [Fact]
     public void Drawings_show_the_mating_errors_of_the_key_points_also_against_a_measured_counterpart()
     {
-        // Against the design the part lies at 0.1; the counterpart was cut at -0.2, so it leaves a gap of 0.3 before, and after it is to overlap by 0.01.
+        // Against the design the part lies at 0.1; the counterpart was cut at -0.2, so it leaves a gap of 0.3 before,
+        // and after it is to overlap by 0.01.
         var points = Report.KeyPoints.Select((p, i) => i == 0 ? p with { DecidedMm = 0.3, PredictedMm = 0.01 } : p).ToArray();
 
-        var drawings = Page(Report with { KeyPoints = points }).WithClass("svg", "assembly").Select(d => d.WithClass("circle", "key-point").Select(c => c.Value.Trim()).ToArray()).ToArray();
+        var drawings = Page(Report with { KeyPoints = points }).WithClass("svg", "assembly")
+            .Select(d => d.WithClass("circle", "key-point").Select(c => c.Value.Trim()).ToArray())
+            .ToArray();
 
-        Assert.Equal(["Point 1: mating error -0.300 mm", "Point 2: mating error -0.080 mm", "Point 3: mating error -0.010 mm", "Point 4: mating error 0.000 mm"], drawings[0]);
-        Assert.Equal(["Point 1: mating error +0.010 mm", "Point 2: mating error -0.001 mm", "Point 3: mating error -0.010 mm", "Point 4: mating error 0.000 mm"], drawings[1]);
+        Assert.Equal(
+            [
+                "Point 1: mating error -0.300 mm",
+                "Point 2: mating error -0.080 mm",
+                "Point 3: mating error -0.010 mm",
+                "Point 4: mating error 0.000 mm"],
+            drawings[0]);
+        Assert.Equal(
+            [
+                "Point 1: mating error +0.010 mm",
+                "Point 2: mating error -0.001 mm",
+                "Point 3: mating error -0.010 mm",
+                "Point 4: mating error 0.000 mm"],
+            drawings[1]);
     }
 
     private static XElement Page(MatchReport report) => PageReader.Read(MatchReportHtml.Write(report));

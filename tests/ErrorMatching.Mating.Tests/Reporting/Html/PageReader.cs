@@ -17,7 +17,9 @@ internal static class PageReader
     public static string Row(this XElement table, string head) =>
         string.Join('|', table.Element("tbody")!.Elements("tr").First(r => r.Element("th")!.Value == head).Elements().Select(c => c.Value));
 
-    public static bool HasClass(this XElement element, string name) => ((string?)element.Attribute("class") ?? "").Split(' ').Contains(name);
+    public static bool HasClass(this XElement element, string name) =>
+        ((string?)element.Attribute("class") ?? "").Split(' ').Contains(name);
 
-    public static IEnumerable<XElement> WithClass(this XElement page, string element, string name) => page.Descendants(element).Where(e => e.HasClass(name));
+    public static IEnumerable<XElement> WithClass(this XElement page, string element, string name) =>
+        page.Descendants(element).Where(e => e.HasClass(name));
 }

@@ -14,10 +14,17 @@ public sealed class PageTests
     private static readonly Lazy<MatchReport> Complex = new(() =>
     {
         var job = Samples.Job("complex-mating");
-        MatchInput input = new(job, File("theoretical.csv"), File("part.csv"), null, "counterpart.nc", System.IO.File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
+        MatchInput input = new(
+            job,
+            File("theoretical.csv"),
+            File("part.csv"),
+            null,
+            "counterpart.nc",
+            System.IO.File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc")));
         return MatchReporter.Report(Matcher.Match(input).Result!, "out/counterpart.nc", 0.01);
 
-        static MeasurementFile File(string name) => MeasurementReader.Read(Repository.PathTo("samples", "complex-mating", name), MeasurementFormat.Points);
+        static MeasurementFile File(string name) =>
+            MeasurementReader.Read(Repository.PathTo("samples", "complex-mating", name), MeasurementFormat.Points);
     });
 
     public static TheoryData<string> Pages => ["match", "sample", "bare", "hostile", "verify", "hostile-verify"];
@@ -38,13 +45,32 @@ public sealed class PageTests
     {
         var root = PageReader.Read(Write(page));
 
-        Assert.DoesNotContain(root.Descendants(), e => e.Name.LocalName is "script" or "link" or "img" or "iframe" or "object" or "embed" or "use" or "image" or "form" or "base");
-        Assert.DoesNotContain(root.Descendants().Attributes(), a => a.Name.LocalName is "src" or "srcset" or "style" || a.Name.LocalName.StartsWith("on", StringComparison.OrdinalIgnoreCase));
+        Assert.DoesNotContain(
+            root.Descendants(),
+            e => e.Name.LocalName is "script"
+                or "link"
+                or "img"
+                or "iframe"
+                or "object"
+                or "embed"
+                or "use"
+                or "image"
+                or "form"
+                or "base");
+        Assert.DoesNotContain(
+            root.Descendants().Attributes(),
+            a => a.Name.LocalName is "src" or "srcset" or "style" || a.Name.LocalName.StartsWith("on", StringComparison.OrdinalIgnoreCase));
         Assert.All(root.Descendants().Attributes("href"), a => Assert.StartsWith("#", a.Value, StringComparison.Ordinal));
         Assert.DoesNotContain("://", root.Value, StringComparison.Ordinal);
         Assert.DoesNotContain("@import", root.Descendants("style").Single().Value, StringComparison.Ordinal);
-        Assert.All(Regex.Matches(root.ToString(), @"url\(.", RegexOptions.NonBacktracking, TimeSpan.FromSeconds(5)), m => Assert.Equal("url(#", m.Value));
-        Assert.Contains("default-src 'none'", root.Descendants("meta").Select(m => (string?)m.Attribute("content")).Single(c => c?.Contains("src", StringComparison.Ordinal) == true));
+        Assert.All(
+            Regex.Matches(root.ToString(), @"url\(.", RegexOptions.NonBacktracking, TimeSpan.FromSeconds(5)),
+            m => Assert.Equal("url(#", m.Value));
+        Assert.Contains(
+            "default-src 'none'",
+            root.Descendants("meta")
+                .Select(m => (string?)m.Attribute("content"))
+                .Single(c => c?.Contains("src", StringComparison.Ordinal) == true));
     }
 
     [Theory]
@@ -58,7 +84,8 @@ public sealed class PageTests
         {
             Assert.NotEmpty(table.Element("caption")!.Value);
             var top = table.Element("thead")!.Elements("tr").First().Elements().ToArray();
-            Assert.All(table.Element("thead")!.Descendants("tr").Elements(), h => Assert.Matches("^col(group)?$", (string?)h.Attribute("scope")));
+            Assert.All(
+                table.Element("thead")!.Descendants("tr").Elements(), h => Assert.Matches("^col(group)?$", (string?)h.Attribute("scope")));
             var columns = top.Sum(h => (int?)h.Attribute("colspan") ?? 1);
             Assert.All(table.Element("tbody")!.Elements("tr"), row =>
             {
@@ -81,7 +108,10 @@ public sealed class PageTests
         [
             .. root.Descendants().Attributes("href").Select(a => a.Value[1..]),
             .. root.Descendants().Attributes("aria-labelledby").SelectMany(a => a.Value.Split(' ')),
-            .. root.Descendants().Attributes("fill").Where(a => a.Value.StartsWith("url(#", StringComparison.Ordinal)).Select(a => a.Value[5..^1]),
+            .. root.Descendants()
+                .Attributes("fill")
+                .Where(a => a.Value.StartsWith("url(#", StringComparison.Ordinal))
+                .Select(a => a.Value[5..^1]),
         ];
 
         Assert.Equal(ids.Distinct(), ids);
@@ -148,7 +178,10 @@ public sealed class PageTests
         _ => VerifyReportHtml.Write(HandMadeReport.Verified with
         {
             Job = HostileReport.Job,
-            Result = HandMadeReport.Verified.Result with { Points = [.. HandMadeReport.Verified.Result.Points.Select(p => p with { Label = Hostile })] },
+            Result = HandMadeReport.Verified.Result with
+            {
+                Points = [.. HandMadeReport.Verified.Result.Points.Select(p => p with { Label = Hostile })]
+            },
             Warnings = [Hostile],
         }),
     };
@@ -174,7 +207,9 @@ public sealed class PageTests
         Job = new(Hostile, Hostile, Hostile, Hostile),
         Inputs = [new("part", Hostile, Hostile)],
         Features = [HandMadeReport.Line with { Name = Hostile, Quantities = [new(new(Hostile, 1, 2, 3), null)] }],
-        KeyPoints = [.. HandMadeReport.Report.KeyPoints.Take(2).Select((p, i) => p with { Point = Hostile + (i == 0 ? "" : "2"), Feature = Hostile, Blocks = [Hostile] })],
+        KeyPoints = [
+            .. HandMadeReport.Report.KeyPoints.Take(2).Select(
+                (p, i) => p with { Point = Hostile + (i == 0 ? "" : "2"), Feature = Hostile, Blocks = [Hostile] })],
         Program = new(Hostile, Hostile, 1, 1, [new(Hostile, 1, "x" + Hostile, "x" + Hostile, [new(1, 4)], [new(1, 4)])]),
         Proof = new(true, 1, 1, [new(Hostile, 1, NeighborRole.Fillet, 0)], Hostile, 0, true),
         Warnings = [new(Hostile, Hostile, Hostile)],

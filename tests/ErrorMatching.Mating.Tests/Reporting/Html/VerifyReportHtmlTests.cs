@@ -26,17 +26,30 @@ public sealed class VerifyReportHtmlTests
     {
         var page = PageReader.Read(VerifyReportHtml.Write(HandMadeReport.Verified));
 
-        Assert.Equal("✓ The largest mating error is smaller with compensation. Without: 0.400 mm. With: 0.050 mm.", page.ById("summary").Elements("p").First().Value);
-        Assert.Contains("Worst before" + "-0.400 mm at point 1, a gap.", page.ById("summary").Value.Replace("\n", "", StringComparison.Ordinal), StringComparison.Ordinal);
-        Assert.Equal("errormatch verify \"jobs/two lines.json\" --before before.csv --after after.csv --part part.csv", page.WithClass("p", "command").Single().Value);
+        Assert.Equal(
+            "✓ The largest mating error is smaller with compensation. Without: 0.400 mm. With: 0.050 mm.",
+            page.ById("summary").Elements("p").First().Value);
+        Assert.Contains(
+            "Worst before" + "-0.400 mm at point 1, a gap.",
+            page.ById("summary").Value.Replace("\n", "", StringComparison.Ordinal),
+            StringComparison.Ordinal);
+        Assert.Equal(
+            "errormatch verify \"jobs/two lines.json\" --before before.csv --after after.csv --part part.csv",
+            page.WithClass("p", "command").Single().Value);
     }
 
     [Fact]
     public void Plot_and_drawings_show_the_measured_errors_with_their_signs()
     {
         var page = PageReader.Read(VerifyReportHtml.Write(HandMadeReport.Verified));
-        var plotted = page.WithClass("svg", "plot").Single().Descendants("title").Select(t => t.Value).Where(t => t.StartsWith("Point ", StringComparison.Ordinal));
-        var drawn = page.WithClass("svg", "assembly").Select(d => string.Join("; ", d.WithClass("circle", "key-point").Select(c => c.Value.Trim()))).ToArray();
+        var plotted = page.WithClass("svg", "plot")
+            .Single()
+            .Descendants("title")
+            .Select(t => t.Value)
+            .Where(t => t.StartsWith("Point ", StringComparison.Ordinal));
+        var drawn = page.WithClass("svg", "assembly")
+            .Select(d => string.Join("; ", d.WithClass("circle", "key-point").Select(c => c.Value.Trim())))
+            .ToArray();
 
         Assert.Equal(
             [
@@ -44,14 +57,21 @@ public sealed class VerifyReportHtmlTests
                 "Point 1, with compensation (measured): +0.050 mm", "Point 2, with compensation (measured): 0.000 mm",
             ],
             plotted);
-        Assert.Equal(["Point 1: mating error -0.400 mm; Point 2: mating error +0.100 mm", "Point 1: mating error +0.050 mm; Point 2: mating error 0.000 mm"], drawn);
+        Assert.Equal(
+            [
+                "Point 1: mating error -0.400 mm; Point 2: mating error +0.100 mm",
+                "Point 1: mating error +0.050 mm; Point 2: mating error 0.000 mm"],
+            drawn);
     }
 
     [Fact]
     public void A_compensation_that_made_it_worse_is_not_praised()
     {
         var result = HandMadeReport.Verified.Result;
-        var worse = HandMadeReport.Verified with { Result = result with { Points = [.. result.Points.Select(p => p with { Before = p.After, After = p.Before })] } };
+        var worse = HandMadeReport.Verified with
+        {
+            Result = result with { Points = [.. result.Points.Select(p => p with { Before = p.After, After = p.Before })] }
+        };
 
         var verdict = PageReader.Read(VerifyReportHtml.Write(worse)).ById("summary").Elements("p").First();
 

@@ -21,7 +21,12 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     /// <param name="title">What it shows.</param>
     public void Write(HtmlText html, string id, string title)
     {
-        using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "assembly")))
+        using (html.In(
+            "svg",
+            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"),
+            ("role", "img"),
+            ("aria-labelledby", $"{id}-t {id}-d"),
+            ("class", "assembly")))
         {
             html.Put("title", title, ("id", id + "-t"));
             html.Put("desc", Describe(), ("id", id + "-d"));
@@ -39,7 +44,8 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     private string Describe()
     {
         var worst = scene.Features.SelectMany(f => f.Points).MaxBy(p => Math.Abs(Error(p)))!;
-        return $"Outlines of part and counterpart, deviations {scene.FactorText}. The largest mating error is {ReportNumber.SignedMm(Error(worst))} at point {worst.Label}: {(Error(worst) > 0 ? "the pieces overlap" : "a gap")}.";
+        return $"Outlines of part and counterpart, deviations {scene.FactorText}. The largest mating error is "
+            + $"{ReportNumber.SignedMm(Error(worst))} at point {worst.Label}: {(Error(worst) > 0 ? "the pieces overlap" : "a gap")}.";
     }
 
     private double Error(DrawnPoint point) => counterpart(point) - point.Part;
@@ -54,7 +60,13 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     private static void WriteHatch(HtmlText html, string id)
     {
         using (html.In("defs"))
-        using (html.In("pattern", ("id", id + "-hatch"), ("width", "5"), ("height", "5"), ("patternUnits", "userSpaceOnUse"), ("patternTransform", "rotate(45)")))
+        using (html.In(
+            "pattern",
+            ("id", id + "-hatch"),
+            ("width", "5"),
+            ("height", "5"),
+            ("patternUnits", "userSpaceOnUse"),
+            ("patternTransform", "rotate(45)")))
         {
             html.Empty("line", ("class", "part hatch"), ("x1", "0"), ("y1", "0"), ("x2", "0"), ("y2", "5"));
         }
@@ -64,7 +76,8 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     {
         foreach (var (line, inside) in scene.Displaced(deviation).Zip(scene.Displaced(deviation, asidePixels)))
         {
-            html.Empty("polygon", ("class", cssClass), ("fill", fill), ("points", SvgNumber.Points(line.Concat(inside.Reverse()).Select(Place))));
+            html.Empty(
+                "polygon", ("class", cssClass), ("fill", fill), ("points", SvgNumber.Points(line.Concat(inside.Reverse()).Select(Place))));
         }
     }
 
@@ -101,11 +114,30 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     {
         Text(html, "drawing-title", Width / 2, 16, "middle", title);
         var left = (Width - LeastWidth) / 2;
-        html.Empty("rect", ("class", "part edge"), ("fill", $"url(#{id}-hatch)"), ("x", SvgNumber.Of(left + 20)), ("y", "28"), ("width", "34"), ("height", "11"));
-        html.Empty("line", ("class", "part outline"), ("x1", SvgNumber.Of(left + 20)), ("y1", "39"), ("x2", SvgNumber.Of(left + 54)), ("y2", "39"));
+        html.Empty(
+            "rect",
+            ("class", "part edge"),
+            ("fill", $"url(#{id}-hatch)"),
+            ("x", SvgNumber.Of(left + 20)),
+            ("y", "28"),
+            ("width", "34"),
+            ("height", "11"));
+        html.Empty(
+            "line",
+            ("class", "part outline"),
+            ("x1", SvgNumber.Of(left + 20)),
+            ("y1", "39"),
+            ("x2", SvgNumber.Of(left + 54)),
+            ("y2", "39"));
         Text(html, "legend", left + 61, 38, "start", "part");
         html.Empty("rect", ("class", "counterpart edge"), ("x", SvgNumber.Of(left + 140)), ("y", "28"), ("width", "34"), ("height", "11"));
-        html.Empty("line", ("class", "counterpart outline"), ("x1", SvgNumber.Of(left + 140)), ("y1", "28"), ("x2", SvgNumber.Of(left + 174)), ("y2", "28"));
+        html.Empty(
+            "line",
+            ("class", "counterpart outline"),
+            ("x1", SvgNumber.Of(left + 140)),
+            ("y1", "28"),
+            ("x2", SvgNumber.Of(left + 174)),
+            ("y2", "28"));
         Text(html, "legend", left + 181, 38, "start", "counterpart");
     }
 
@@ -120,7 +152,13 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
             Bar(Height - 30, deviation * scene.PixelsPerMm * scene.Factor, $"{ReportNumber.Short(deviation)} mm of deviation");
         }
 
-        Text(html, "factor", (Width - LeastWidth) / 2 + 8, Height - 8, "start", scene.Factor == 1 ? "Deviations true to scale" : $"Deviations exaggerated {scene.FactorText}");
+        Text(
+            html,
+            "factor",
+            (Width - LeastWidth) / 2 + 8,
+            Height - 8,
+            "start",
+            scene.Factor == 1 ? "Deviations true to scale" : $"Deviations exaggerated {scene.FactorText}");
 
         void Bar(double y, double length, string text)
         {

@@ -3,7 +3,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What drawings of one assembly have in common: the boundary, the exaggeration and the scale, so that before and after can be compared.</summary>
+/// <summary>What drawings of one assembly have in common: the boundary, the exaggeration and the scale,
+/// so that before and after can be compared.</summary>
 internal sealed class AssemblyScene
 {
     /// <summary>The largest deviation is drawn at most this share of the drawing's diagonal long.</summary>
@@ -23,9 +24,16 @@ internal sealed class AssemblyScene
     {
         Features = features;
         _chains = DisplacedBoundary.Chains(features, CornerShare * diagonal);
-        LargestMm = features.SelectMany(f => f.Points).Max(p => Math.Max(Math.Abs(p.Part), Math.Max(Math.Abs(p.Before), Math.Abs(p.After))));
+        LargestMm = features.SelectMany(f => f.Points).Max(p => Math.Max(
+            Math.Abs(p.Part), Math.Max(Math.Abs(p.Before), Math.Abs(p.After))));
         Factor = LargestMm > 0 ? Math.Max(1, RoundNumber.AtMost(diagonal * LargestShare / LargestMm)) : 1;
-        Point2[] all = [.. new Func<DrawnPoint, double>[] { p => p.Part, p => p.Before, p => p.After }.SelectMany(d => Displaced(d)).SelectMany(l => l)];
+        Point2[] all = [
+            .. new Func<DrawnPoint, double>[]
+            {
+                p => p.Part,
+                p => p.Before,
+                p => p.After
+            }.SelectMany(d => Displaced(d)).SelectMany(l => l)];
         (Low, High) = (new(all.Min(p => p.X), all.Min(p => p.Y)), new(all.Max(p => p.X), all.Max(p => p.Y)));
         PixelsPerMm = Math.Min(MostWidth / Math.Max(High.X - Low.X, diagonal / 100), MostHeight / Math.Max(High.Y - Low.Y, diagonal / 100));
     }

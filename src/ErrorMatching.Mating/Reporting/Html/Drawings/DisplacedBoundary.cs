@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Displaces a drawn boundary along its normals. Where two pieces meet at an angle, their displaced lines do too, as in the program.</summary>
+/// <summary>Displaces a drawn boundary along its normals. Where two pieces meet at an angle, their displaced lines do too,
+/// as in the program.</summary>
 internal static class DisplacedBoundary
 {
     // Below this sine of the angle between two pieces, their intersection says nothing.
@@ -14,7 +15,8 @@ internal static class DisplacedBoundary
     /// <summary>The displaced boundary as lines.</summary>
     /// <param name="chains">The boundary, see <see cref="Chains"/>.</param>
     /// <param name="by">The displacement of a feature at one of its vertices, along the normal, as it is drawn.</param>
-    public static IReadOnlyList<IReadOnlyList<Point2>> Of(IReadOnlyList<IReadOnlyList<DrawnFeature>> chains, Func<DrawnFeature, int, double> by) =>
+    public static IReadOnlyList<IReadOnlyList<Point2>> Of(
+        IReadOnlyList<IReadOnlyList<DrawnFeature>> chains, Func<DrawnFeature, int, double> by) =>
         [.. chains.Select(c => Displace([.. c.SelectMany(f => Pieces(f, by))]))];
 
     /// <summary>The features in the order of cutting, those together whose ends touch.</summary>
@@ -39,7 +41,8 @@ internal static class DisplacedBoundary
     }
 
     private static IEnumerable<Piece> Pieces(DrawnFeature feature, Func<DrawnFeature, int, double> by) =>
-        Enumerable.Range(0, feature.Segments).Select(i => new Piece(feature.Vertex(i), feature.Vertex(i + 1), feature.Normal(i), by(feature, i), by(feature, i + 1)));
+        Enumerable.Range(0, feature.Segments).Select(i => new Piece(
+            feature.Vertex(i), feature.Vertex(i + 1), feature.Normal(i), by(feature, i), by(feature, i + 1)));
 
     private static List<Point2> Displace(Piece[] pieces)
     {

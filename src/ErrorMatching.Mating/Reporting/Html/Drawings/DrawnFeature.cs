@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A feature in a drawing of the assembly: a boundary, and deviations from it at its key points, between which they change evenly along it.</summary>
+/// <summary>A feature in a drawing of the assembly: a boundary, and deviations from it at its key points,
+/// between which they change evenly along it.</summary>
 internal sealed class DrawnFeature
 {
     private readonly DrawnOutline _outline;
@@ -36,7 +37,9 @@ internal sealed class DrawnFeature
 
     /// <summary>A feature, or null if fewer than two places of it are known. Without an outline its key points are one.</summary>
     public static DrawnFeature? Of(IReadOnlyList<Point2> outline, IReadOnlyList<DrawnPoint> points) =>
-        points.Count > 0 && DrawnOutline.Of(outline.Count >= 2 ? outline : [.. points.Select(p => p.At)]) is { } drawn ? new(drawn, points) : null;
+        points.Count > 0 && DrawnOutline.Of(outline.Count >= 2 ? outline : [.. points.Select(p => p.At)]) is { } drawn
+            ? new(drawn, points)
+            : null;
 
     /// <summary>A vertex of the boundary.</summary>
     public Point2 Vertex(int index) => _outline.Vertex(index);
@@ -56,7 +59,8 @@ internal sealed class DrawnFeature
         {
             var (last, first, length) = (_stations[^1], _stations[0], _outline.StationOf(Segments));
             var beyond = station < last.Station ? station + length - last.Station : station - last.Station;
-            return deviation(last.Point) + ((deviation(first.Point) - deviation(last.Point)) * beyond / (first.Station + length - last.Station));
+            return deviation(last.Point)
+                + ((deviation(first.Point) - deviation(last.Point)) * beyond / (first.Station + length - last.Station));
         }
 
         if (next <= 0)

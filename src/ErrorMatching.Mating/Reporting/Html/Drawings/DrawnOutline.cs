@@ -8,7 +8,8 @@ internal sealed class DrawnOutline
     // Vertices nearer than this share of the size fall on one pixel.
     private const double Finest = 0.001;
 
-    // The offset of a path turns back for a moment where the path bends inward: steps back up to this share of the size are such an artifact, not a shape.
+    // The offset of a path turns back for a moment where the path bends inward:
+    // steps back up to this share of the size are such an artifact, not a shape.
     private const double LongestStepBack = 0.02;
 
     private readonly Point2[] _vertices;
@@ -99,5 +100,6 @@ internal sealed class DrawnOutline
         return new([.. all.Order().Select(At)]);
     }
 
-    private static bool IsStepBack(Point2 from, Point2 last, Point2 next, double longest) => (next - last).Dot(last - from) < 0 && (next - last).Length < longest;
+    private static bool IsStepBack(Point2 from, Point2 last, Point2 next, double longest) =>
+        (next - last).Dot(last - from) < 0 && (next - last).Length < longest;
 }

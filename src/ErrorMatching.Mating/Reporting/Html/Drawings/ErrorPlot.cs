@@ -18,7 +18,8 @@ internal sealed class ErrorPlot
     public ErrorPlot(IReadOnlyList<PlotPoint> points)
     {
         _points = points;
-        _axis = PlotAxis.Around(points.SelectMany(p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After }));
+        _axis = PlotAxis.Around(points.SelectMany(
+            p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After }));
     }
 
     /// <summary>Writes the drawing.</summary>
@@ -28,7 +29,12 @@ internal sealed class ErrorPlot
     /// <param name="after">What the second line shows.</param>
     public void Write(HtmlText html, string id, string before, string after)
     {
-        using (html.In("svg", ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"), ("role", "img"), ("aria-labelledby", $"{id}-t {id}-d"), ("class", "plot")))
+        using (html.In(
+            "svg",
+            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"),
+            ("role", "img"),
+            ("aria-labelledby", $"{id}-t {id}-d"),
+            ("class", "plot")))
         {
             html.Put("title", "Mating error at each key point", ("id", id + "-t"));
             html.Put("desc", Describe(before, after), ("id", id + "-d"));
@@ -65,7 +71,13 @@ internal sealed class ErrorPlot
             if (_points[first].Limits is { } limits)
             {
                 var (x1, x2) = (X(first - 0.5), X(last + 0.5));
-                html.Empty("rect", ("class", "band"), ("x", SvgNumber.Of(x1)), ("y", SvgNumber.Of(Y(limits.UpperMm))), ("width", SvgNumber.Of(x2 - x1)), ("height", SvgNumber.Of(Y(limits.LowerMm) - Y(limits.UpperMm))));
+                html.Empty(
+                    "rect",
+                    ("class", "band"),
+                    ("x", SvgNumber.Of(x1)),
+                    ("y", SvgNumber.Of(Y(limits.UpperMm))),
+                    ("width", SvgNumber.Of(x2 - x1)),
+                    ("height", SvgNumber.Of(Y(limits.LowerMm) - Y(limits.UpperMm))));
             }
         }
     }
@@ -111,7 +123,13 @@ internal sealed class ErrorPlot
                 Line(html, "border", X(first - 0.5), Top, X(first - 0.5), Bottom);
             }
 
-            Text(html, "tick", (X(first) + X(last)) / 2, Top - 6, "middle", SvgNumber.Label(_points[first].Feature, 2 + ((int)(X(last + 0.5) - X(first - 0.5)) / 8)));
+            Text(
+                html,
+                "tick",
+                (X(first) + X(last)) / 2,
+                Top - 6,
+                "middle",
+                SvgNumber.Label(_points[first].Feature, 2 + ((int)(X(last + 0.5) - X(first - 0.5)) / 8)));
         }
 
         var every = (_points.Count + MostLabels - 1) / MostLabels;
@@ -122,18 +140,28 @@ internal sealed class ErrorPlot
 
         Line(html, "axis", Left, Top, Left, Bottom);
         Text(html, "axis-label", (Left + Right) / 2, Height - 14, "middle", "Key point, in the order of cutting");
-        using (html.In("text", ("class", "axis-label"), ("text-anchor", "middle"), ("transform", $"translate(16 {SvgNumber.Of((Top + Bottom) / 2)}) rotate(-90)")))
+        using (html.In(
+            "text",
+            ("class", "axis-label"),
+            ("text-anchor", "middle"),
+            ("transform", $"translate(16 {SvgNumber.Of((Top + Bottom) / 2)}) rotate(-90)")))
         {
             html.Text("Mating error, mm");
         }
     }
 
-    private void WriteLine(HtmlText html, string cssClass, Func<PlotPoint, double> value, string name, Action<HtmlText, string, double, double, string> marker)
+    private void WriteLine(
+        HtmlText html, string cssClass, Func<PlotPoint, double> value, string name, Action<HtmlText, string, double, double, string> marker)
     {
         html.Empty("polyline", ("class", cssClass + " line"), ("points", SvgNumber.Points(_points.Select((p, i) => (X(i), Y(value(p)))))));
         for (var i = 0; i < _points.Count; i++)
         {
-            marker(html, cssClass + " marker", X(i), Y(value(_points[i])), $"Point {_points[i].Label}, {name}: {ReportNumber.SignedMm(value(_points[i]))}");
+            marker(
+                html,
+                cssClass + " marker",
+                X(i),
+                Y(value(_points[i])),
+                $"Point {_points[i].Label}, {name}: {ReportNumber.SignedMm(value(_points[i]))}");
         }
     }
 
@@ -180,7 +208,13 @@ internal sealed class ErrorPlot
     }
 
     private static void Line(HtmlText html, string cssClass, double x1, double y1, double x2, double y2) =>
-        html.Empty("line", ("class", cssClass), ("x1", SvgNumber.Of(x1)), ("y1", SvgNumber.Of(y1)), ("x2", SvgNumber.Of(x2)), ("y2", SvgNumber.Of(y2)));
+        html.Empty(
+            "line",
+            ("class", cssClass),
+            ("x1", SvgNumber.Of(x1)),
+            ("y1", SvgNumber.Of(y1)),
+            ("x2", SvgNumber.Of(x2)),
+            ("y2", SvgNumber.Of(y2)));
 
     private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
         html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));

@@ -22,8 +22,14 @@ internal static class ReportPictures
                     new ErrorPlot(points).Write(html, "plot", before, after);
                 }
 
-                html.Put("figcaption", "Mating error (counterpart - part, along the normal) at each key point: positive where the pieces overlap, negative where a gap is left."
-                    + (points.Any(p => p.Limits is not null) ? " The shaded band is the tolerance, seen as a mating error: a part that lies high in its band leaves a gap." : ""));
+                html.Put(
+                    "figcaption",
+                    "Mating error (counterpart - part, along the normal) at each key point: positive where the pieces overlap, negative "
+                        + "where a gap is left."
+                    + (
+                        points.Any(p => p.Limits is not null)
+                            ? " The shaded band is the tolerance, seen as a mating error: a part that lies high in its band leaves a gap."
+                            : ""));
             }
         }
 
@@ -38,11 +44,15 @@ internal static class ReportPictures
                     new AssemblyDrawing(scene, p => p.After).Write(html, "drawing-after", after);
                 }
 
-                html.Put("figcaption", (scene.Factor == 1 ? "The assembly, true to scale." : $"The assembly, with deviations exaggerated {scene.FactorText}.")
-                    + " A blank between the pieces is a gap; where the edges lie over each other the pieces would overlap. Deviations are known at the key points (dots) and drawn evenly between them.");
+                html.Put(
+                    "figcaption",
+                    (scene.Factor == 1 ? "The assembly, true to scale." : $"The assembly, with deviations exaggerated {scene.FactorText}.")
+                    + " A blank between the pieces is a gap; where the edges lie over each other the pieces would overlap. Deviations are "
+                        + "known at the key points (dots) and drawn evenly between them.");
             }
         }
     }
 
-    private static HtmlScope Scroll(HtmlText html, string label) => html.In("div", ("class", "scroll"), ("role", "region"), ("tabindex", "0"), ("aria-label", label));
+    private static HtmlScope Scroll(HtmlText html, string label) =>
+        html.In("div", ("class", "scroll"), ("role", "region"), ("tabindex", "0"), ("aria-label", label));
 }

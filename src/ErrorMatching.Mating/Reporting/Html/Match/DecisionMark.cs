@@ -5,7 +5,8 @@ namespace ErrorMatching.Mating;
 /// <summary>A decision as mark and words, so that it does not hang on color.</summary>
 internal static class DecisionMark
 {
-    public static void Write(HtmlText html, Decision decision) => html.Put("span", $"{Mark(decision)} {Words(decision)}", ("class", "mark " + ReportWords.Of(decision)));
+    public static void Write(HtmlText html, Decision decision) =>
+        html.Put("span", $"{Mark(decision)} {Words(decision)}", ("class", "mark " + ReportWords.Of(decision)));
 
     /// <summary>The decision in words.</summary>
     public static string Words(Decision decision) => decision switch
@@ -15,5 +16,6 @@ internal static class DecisionMark
         _ => "compensated",
     };
 
-    private static string Mark(Decision decision) => decision switch { Decision.WithinTolerance => "✓", Decision.NotSignificant => "○", _ => "◆" };
+    private static string Mark(Decision decision) =>
+        decision switch { Decision.WithinTolerance => "✓", Decision.NotSignificant => "○", _ => "◆" };
 }

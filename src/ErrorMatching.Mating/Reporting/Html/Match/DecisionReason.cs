@@ -10,13 +10,21 @@ internal static class DecisionReason
         var band = feature.Tolerance.Band;
         var outside = MatchDecisions.Points(report, feature).Where(p => !band.Contains(p.DecidedMm)).ToArray();
         var beyond = outside.MaxBy(p => Math.Abs(p.ExcessMm)) is { } worst
-            ? $"{(outside.Length == 1 ? "Its" : ReportNumber.Count(outside.Length) + " of its")} {(outside.Length == 1 ? $"point {worst.Point} lies" : "points lie")} outside, {(outside.Length == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm beyond its limit."
+            ? $"{(outside.Length == 1 ? "Its" : ReportNumber.Count(outside.Length) + " of its")} "
+                + $"{(outside.Length == 1 ? $"point {worst.Point} lies" : "points lie")} outside, "
+                + $"{(outside.Length == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm "
+                + $"beyond its limit."
             : "It lies outside its tolerance.";
         return feature.Decision switch
         {
-            Decision.WithinTolerance => $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}.",
-            Decision.NotSignificant => $"{beyond} But no deviation is larger than {ReportNumber.Fine(Decider.CoverageFactor * feature.UncertaintyMm)} mm, {ReportNumber.Short(Decider.CoverageFactor)} times its uncertainty: it may be the gauge's.",
-            _ => $"{beyond} The counterpart follows {(report.Compensation.Amount == CompensationAmount.Whole ? "the whole deviation" : "what lies beyond the limit")}.",
+            Decision.WithinTolerance =>
+                $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}.",
+            Decision.NotSignificant =>
+                $"{beyond} But no deviation is larger than {ReportNumber.Fine(Decider.CoverageFactor * feature.UncertaintyMm)} mm, "
+                    + $"{ReportNumber.Short(Decider.CoverageFactor)} times its uncertainty: it may be the gauge's.",
+            _ =>
+                $"{beyond} The counterpart follows "
+                    + $"{(report.Compensation.Amount == CompensationAmount.Whole ? "the whole deviation" : "what lies beyond the limit")}.",
         };
     }
 }

@@ -7,7 +7,8 @@ internal static class MatchDecisions
 {
     private static readonly TableColumn[] Columns =
     [
-        new("Feature"), new("Kind"), new("Decision"), new("Lower, mm", true, "Tolerance"), new("Upper, mm", true, "Tolerance"), new("From", false, "Tolerance"),
+        new("Feature"), new("Kind"), new("Decision"), new("Lower, mm", true, "Tolerance"), new("Upper, mm", true, "Tolerance"),
+        new("From", false, "Tolerance"),
         new("Largest deviation, mm", true), new("Standard uncertainty, mm", true), new("Left as predicted, mm", true), new("Reason"),
     ];
 
@@ -28,7 +29,8 @@ internal static class MatchDecisions
             row.Text(ReportWords.Of(feature.Tolerance.Source));
             row.Number(ReportNumber.Signed(feature.LargestMm));
             row.Number(ReportNumber.Fine(feature.UncertaintyMm));
-            row.Number(Left(report, feature) is { } left ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
+            row.Number(
+                Left(report, feature) is { } left ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
             using (row.Cell("prose"))
             {
                 html.Text(string.Join(" ", [DecisionReason.Of(report, feature), .. OutsideWords.Of(outside)]));
@@ -38,18 +40,24 @@ internal static class MatchDecisions
     }
 
     /// <summary>The mating error of the largest size that the corrected counterpart will leave at the feature.</summary>
-    internal static double? Left(MatchReport report, ReportFeature feature) => Points(report, feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
+    internal static double? Left(MatchReport report, ReportFeature feature) =>
+        Points(report, feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
 
     /// <summary>The key points of a feature that the corrected counterpart will leave outside of their limits.</summary>
     internal static OutsideLimits Outside(MatchReport report, ReportFeature feature) => report.OutsideOf(Points(report, feature));
 
     /// <summary>The key points of a feature.</summary>
-    internal static IEnumerable<ReportKeyPoint> Points(MatchReport report, ReportFeature feature) => report.KeyPoints.Where(p => p.Feature == feature.Name);
+    internal static IEnumerable<ReportKeyPoint> Points(MatchReport report, ReportFeature feature) =>
+        report.KeyPoints.Where(p => p.Feature == feature.Name);
 
     private static string Meaning(JobCompensation compensation) =>
         (compensation.From == CompensationSource.Part
             ? "Deviations are part - design"
             : "Deviations are part - measured counterpart")
-        + ", along the normal from the counterpart's material to its tool: positive where the counterpart has to keep more material. What is left is the predicted mating error, counterpart - part: positive overlaps, negative leaves a gap; ⚠ marks a feature of which a point will be outside its limits. "
-        + $"Asked for: {ReportWords.Of(compensation.Amount)} deviation, gain {ReportNumber.Short(compensation.Gain)}, along the {ReportWords.Of(compensation.Along)}; a deviation beyond {ReportNumber.Plain(compensation.LimitMm)} mm would have stopped the job.";
+        + ", along the normal from the counterpart's material to its tool: positive where the counterpart has to keep more material. What "
+            + "is left is the predicted mating error, counterpart - part: positive overlaps, negative leaves a gap; ⚠ marks a feature "
+            + "of which a point will be outside its limits. "
+        + $"Asked for: {ReportWords.Of(compensation.Amount)} deviation, gain {ReportNumber.Short(compensation.Gain)}, along the "
+            + $"{ReportWords.Of(compensation.Along)}; a deviation beyond {ReportNumber.Plain(compensation.LimitMm)} mm would have "
+            + $"stopped the job.";
 }

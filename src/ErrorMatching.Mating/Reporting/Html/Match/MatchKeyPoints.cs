@@ -32,19 +32,34 @@ internal static class MatchKeyPoints
             row.Number((outside.Contains(p.Point) ? "⚠ " : "") + ReportNumber.Signed(p.PredictedMm));
             row.Code(string.Join(' ', p.Blocks));
         });
-        html.Put("p", "Deviation: theoretical - actual. Normal deviation: actual - theoretical, along the normal from the counterpart's material to its tool. Correction: what is added to the program, in the program's frame. Mating error: counterpart - part along the normal, positive overlaps, negative leaves a gap; after: as predicted from the program that was written; ⚠ marks one that is outside its limits.", ("class", "small"));
+        html.Put(
+            "p",
+            "Deviation: theoretical - actual. Normal deviation: actual - theoretical, along the normal from the counterpart's material "
+                + "to its tool. Correction: what is added to the program, in the program's frame. Mating error: counterpart - part along "
+                + "the normal, positive overlaps, negative leaves a gap; after: as predicted from the program that was written; ⚠ marks "
+                + "one that is outside its limits.",
+            ("class", "small"));
     }
 
     private static List<TableColumn> Columns(bool measured)
     {
-        var columns = new List<TableColumn> { new("Point"), new("Feature"), new("X", true, "Theoretical"), new("Y", true, "Theoretical"), new("X", true, "Actual part"), new("Y", true, "Actual part") };
+        var columns = new List<TableColumn>
+        {
+            new("Point"),
+            new("Feature"),
+            new("X", true, "Theoretical"),
+            new("Y", true, "Theoretical"),
+            new("X", true, "Actual part"),
+            new("Y", true, "Actual part")
+        };
         if (measured)
         {
             columns.AddRange([new("X", true, "Counterpart"), new("Y", true, "Counterpart")]);
         }
 
         columns.AddRange([
-            new("X", true, "Deviation"), new("Y", true, "Deviation"), new("Normal deviation", true), new("X", true, "Correction"), new("Y", true, "Correction"),
+            new("X", true, "Deviation"), new("Y", true, "Deviation"), new("Normal deviation", true), new("X", true, "Correction"),
+            new("Y", true, "Correction"),
             new("before", true, "Mating error"), new("after", true, "Mating error"), new("Blocks")]);
         return columns;
     }

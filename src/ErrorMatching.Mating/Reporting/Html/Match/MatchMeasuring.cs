@@ -11,7 +11,10 @@ internal static class MatchMeasuring
         if (report.OriginCheck is { } check)
         {
             html.Put("h3", "Origin");
-            html.Put("p", $"{(check.Holds ? "✓" : "✗")} The origin {check.Point} was measured {ReportNumber.Plain(check.DistanceMm)} mm off; {ReportNumber.Plain(check.LimitMm)} mm are allowed.");
+            html.Put(
+                "p",
+                $"{(check.Holds ? "✓" : "✗")} The origin {check.Point} was measured {ReportNumber.Plain(check.DistanceMm)} mm off; "
+                    + $"{ReportNumber.Plain(check.LimitMm)} mm are allowed.");
         }
 
         WriteUncertainty(html, report.Uncertainty);
@@ -21,14 +24,25 @@ internal static class MatchMeasuring
         }
 
         html.Put("h3", "Time");
-        html.Put("p", $"Measuring: {ReportNumber.Seconds(report.Time.MeasuringS)} s by equation (7) of Wang 2021, an estimate.{(report.Time.CalculatingS is { } s ? $" Calculating: {ReportNumber.Seconds(s)} s, as measured." : "")}");
+        html.Put(
+            "p",
+            $"Measuring: {ReportNumber.Seconds(report.Time.MeasuringS)} s by equation (7) of Wang 2021, an "
+                + $"estimate.{(report.Time.CalculatingS is { } s ? $" Calculating: {ReportNumber.Seconds(s)} s, as measured." : "")}");
     }
 
     private static void WriteAlignments(HtmlText html, IReadOnlyList<ReportAlignment> alignments)
     {
-        TableColumn[] columns = [new("Measurement"), new("Kind"), new("Mirror"), new("Rotation, °", true), new("X, mm", true, "Translation"), new("Y, mm", true, "Translation"), new("RMS, mm", true, "Left"), new("Largest, mm", true, "Left")];
+        TableColumn[] columns = [
+            new("Measurement"), new("Kind"), new("Mirror"), new("Rotation, °", true), new("X, mm", true, "Translation"),
+            new("Y, mm", true, "Translation"), new("RMS, mm", true, "Left"), new("Largest, mm", true, "Left")];
         html.Put("h3", "Alignment");
-        HtmlTable.Write(html, "alignment-table", "How the measured points were moved before they were compared", columns, alignments, (row, a) =>
+        HtmlTable.Write(
+            html,
+            "alignment-table",
+            "How the measured points were moved before they were compared",
+            columns,
+            alignments,
+            (row, a) =>
         {
             row.Header(a.Role);
             row.Text(ReportWords.Of(a.Kind));
@@ -50,7 +64,13 @@ internal static class MatchMeasuring
         using (html.In("details"))
         {
             html.Put("summary", "What the alignment leaves, point by point");
-            HtmlTable.Write(html, "residuals-table", "Aligned - theoretical, mm", [new("Measurement"), new("Point"), new("X", true), new("Y", true)], alignments.SelectMany(a => a.Residuals.Select(r => (a.Role, Residual: r))), (row, r) =>
+            HtmlTable.Write(
+                html,
+                "residuals-table",
+                "Aligned - theoretical, mm",
+                [new("Measurement"), new("Point"), new("X", true), new("Y", true)],
+                alignments.SelectMany(a => a.Residuals.Select(r => (a.Role, Residual: r))),
+                (row, r) =>
             {
                 row.Text(r.Role);
                 row.Header(r.Residual.Point);
@@ -63,7 +83,13 @@ internal static class MatchMeasuring
     private static void WriteUncertainty(HtmlText html, UncertaintyBudget budget)
     {
         html.Put("h3", "Uncertainty");
-        HtmlTable.Write(html, "uncertainty-table", "Standard uncertainty of a measured coordinate", [new("Cause"), new("Contribution, mm", true)], budget.Contributions.Append(new("combined (root sum of squares)", budget.CombinedMm)), (row, c) =>
+        HtmlTable.Write(
+            html,
+            "uncertainty-table",
+            "Standard uncertainty of a measured coordinate",
+            [new("Cause"), new("Contribution, mm", true)],
+            budget.Contributions.Append(new("combined (root sum of squares)", budget.CombinedMm)),
+            (row, c) =>
         {
             row.Header(c.Name);
             row.Number(ReportNumber.Fine(c.ValueMm));
@@ -73,7 +99,13 @@ internal static class MatchMeasuring
     private static void WriteChain(HtmlText html, ToleranceChain chain)
     {
         html.Put("h3", "Tolerance chain");
-        HtmlTable.Write(html, "chain-table", "Dimensions that add up to the mating dimension, mm", [new("Dimension"), new("Sign"), new("Nominal", true), new("Lower", true, "Tolerance"), new("Upper", true, "Tolerance")], chain.Links, (row, l) =>
+        HtmlTable.Write(
+            html,
+            "chain-table",
+            "Dimensions that add up to the mating dimension, mm",
+            [new("Dimension"), new("Sign"), new("Nominal", true), new("Lower", true, "Tolerance"), new("Upper", true, "Tolerance")],
+            chain.Links,
+            (row, l) =>
         {
             row.Header(l.Name);
             row.Text(l.Sign > 0 ? "+" : "-");
@@ -81,8 +113,15 @@ internal static class MatchMeasuring
             row.Number(ReportNumber.Signed(l.Tolerance.LowerMm));
             row.Number(ReportNumber.Signed(l.Tolerance.UpperMm));
         });
-        (string Name, ChainDimension Dimension)[] sums = [("worst case", chain.WorstCase()), ("root sum of squares", chain.RootSumOfSquares())];
-        HtmlTable.Write(html, "chain-sum-table", "The mating dimension by the chain, mm", [new("Method"), new("Nominal", true), new("Smallest", true), new("Largest", true)], sums, (row, s) =>
+        (string Name, ChainDimension Dimension)[] sums = [
+            ("worst case", chain.WorstCase()), ("root sum of squares", chain.RootSumOfSquares())];
+        HtmlTable.Write(
+            html,
+            "chain-sum-table",
+            "The mating dimension by the chain, mm",
+            [new("Method"), new("Nominal", true), new("Smallest", true), new("Largest", true)],
+            sums,
+            (row, s) =>
         {
             row.Header(s.Name);
             row.Number(ReportNumber.Plain(s.Dimension.NominalMm));

@@ -6,15 +6,24 @@ namespace ErrorMatching.Mating;
 internal static class MatchPictures
 {
     public static void Write(HtmlText html, MatchReport report) =>
-        ReportPictures.Write(html, Plot(report), AssemblyScene.Of(report.Features.Select(f => Draw(report, f))), "without compensation", "as compensated (predicted)");
+        ReportPictures.Write(
+            html,
+            Plot(report),
+            AssemblyScene.Of(report.Features.Select(f => Draw(report, f))),
+            "without compensation",
+            "as compensated (predicted)");
 
     private static PlotPoint[] Plot(MatchReport report)
     {
         var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
-        return [.. report.KeyPoints.Select(p => new PlotPoint(p.Point, p.Feature, -p.DecidedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
+        return [
+            .. report.KeyPoints.Select(p => new PlotPoint(
+                p.Point, p.Feature, -p.DecidedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
     }
 
     private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
         feature.TheoreticalOutline,
-        [.. report.KeyPoints.Where(p => p.Feature == feature.Name).Select(p => new DrawnPoint(p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm - p.DecidedMm, p.NormalMm + p.PredictedMm))]);
+        [
+            .. report.KeyPoints.Where(p => p.Feature == feature.Name).Select(p => new DrawnPoint(
+                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm - p.DecidedMm, p.NormalMm + p.PredictedMm))]);
 }

@@ -14,11 +14,24 @@ internal static class MatchProof
             ("Motions compared", ReportNumber.Count(proof.Motions)),
             ("Motions that differ", ReportNumber.Count(proof.MovedMotions)),
             ("Largest distance of a motion from where it was wanted", $"{ReportNumber.Fine(proof.MaxDeviationFromWantedMm)} mm"),
-            ("Neighbors that followed because they touch what moved", proof.Neighbors.Count == 0 ? "none" : string.Join("; ", proof.Neighbors.Select(n => $"{n.Block} {ReportWords.Sentence(n.Role)} by {ReportNumber.Fine(n.DisplacementMm)} mm"))),
+            (
+                "Neighbors that followed because they touch what moved",
+                proof.Neighbors.Count == 0
+                    ? "none"
+                    : string.Join(
+                        "; ",
+                        proof.Neighbors.Select(
+                            n => $"{n.Block} {ReportWords.Sentence(n.Role)} by {ReportNumber.Fine(n.DisplacementMm)} mm"))),
             ("Every byte outside the changed words is the original one", proof.UntouchedBytesIdentical ? "✓ yes" : "✗ NO"),
             ("Marker comment", proof.Marker ?? "none, since nothing was changed"),
         ];
-        HtmlTable.Write(html, "proof-table", "What the comparison of both programs showed", [new("Question"), new("Finding")], rows, (row, r) =>
+        HtmlTable.Write(
+            html,
+            "proof-table",
+            "What the comparison of both programs showed",
+            [new("Question"), new("Finding")],
+            rows,
+            (row, r) =>
         {
             row.Header(r.What);
             using (row.Cell("wrap"))
@@ -26,7 +39,11 @@ internal static class MatchProof
                 html.Text(r.Found);
             }
         });
-        html.Put("p", "The new program was read and interpreted again, and compared with the original motion by motion. Tool radius compensation is not applied in the comparison: it is the programmed path that is compared.", ("class", "small"));
+        html.Put(
+            "p",
+            "The new program was read and interpreted again, and compared with the original motion by motion. Tool radius compensation "
+                + "is not applied in the comparison: it is the programmed path that is compared.",
+            ("class", "small"));
     }
 
     /// <summary>Whether the proof holds, in mark and words.</summary>
@@ -35,7 +52,10 @@ internal static class MatchProof
         using (html.In("p", ("class", proof.Holds ? "verdict holds" : "verdict fails")))
         {
             html.Put("strong", proof.Holds ? "✓ The proof holds." : "✗ The proof does not hold. Do not use this program.");
-            html.Text(proof.Holds ? " The new program moves as wanted, and nothing else was changed." : " It does not move as wanted, or something else was changed.");
+            html.Text(
+                proof.Holds
+                    ? " The new program moves as wanted, and nothing else was changed."
+                    : " It does not move as wanted, or something else was changed.");
         }
     }
 }

@@ -2,18 +2,29 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with lengths and angles: ideal, actual and corrected, as figure 9 of Wang 2021 shows them, and how the features were fitted.</summary>
+/// <summary>The section with lengths and angles: ideal, actual and corrected, as figure 9 of Wang 2021 shows them,
+/// and how the features were fitted.</summary>
 internal static class MatchQuantities
 {
     private static readonly TableColumn[] Columns =
-        [new("Feature"), new("Quantity"), new("Unit"), new("Ideal", true), new("Actual", true), new("Deviation", true), new("Standard uncertainty", true), new("Corrected", true)];
+        [
+            new("Feature"), new("Quantity"), new("Unit"), new("Ideal", true), new("Actual", true), new("Deviation", true),
+            new("Standard uncertainty", true), new("Corrected", true)];
 
     private static readonly TableColumn[] FitColumns =
-        [new("Feature"), new("Degree", true), new("Ridge", true), new("Residual standard deviation, mm", true), new("Error when a point is left out, mm", true), new("Largest residual, mm", true), new("Stands out of its plane, mm", true)];
+        [
+            new("Feature"), new("Degree", true), new("Ridge", true), new("Residual standard deviation, mm", true),
+            new("Error when a point is left out, mm", true), new("Largest residual, mm", true), new("Stands out of its plane, mm", true)];
 
     public static void Write(HtmlText html, MatchReport report)
     {
-        HtmlTable.Write(html, "quantities-table", "Lengths and angles of the features", Columns, report.Features.SelectMany(f => f.Quantities.Select(q => (Feature: f, q.Quantity, q.Corrected))), (row, q) =>
+        HtmlTable.Write(
+            html,
+            "quantities-table",
+            "Lengths and angles of the features",
+            Columns,
+            report.Features.SelectMany(f => f.Quantities.Select(q => (Feature: f, q.Quantity, q.Corrected))),
+            (row, q) =>
         {
             row.Header(q.Feature.Name);
             row.Text(QuantityName.Words(q.Quantity.Name));
@@ -24,7 +35,11 @@ internal static class MatchQuantities
             row.Number(ReportNumber.Fine(q.Quantity.StandardUncertainty));
             row.Number(q.Corrected is { } corrected ? ReportNumber.Plain(corrected) : ReportNumber.None);
         });
-        html.Put("p", "Ideal: by the theoretical points. Actual: by the measured ones. Deviation: ideal - actual. Corrected: on the counterpart as the new program cuts it.", ("class", "small"));
+        html.Put(
+            "p",
+            "Ideal: by the theoretical points. Actual: by the measured ones. Deviation: ideal - actual. Corrected: on the counterpart as "
+                + "the new program cuts it.",
+            ("class", "small"));
         HtmlTable.Write(html, "fits-table", "How well the measured points fit their features", FitColumns, report.Features, (row, f) =>
         {
             row.Header(f.Name);

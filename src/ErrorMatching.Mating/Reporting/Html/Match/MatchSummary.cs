@@ -2,7 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section that a setter reads at the machine: what was measured, decided and changed, whether it was proved, and what to do next.</summary>
+/// <summary>The section that a setter reads at the machine: what was measured, decided and changed, whether it was proved,
+/// and what to do next.</summary>
 internal static class MatchSummary
 {
     public static void Write(HtmlText html, MatchReport report)
@@ -27,23 +28,37 @@ internal static class MatchSummary
     private static string Measured(MatchReport report)
     {
         var part = ReportInputs.Find(report.Inputs, "part");
-        var counterpart = report.Compensation.From == CompensationSource.Counterpart ? ReportInputs.Find(report.Inputs, "counterpart") : null;
-        return $"{ReportNumber.Count(report.KeyPoints.Count, "key point")} of the part" + Source(part) + (counterpart is null ? "" : ", and of the counterpart that the program cut" + Source(counterpart)) + ".";
+        var counterpart = report.Compensation.From == CompensationSource.Counterpart
+            ? ReportInputs.Find(report.Inputs, "counterpart")
+            : null;
+        return $"{ReportNumber.Count(report.KeyPoints.Count, "key point")} of the part" + Source(part)
+            + (counterpart is null ? "" : ", and of the counterpart that the program cut" + Source(counterpart)) + ".";
 
-        static string Source(ReportInput? input) => input is null ? "" : $", {input.File} (SHA-256 {ReportInputs.ShortHash(input.Sha256)}…)";
+        static string Source(ReportInput? input) =>
+            input is null ? "" : $", {input.File} (SHA-256 {ReportInputs.ShortHash(input.Sha256)}…)";
     }
 
     private static string Decided(MatchReport report)
     {
         Decision[] decisions = [Decision.Compensated, Decision.WithinTolerance, Decision.NotSignificant];
-        var counts = decisions.Select(d => (Words: DecisionMark.Words(d), Count: report.Features.Count(f => f.Decision == d))).Where(d => d.Count > 0).Select(d => $"{ReportNumber.Count(d.Count)} {d.Words}");
+        var counts = decisions
+            .Select(d => (Words: DecisionMark.Words(d), Count: report.Features.Count(f => f.Decision == d)))
+            .Where(d => d.Count > 0)
+            .Select(d => $"{ReportNumber.Count(d.Count)} {d.Words}");
         var largest = report.KeyPoints.MaxBy(p => Math.Abs(p.DecidedMm));
-        return $"{ReportNumber.Count(report.Features.Count, "feature")}: {string.Join(", ", counts)}." + (largest is null ? "" : $" The largest deviation is {ReportNumber.SignedMm(largest.DecidedMm)}, at point {largest.Point} of {largest.Feature}.");
+        return $"{ReportNumber.Count(report.Features.Count, "feature")}: {string.Join(", ", counts)}."
+            + (
+                largest is null
+                    ? ""
+                    : $" The largest deviation is {ReportNumber.SignedMm(largest.DecidedMm)}, at point {largest.Point} of "
+                        + $"{largest.Feature}.");
     }
 
     private static string Changed(MatchReport report) => IsUnchanged(report)
         ? $"Nothing: {report.Program.File} is the original program, byte for byte."
-        : $"{ReportNumber.Count(report.Program.ChangedBlocks, "block")} and {ReportNumber.Count(report.Program.ChangedWords, "word")} of them, written to {report.Program.File} (SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…). The original is untouched.";
+        : $"{ReportNumber.Count(report.Program.ChangedBlocks, "block")} and {ReportNumber.Count(report.Program.ChangedWords, "word")} of "
+            + $"them, written to {report.Program.File} (SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…). The original is "
+            + $"untouched.";
 
     private static bool IsUnchanged(MatchReport report) => report.Program.ChangedBlocks == 0 && report.Proof.Marker is null;
 
@@ -58,7 +73,13 @@ internal static class MatchSummary
                     html.Put("strong", feature.Name);
                     html.Text($" ({feature.Kind.Word}): ");
                     DecisionMark.Write(html, feature.Decision);
-                    html.Text($". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}" + (MatchDecisions.Left(report, feature) is { } left ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}." : ".") + string.Concat(OutsideWords.Of(MatchDecisions.Outside(report, feature)).Select(s => " ⚠ " + s)));
+                    html.Text(
+                        $". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}"
+                            + (
+                                MatchDecisions.Left(report, feature) is { } left
+                                    ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}."
+                                    : ".")
+                            + string.Concat(OutsideWords.Of(MatchDecisions.Outside(report, feature)).Select(s => " ⚠ " + s)));
                 }
             }
         }
@@ -77,7 +98,10 @@ internal static class MatchSummary
         [
             .. decide,
             $"Make sure that the part is the one of {order}: this counterpart fits no other.",
-            IsUnchanged(report) ? $"Cut the counterpart with {report.Program.File}, which is the program as designed." : $"Cut the counterpart with {report.Program.File}, with work offset, tool and wear values as for the original program. The corrections are in the program: do not enter them as offsets too.",
+            IsUnchanged(report)
+                ? $"Cut the counterpart with {report.Program.File}, which is the program as designed."
+                : $"Cut the counterpart with {report.Program.File}, with work offset, tool and wear values as for the original program. "
+                    + $"The corrections are in the program: do not enter them as offsets too.",
             "Measure the counterpart, and compare it with the part: errormatch verify.",
         ];
     }
@@ -92,7 +116,11 @@ internal static class MatchSummary
         using (html.In("div", ("class", "box note")))
         {
             html.Put("h3", "The same by tool-radius wear");
-            html.Put("p", $"Every correction is one uniform offset. If the original program cuts with cutter compensation (G41, G42), a tool-radius wear value of {ReportNumber.SignedMm(w)} ({ReportNumber.SignedMm(2 * w)} where the control keeps a diameter) does the same with it. Use the new program or the wear value, never both.");
+            html.Put(
+                "p",
+                $"Every correction is one uniform offset. If the original program cuts with cutter compensation (G41, G42), a "
+                    + $"tool-radius wear value of {ReportNumber.SignedMm(w)} ({ReportNumber.SignedMm(2 * w)} where the control keeps a "
+                    + $"diameter) does the same with it. Use the new program or the wear value, never both.");
         }
     }
 }

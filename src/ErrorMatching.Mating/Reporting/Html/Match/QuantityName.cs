@@ -8,5 +8,6 @@ internal static class QuantityName
         FeatureKinds.All.Select(k => k.Quantities.GetValueOrDefault(name)).FirstOrDefault(words => words is not null) ?? name;
 
     /// <summary>The unit, which the name ends with.</summary>
-    public static string Unit(string name) => name.EndsWith("Deg", StringComparison.Ordinal) ? "°" : name.EndsWith("Mm", StringComparison.Ordinal) ? "mm" : "";
+    public static string Unit(string name) =>
+        name.EndsWith("Deg", StringComparison.Ordinal) ? "°" : name.EndsWith("Mm", StringComparison.Ordinal) ? "mm" : "";
 }

@@ -8,7 +8,13 @@ internal static class BlockTable
     /// <summary>Writes the table.</summary>
     public static void Write(HtmlText html, IReadOnlyList<ReportBlock> blocks)
     {
-        HtmlTable.Write(html, "blocks-table", "Blocks that differ. What was replaced has a dotted line below it, what stands there now a solid one.", [new("Line", true), new("Block"), new("Original"), new("Modified")], blocks, (row, block) =>
+        HtmlTable.Write(
+            html,
+            "blocks-table",
+            "Blocks that differ. What was replaced has a dotted line below it, what stands there now a solid one.",
+            [new("Line", true), new("Block"), new("Original"), new("Modified")],
+            blocks,
+            (row, block) =>
         {
             row.Number(ReportNumber.Count(block.Line));
             row.Header(block.Number.Length > 0 ? block.Number : ReportNumber.None);

@@ -9,7 +9,14 @@ internal static class VerifyPictures
     {
         var result = report.Result;
         PlotPoint[] plot = [.. result.Points.Select(p => new PlotPoint(p.Label, "", p.BeforeError.NormalMm, p.AfterError.NormalMm, null))];
-        var drawn = DrawnFeature.Of([], [.. result.Points.Select(p => new DrawnPoint(p.Label, p.Part, p.Normal, 0, p.BeforeError.NormalMm, p.AfterError.NormalMm))]);
-        ReportPictures.Write(html, plot, AssemblyScene.Of([drawn]), report.IsBeforeMeasured ? "without compensation (measured)" : "without compensation (as designed)", "with compensation (measured)");
+        var drawn = DrawnFeature.Of(
+            [],
+            [.. result.Points.Select(p => new DrawnPoint(p.Label, p.Part, p.Normal, 0, p.BeforeError.NormalMm, p.AfterError.NormalMm))]);
+        ReportPictures.Write(
+            html,
+            plot,
+            AssemblyScene.Of([drawn]),
+            report.IsBeforeMeasured ? "without compensation (measured)" : "without compensation (as designed)",
+            "with compensation (measured)");
     }
 }

@@ -11,13 +11,18 @@ internal static class VerifySummary
         var (mark, words) = after < before ? ("✓", "smaller") : after > before ? ("✗", "larger") : ("○", "the same");
         using (html.In("p", ("class", after < before ? "verdict holds" : "verdict fails")))
         {
-            html.Put("strong", $"{mark} The largest mating error is {words} with compensation{(after < before ? "" : ". Find out why before the next piece")}.");
+            html.Put(
+                "strong",
+                $"{mark} The largest mating error is {words} with "
+                    + $"compensation{(after < before ? "" : ". Find out why before the next piece")}.");
             html.Text($" Without: {ReportNumber.Plain(before)} mm. With: {ReportNumber.Plain(after)} mm.");
         }
 
         ReportFacts.WriteWarnings(html, report.Warnings);
         ReportFacts.Write(html,
-            ("Compared", $"{ReportNumber.Count(report.Result.Points.Count, "key point")} of two counterparts with the part, along the normals."),
+            (
+                "Compared",
+                $"{ReportNumber.Count(report.Result.Points.Count, "key point")} of two counterparts with the part, along the normals."),
             ("Worst before", Worst(report.Result.Points.MaxBy(p => Math.Abs(p.BeforeError.NormalMm))!, p => p.BeforeError)),
             ("Worst after", Worst(report.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!, p => p.AfterError)));
     }
@@ -25,6 +30,7 @@ internal static class VerifySummary
     private static string Worst(VerifiedPoint point, Func<VerifiedPoint, MatingError> error)
     {
         var normal = error(point).NormalMm;
-        return $"{ReportNumber.SignedMm(normal)} at point {point.Label}, {(normal > 0 ? "an overlap" : normal < 0 ? "a gap" : "neither gap nor overlap")}.";
+        return $"{ReportNumber.SignedMm(normal)} at point {point.Label}, "
+            + $"{(normal > 0 ? "an overlap" : normal < 0 ? "a gap" : "neither gap nor overlap")}.";
     }
 }

@@ -6,14 +6,25 @@ namespace ErrorMatching.Mating;
 internal static class VerifyTables
 {
     private static readonly TableColumn[] FeatureColumns =
-        [new("Feature"), new("Quantity"), new("Unit"), new("Wanted", true), new("Before", true), new("After", true), new("before", true, "Error"), new("after", true, "Error"), new("Improvement, %", true)];
+        [
+            new("Feature"), new("Quantity"), new("Unit"), new("Wanted", true), new("Before", true), new("After", true),
+            new("before", true, "Error"), new("after", true, "Error"), new("Improvement, %", true)];
 
     private static readonly TableColumn[] PointColumns =
-        [new("Point"), new("X", true, "Part"), new("Y", true, "Part"), new("X", true, "Before - part"), new("Y", true, "Before - part"), new("along normal", true, "Before - part"), new("X", true, "After - part"), new("Y", true, "After - part"), new("along normal", true, "After - part")];
+        [
+            new("Point"), new("X", true, "Part"), new("Y", true, "Part"), new("X", true, "Before - part"), new("Y", true, "Before - part"),
+            new("along normal", true, "Before - part"), new("X", true, "After - part"), new("Y", true, "After - part"),
+            new("along normal", true, "After - part")];
 
     public static void WriteFeatures(HtmlText html, VerificationResult result)
     {
-        HtmlTable.Write(html, "features-table", "Quantities of the counterpart: wanted, without compensation, with it", FeatureColumns, result.Features, (row, f) =>
+        HtmlTable.Write(
+            html,
+            "features-table",
+            "Quantities of the counterpart: wanted, without compensation, with it",
+            FeatureColumns,
+            result.Features,
+            (row, f) =>
         {
             row.Header(f.Name);
             row.Text(f.Quantity.Words);
@@ -25,7 +36,10 @@ internal static class VerifyTables
             row.Number(ReportNumber.Signed(f.After - f.Wanted));
             row.Number(f.ImprovementPercent is { } percent ? ReportNumber.Percent(percent) : ReportNumber.None);
         });
-        html.Put("p", "Error: found - wanted. Improvement: by how much of the error before the error after is smaller; negative where it grew.", ("class", "small"));
+        html.Put(
+            "p",
+            "Error: found - wanted. Improvement: by how much of the error before the error after is smaller; negative where it grew.",
+            ("class", "small"));
     }
 
     public static void WritePoints(HtmlText html, VerificationResult result)
@@ -38,7 +52,11 @@ internal static class VerifyTables
             WriteError(row, p.BeforeError);
             WriteError(row, p.AfterError);
         });
-        html.Put("p", "Counterpart - part, as measured. Along the normal from the counterpart's material to its tool: positive overlaps, negative leaves a gap.", ("class", "small"));
+        html.Put(
+            "p",
+            "Counterpart - part, as measured. Along the normal from the counterpart's material to its tool: positive overlaps, negative "
+                + "leaves a gap.",
+            ("class", "small"));
     }
 
     private static void WriteError(TableRow row, MatingError error)
