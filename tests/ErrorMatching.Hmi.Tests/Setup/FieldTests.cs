@@ -71,7 +71,7 @@ public sealed class FieldTests
         var boxes = new[] { "edit-features[0].points[1]", "edit-features[0].points[0]/x", "edit-features[0].points[1]/y" };
         seat.Seat.Tap("setup-anew");
         seat.Shell.Editing.Change(
-            "", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKind.Line, "L1", d)] });
+            "", d => d with { Name = "Piece", Features = [FeatureDraft.New(ErrorMatching.Mating.FeatureKinds.Of("line"), "L1", d)] });
         seat.Shell.Editing.Change(
             "",
             d => d.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Label = "" }, .. f.Flanks[0].Skip(2)]] }));
