@@ -36,8 +36,10 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
                 && path.Contains(".points[", StringComparison.Ordinal)
                 && path.StartsWith("$.features", StringComparison.Ordinal) =>
                 Coordinates,
-            _ when path.Contains(".blocks", StringComparison.Ordinal) || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
-            _ when path.StartsWith("$.features", StringComparison.Ordinal) || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) =>
+            _ when path.Contains(".blocks", StringComparison.Ordinal)
+                || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
+            _ when path.StartsWith("$.features", StringComparison.Ordinal)
+                || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) =>
                 Tolerances,
             _ when path.StartsWith("$.counterpart", StringComparison.Ordinal)
                 || path.StartsWith("$.alignment", StringComparison.Ordinal)
