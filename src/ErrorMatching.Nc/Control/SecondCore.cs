@@ -31,7 +31,7 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
     }
 
     /// <summary>Waits for the run ahead, once the first thread has reached the seam.</summary>
-    /// <returns>The run ahead; null if it has not started, found more than cuts, or did not begin in the first thread's current state.</returns>
+    /// <returns>The run ahead; null if it has not started, failed, or did not begin in the first thread's current state.</returns>
     public NcInterpreter? Meet(RunBorders borders, NcMotions motions)
     {
         Seam = int.MaxValue;
