@@ -20,8 +20,7 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     public uint LengthLetters { get; } =
         LettersOf(dialect, LetterRole.Axis) | LettersOf(dialect, LetterRole.Center) | LettersOf(dialect, LetterRole.Radius);
 
-    /// <summary>LinuxCNC has a motion for each step of a cycle and for each block with a straight move, even if it leads
-    /// nowhere.</summary>
+    /// <summary>LinuxCNC has a motion for each step of a cycle and for each block with a straight move, even if it leads nowhere.</summary>
     public bool ListsIdleMoves => dialect.Syntax == NcSyntax.LinuxCnc;
 
     /// <summary>Length of the corner word, as programmed.</summary>

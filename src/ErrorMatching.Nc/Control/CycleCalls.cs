@@ -75,8 +75,7 @@ internal sealed class CycleCalls(
             return;
         }
 
-        // Drilling cycles end over their hole at the return plane; for other cycles (patterns, pockets and the like), even that is
-        // unknown.
+        // Drilling cycles end over their hole at the return plane; for other cycles (patterns, pockets and the like), even that is unknown.
         result.Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
         var plane = control.State.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();

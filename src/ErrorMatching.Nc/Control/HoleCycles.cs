@@ -21,8 +21,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         return null;
     }
 
-    /// <summary>Depths below the reference plane at which the strokes end; null if no published source says what the cycle
-    /// does.</summary>
+    /// <summary>Depths below the reference plane at which the strokes end; null if no published source says what the cycle does.</summary>
     /// <remarks>
     /// CYCLE83: the first depth is FDEP or FDPR. Then each stroke is shorter by DAM until it is DAM. Strokes of DAM follow while more
     /// than twice DAM remains; two halves cover the rest. Without DAM, all strokes are as long as the first, and the last one ends at the

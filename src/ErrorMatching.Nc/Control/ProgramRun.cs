@@ -7,8 +7,7 @@ namespace ErrorMatching.Nc;
 internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library,
     CancellationToken cancellation)
 {
-    /// <summary>Minimum number of blocks that may run before a program counts as endless: a few tenths of a second of work, and more for
-    /// a long file.</summary>
+    /// <summary>Number of blocks that may run before a program counts as endless (some tenths of a second); long files get more.</summary>
     private const long LeastSteps = 500_000;
 
     private const long StepsPerBlock = 10;

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Operators in expressions. If a spelling has different meanings in different families, each meaning has its own
-/// name.</summary>
+/// <summary>Operators in expressions. If a spelling has different meanings in different families, each meaning has its own name.</summary>
 internal enum ExpressionOperator : byte
 {
     Add,

@@ -102,8 +102,7 @@ internal sealed partial class FlowIndex
     /// <summary>The definition of a LinuxCNC subroutine; null if the file has none.</summary>
     public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
 
-    /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 if there is
-    /// none.</summary>
+    /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 if none.</summary>
     public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) =>
         Find(unit, from, forward, backward, number, "");
 

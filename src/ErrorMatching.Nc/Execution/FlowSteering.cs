@@ -2,8 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Applies a dialect's flow roles to the run of a program. It handles all of them; a role without a handler is
-/// refused.</summary>
+/// <summary>Applies a dialect's flow roles to the run of a program. It handles all of them; a role without a handler is refused.</summary>
 internal sealed class FlowSteering(
     NcDialect dialect,
     FlowReport report,

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What paper tapes and serial lines leave before a program's first percent sign: controls ignore everything before
-/// it.</summary>
+/// <summary>What paper tapes and serial lines leave before a program's first percent sign: controls ignore everything before it.</summary>
 internal static class Leader
 {
     private const byte Percent = (byte)'%';

@@ -6,8 +6,7 @@ namespace ErrorMatching.Nc;
 /// <summary>The comment in a compensated program that names its sources: the SHA-256 of the measurement and of the base program. It
 /// prevents applying a correction twice.</summary>
 /// <param name="MeasurementSha256">SHA-256 of the measurement that was compensated, 64 hexadecimal digits.</param>
-/// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a new program was
-/// made.</param>
+/// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a new program was made.</param>
 public sealed record Marker(string MeasurementSha256, string BaseSha256)
 {
     private const string Word = "ERRORMATCH";

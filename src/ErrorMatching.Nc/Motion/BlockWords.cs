@@ -40,8 +40,7 @@ internal sealed partial class BlockWords
     /// <summary>Letters whose own words mark them as increments.</summary>
     public uint Incremental { get; private set; }
 
-    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding); 0 if there is
-    /// none.</summary>
+    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding); 0 if none.</summary>
     public byte Corner { get; private set; }
 
     /// <summary>Value of the corner word; NaN if it is computed.</summary>

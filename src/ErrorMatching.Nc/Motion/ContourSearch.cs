@@ -43,8 +43,7 @@ internal sealed class ContourSearch
         }
     }
 
-    /// <summary>The first motion from a position on that ends at a place, with only cuts of one contour before it; -1 if there is
-    /// none.</summary>
+    /// <summary>The first motion from a position on that ends at a place, with only cuts of one contour before it; -1 if none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="from">The first motion to check.</param>
     /// <param name="like">A motion with the plane and frame of the contour.</param>
@@ -64,8 +63,7 @@ internal sealed class ContourSearch
         return WalkAhead(place, from, like);
     }
 
-    /// <summary>The last motion up to a position that begins at a place, with only cuts of one contour after it; -1 if there is
-    /// none.</summary>
+    /// <summary>The last motion up to a position that begins at a place, with only cuts of one contour after it; -1 if none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="from">The motion from which to search backwards.</param>
     /// <param name="like">A motion with the plane and frame of the contour.</param>

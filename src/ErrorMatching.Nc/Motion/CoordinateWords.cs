@@ -11,8 +11,7 @@ public sealed class CoordinateWords(NcPath path)
     /// <summary>The word that set a coordinate of a motion's end; null if no motion so far had one.</summary>
     /// <param name="motion">Position of the motion; not before one requested earlier.</param>
     /// <param name="axis">X, Y or Z.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The motion is before one requested earlier, or the axis is not X, Y or
-    /// Z.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is before one requested earlier, or the axis is not X, Y or Z.</exception>
     public CoordinateWord? Behind(int motion, char axis)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(motion, _next - 1);

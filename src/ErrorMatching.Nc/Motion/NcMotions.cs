@@ -119,8 +119,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return unknown.KnownPartOf(place);
     }
 
-    /// <summary>True if a motion is a cut that moves in its plane and does not switch compensation, as all motions of a
-    /// contour.</summary>
+    /// <summary>True if a motion is a cut that moves in its plane and does not switch compensation, as all motions of a contour.</summary>
     internal bool IsContour(int index)
     {
         ref readonly var m = ref _motions[index];
@@ -234,8 +233,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     /// <param name="border">The first block before which the other has an inserted line.</param>
     internal List<int> DifferencesFrom(NcMotions other, int border)
     {
-        // Motions in a memory piece that both lists share are equal, if none of them has separately stored values and no line was
-        // inserted.
+        // Motions in a memory piece that both lists share are equal, if none of them has separately stored values and no line was inserted.
         var mayPass = border == int.MaxValue && _starts.Count == 0 && other._starts.Count == 0 && _arcs.Count == 0 && other._arcs.Count == 0
             && _newSettings.SameAs(other._newSettings) && SameSettings(other);
         var different = new List<int>();

@@ -13,8 +13,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
     private readonly BlockRemainder _original = new(before.Program);
     private readonly BlockRemainder _result = new(after.Program);
 
-    /// <summary>The first block whose bytes, including the line end, differ from the result; the end of the range if there is
-    /// none.</summary>
+    /// <summary>The first block whose bytes, including the line end, differ from the result; the end of the range if none.</summary>
     /// <param name="first">First block of the original to compare.</param>
     /// <param name="behind">End of the range.</param>
     /// <param name="linesBefore">Number of lines by which the blocks are further down in the result.</param>

@@ -232,8 +232,8 @@ internal sealed partial class ElementDisplacer
             : move;
     }
 
-    // If one element is round, the tangents at the old joint meet away from the new joint. So the displaced circles through the displaced
-    // joint are intersected. Their own radius does not matter, because the ends of an arc with rounded words miss its circle.
+    // If one element is round, the tangents at the old joint meet away from the new joint. So the concentric circles through the displaced
+    // joint are intersected, not the displaced circles: the ends of an arc with rounded words miss its circle.
     private Vector2 RoundMove(int before, int behind, Vector2 moveA, Vector2 moveB, Vector2 guess)
     {
         var place = _path.Motions[before].PlaneEnd;
@@ -242,8 +242,7 @@ internal sealed partial class ElementDisplacer
     }
 
     /// <summary>Moves a corner to the intersection of both displaced elements. If one of them is a short piece of a polyline that ends
-    /// before the intersection, tries the next piece: the displacement cut off the pieces between, and they shrink to the
-    /// corner.</summary>
+    /// before the intersection, tries the next piece: the displacement cut off the pieces between, and they shrink to the corner.</summary>
     private NcRefusal? Corner(int joint, int first, int last)
     {
         var (before, behind) = (joint - 1, joint);

@@ -12,8 +12,7 @@ namespace ErrorMatching.Nc;
 /// the two ends.</param>
 public readonly record struct ElementWish(int Motion, Vector2 Start, Vector2 Middle, Vector2 End, bool IsFillet = false)
 {
-    /// <summary>Creates a wish to displace a motion along its own normals by signed amounts, mm, positive to the left of
-    /// travel.</summary>
+    /// <summary>Creates a wish to displace a motion along its own normals by signed amounts, mm, positive to the left of travel.</summary>
     /// <exception cref="GeometryException">The motion does not move in its plane.</exception>
     public static ElementWish AlongNormals(NcPath path, int motion, double start, double middle, double end, bool isFillet = false)
     {

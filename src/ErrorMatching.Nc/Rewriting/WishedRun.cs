@@ -69,8 +69,7 @@ internal sealed class WishedRun
         }
     }
 
-    /// <summary>For each point, how far its motion, displaced at its start, middle and end, misses the wish at the point
-    /// itself.</summary>
+    /// <summary>For each point, how far its motion, displaced at its start, middle and end, misses the wish at the point itself.</summary>
     public IEnumerable<(DisplacedPoint Point, double Millimeters)> Misfits()
     {
         foreach (var (_, motion, f, point) in _feet)

@@ -2,8 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The exact decimal value of a word: <see cref="Digits"/> / 10^<see cref="Decimals"/>. Up to 18 digits, never
-/// rounded.</summary>
+/// <summary>The exact decimal value of a word: <see cref="Digits"/> / 10^<see cref="Decimals"/>. Up to 18 digits, never rounded.</summary>
 /// <param name="Digits">All digits as one signed integer.</param>
 /// <param name="Decimals">Number of digits after the point, 0 to 18.</param>
 public readonly record struct NcNumber(long Digits, int Decimals)

@@ -4,8 +4,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>A program as it is: its bytes and the starts of its blocks. Nothing is decoded, normalized or dropped, so the bytes are
 /// always complete.</summary>
-/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized on access; memory is the file plus 4 bytes per
-/// block.</remarks>
+/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized on access; memory is the file plus 4 bytes per block.</remarks>
 public sealed class NcProgram
 {
     /// <summary>Maximum size of a program, in bytes.</summary>
