@@ -9,10 +9,10 @@ public sealed class NcOutcome<T>
 {
     private NcOutcome(T? value, NcRefusal? refusal) => (Value, Refusal) = (value, refusal);
 
-    /// <summary>The value; null where refused.</summary>
+    /// <summary>The value; null if refused.</summary>
     public T? Value { get; }
 
-    /// <summary>The reason; null where there is a value.</summary>
+    /// <summary>The reason; null if there is a value.</summary>
     public NcRefusal? Refusal { get; }
 
     /// <summary>True if there is a value.</summary>
@@ -20,9 +20,9 @@ public sealed class NcOutcome<T>
     [MemberNotNullWhen(false, nameof(Refusal))]
     public bool IsUsable => Refusal is null;
 
-    /// <summary>A usable outcome.</summary>
+    /// <summary>Creates a usable outcome.</summary>
     public static implicit operator NcOutcome<T>(T value) => new(value, null);
 
-    /// <summary>A refused outcome.</summary>
+    /// <summary>Creates a refused outcome.</summary>
     public static implicit operator NcOutcome<T>(NcRefusal refusal) => new(null, refusal);
 }

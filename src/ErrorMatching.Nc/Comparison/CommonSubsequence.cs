@@ -1,17 +1,15 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A longest common subsequence by the greedy method of Myers (Algorithmica 1, 1986,
-/// 251-266) on what is left when equal ends and items that only one side has are set aside.
-/// </summary>
+/// <summary>A longest common subsequence by the greedy method of Myers (Algorithmica 1, 1986, 251-266), applied after removing equal ends
+/// and items that only one side has.</summary>
 /// <remarks>
-/// Time grows with length times number of differences d, where it is at most <see cref="MostEdits"/>, and with length times that bound
-/// where sequences differ more: the search is then cut off at the pair that it got furthest with and goes on from there, so that the
-/// subsequence is common but may not be the longest. Memory grows with the length and the square of the smaller of d and the bound.
+/// Time grows with length times number of differences d while d is at most <see cref="MostEdits"/>. With more differences, it grows with
+/// length times that bound: the search stops at the pair that it reached furthest and continues from there, so the subsequence is common
+/// but may not be the longest. Memory grows with the length and the square of the smaller of d and the bound.
 /// </remarks>
 internal static class CommonSubsequence
 {
-    /// <summary>Number of differences up to which the subsequence is a longest one.</summary>
+    /// <summary>Maximum number of differences for which the subsequence is a longest one.</summary>
     public const int MostEdits = 1024;
 
     /// <summary>Pairs of positions of equal items, ascending in both.</summary>
@@ -41,7 +39,7 @@ internal static class CommonSubsequence
 
     private static void AddInner(ReadOnlySpan<int> first, ReadOnlySpan<int> second, int shift, List<(int First, int Second)> pairs)
     {
-        // An item without its like on the other side is part of no common subsequence.
+        // An item without an equal one on the other side is in no common subsequence.
         var (a, b) = (Shared(first, second), Shared(second, first));
         var (x, y) = (0, 0);
         while (x < a.Length && y < b.Length)
@@ -159,6 +157,6 @@ internal static class CommonSubsequence
         }
     }
 
-    // Diagonals that d edits do not reach have not been walked.
+    // Diagonals outside the range of d edits have not been reached.
     private static int At(int[] furthest, int d, int k) => Math.Abs(k) <= d ? furthest[k + d] : 0;
 }

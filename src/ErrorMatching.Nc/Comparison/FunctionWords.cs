@@ -2,23 +2,21 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The words of some blocks that no motion shows: not block numbers, not coordinates of a motion, not feeds, not the codes that say how
-/// coordinates are meant, for those are compared as motions; no comments.
-/// </summary>
+/// <summary>The words of some blocks that are not compared as motions. Excludes block numbers, coordinates of a motion, feeds, codes that
+/// determine the meaning of coordinates, and comments.</summary>
 internal sealed class FunctionWords(NcPath path)
 {
     private readonly List<Word> _words = [];
 
-    /// <summary>The words, in their order.</summary>
+    /// <summary>The words, in order.</summary>
     public IReadOnlyList<string> Texts => [
         .. _words.Select(
             w => w.Letter != 0
                 ? $"{(char)w.Letter}{w.Number}"
                 : NcText.Decode(path.Program.Bytes.Span.Slice(w.Start, w.Length)).ToUpperInvariant())];
 
-    /// <summary>Collects the words of a motion's block and of those since the motion before it;
-    /// of what follows the last motion, for the position behind the last.</summary>
+    /// <summary>Collects the words of a motion's block and of the blocks since the motion before it. For the position after the last
+    /// motion, collects those of the remaining blocks.</summary>
     public void Collect(int motion)
     {
         _words.Clear();
@@ -30,14 +28,14 @@ internal sealed class FunctionWords(NcPath path)
         }
     }
 
-    /// <summary>The bytes of the blocks that <see cref="Collect(int)"/> looks at.</summary>
+    /// <summary>The bytes of the blocks that <see cref="Collect(int)"/> reads.</summary>
     public ReadOnlySpan<byte> Bytes(int motion)
     {
         var (first, last) = Blocks(motion);
         return first > last ? [] : path.Program.Bytes.Span[path.Program[first].Start..path.Program[last].End];
     }
 
-    /// <summary>True if both have collected the same words.</summary>
+    /// <summary>True if both collected the same words.</summary>
     public bool SameAs(FunctionWords other)
     {
         if (_words.Count != other._words.Count)

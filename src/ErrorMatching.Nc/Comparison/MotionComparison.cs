@@ -2,17 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Compares what two programs do, motion by motion, however they are numbered and spelled. Motions of the same kind, end and center are
-/// aligned first, in their order; what is left between them is paired so that ends are near each other; the rest was inserted or removed.
-/// </summary>
+/// <summary>Compares two programs motion by motion, regardless of numbering and spelling. First aligns motions of the same kind, end and
+/// center, in order. Then pairs the motions left between them so that their ends are close. The rest were inserted or removed.</summary>
 /// <remarks>
-/// Time grows with the length of the programs times the number of differences, and no more than with the length times 1024 where they
-/// differ more: programs of 100,000 blocks with few differences are compared in a fraction of a second, wholly displaced ones in about one.
+/// Time grows with the length of the programs times the number of differences, up to the length times 1024: programs of 100,000 blocks
+/// with few differences take a fraction of a second, wholly displaced ones about one second.
 /// </remarks>
 public sealed class MotionComparison
 {
-    // Far below any increment: what is left of the same decimals after sums of increments.
+    // Far below any increment: the rounding of equal decimals after sums of increments.
     private const double Same = 1e-9;
 
     private readonly List<MotionDifference> _differences = [];
@@ -35,28 +33,29 @@ public sealed class MotionComparison
     /// <summary>The second program, interpreted.</summary>
     public NcPath After { get; }
 
-    /// <summary>The motions that differ, in the order of the programs.</summary>
+    /// <summary>The motions that differ, in program order.</summary>
     public IReadOnlyList<MotionDifference> Differences => _differences;
 
-    /// <summary>Words that move nothing behind the last motions, where they differ; null where they do not.</summary>
+    /// <summary>Words that move nothing after the last motions, if they differ; otherwise null.</summary>
     public FunctionChange? AtEnd { get; }
 
-    /// <summary>Number of motions that do the same in both programs.</summary>
+    /// <summary>Number of motions that are equal in both programs.</summary>
     public int Identical => Before.Motions.Length - _differences.Count(d => d.Before >= 0);
 
-    /// <summary>True if no motion differs and no word behind the last one.</summary>
+    /// <summary>True if no motion differs and no word after the last one.</summary>
     public bool IsSame => _differences.Count == 0 && AtEnd is null;
 
-    /// <summary>The motion that went furthest, by its end or its center, the first of several; null where none moved.</summary>
+    /// <summary>The motion with the largest displacement of its end or center, the first if several are equal; null if none
+    /// moved.</summary>
     public MotionDifference? Furthest => _differences.Where(d => d.Change == MotionChange.Moved).MaxBy(d => Math.Round(DistanceMm(d), 9));
 
-    /// <summary>Pairs of motions that are taken for one another, ascending in both programs.</summary>
+    /// <summary>Pairs of corresponding motions, ascending in both programs.</summary>
     internal IReadOnlyList<(int Before, int After)> Pairs => _pairs;
 
     /// <summary>Compares two programs.</summary>
     public static MotionComparison Of(NcPath before, NcPath after) => new(before, after);
 
-    /// <summary>How far a motion went: its end or its center, whichever went further, mm.</summary>
+    /// <summary>Displacement of a motion's end or center, whichever is larger, mm.</summary>
     public static double DistanceMm(MotionDifference difference) =>
         Math.Max(difference.Displacement.Length, difference.CenterDisplacement.Length);
 
@@ -78,7 +77,7 @@ public sealed class MotionComparison
             (b, a) = (i + 1, j + 1);
         }
 
-        // The two ends, which only closed the last stretch.
+        // Removes the pair of the two ends, which only closed the last stretch.
         pairs.RemoveAt(pairs.Count - 1);
         return pairs;
     }

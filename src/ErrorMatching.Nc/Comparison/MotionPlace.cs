@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What makes two motions the same wherever they stand in a program:
-/// kind, plane, end and center on a grid so fine that only equal decimals meet.</summary>
+/// <summary>Identifies equal motions regardless of their position in a program: kind, plane, end and center on a grid so fine that only
+/// equal decimals coincide.</summary>
 internal readonly record struct MotionPlace(
     MotionKind Kind, CoordinatePlane Plane, int Turns, long X, long Y, long Z, long CenterX, long CenterY)
 {
@@ -14,7 +14,7 @@ internal readonly record struct MotionPlace(
         ? new(m.Kind, m.Plane, m.Turns, Step(m.End.X), Step(m.End.Y), Step(m.End.Z), Step(m.Center.X), Step(m.Center.Y))
         : new(m.Kind, m.Plane, 0, Step(m.End.X), Step(m.End.Y), Step(m.End.Z), 0, 0);
 
-    /// <summary>A number for each motion, equal where places are.</summary>
+    /// <summary>A number for each motion, equal for equal places.</summary>
     public static int[] Numbers(NcPath path, Dictionary<MotionPlace, int> known)
     {
         var numbers = new int[path.Motions.Length];
@@ -31,6 +31,6 @@ internal readonly record struct MotionPlace(
         return numbers;
     }
 
-    // A coordinate beyond what a long holds saturates: it is no place on a machine.
+    // A coordinate beyond the range of a long saturates: no machine has such a place.
     private static long Step(double millimeters) => (long)Math.Round(millimeters * StepsPerMm);
 }

@@ -1,12 +1,10 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Pairs the motions of two stretches that have none in common: in their order, so that the distances between their ends are least in sum.
-/// A block number in common speaks for a pair.
-/// </summary>
+/// <summary>Pairs the motions of two stretches that have none in common: in order, with the least sum of the distances between their
+/// ends. An equal block number favors a pair.</summary>
 /// <remarks>
-/// A table along the diagonal, as wide as the lengths differ and <see cref="Slack"/> to both sides. Where it would have more than
-/// <see cref="MostCells"/> cells, motions with the same kind and block number are paired.
+/// A table along the diagonal, as wide as the difference of the lengths plus <see cref="Slack"/> on both sides. If it would have more
+/// than <see cref="MostCells"/> cells, motions with the same kind and block number are paired.
 /// </remarks>
 internal sealed class NearestMotions(NcPath before, NcPath after)
 {
@@ -102,8 +100,8 @@ internal sealed class NearestMotions(NcPath before, NcPath after)
         return pairs;
     }
 
-    // From 0 where they are the same to just below the cost of a removal and an insertion,
-    // so that motions of one kind are rather moved than replaced.
+    // From 0 for equal motions to just below the cost of a removal and an insertion, so that motions of one kind count as moved, not
+    // replaced.
     private float Cost(int i, int j)
     {
         var (was, now) = (before.Motions[i], after.Motions[j]);
@@ -125,7 +123,7 @@ internal sealed class NearestMotions(NcPath before, NcPath after)
         return pairs.ConvertAll(p => (p.First + b, p.Second + a));
     }
 
-    // Motions of blocks without a number have nothing in common but their kind, which is no reason to take them for one another.
+    // Motions of blocks without a number share only their kind, which is no reason to pair them.
     private static int[] Numbers(NcPath path, int first, int count, Dictionary<(MotionKind, NcNumber), int> known, int own)
     {
         var numbers = new int[count];

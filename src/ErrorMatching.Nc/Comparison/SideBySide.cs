@@ -2,8 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Two programs side by side: blocks of motions that are taken for one another stand in one row,
-/// and between them blocks with the same text.</summary>
+/// <summary>Two programs side by side: blocks of corresponding motions share a row, and so do blocks with the same text between
+/// them.</summary>
 public static class SideBySide
 {
     /// <summary>All rows, in the order of both programs.</summary>
@@ -27,7 +27,8 @@ public static class SideBySide
         return rows;
     }
 
-    /// <summary>Which words of two blocks differ by their values, numbers aside: ranges of bytes from the start of each block.</summary>
+    /// <summary>The words of two blocks that differ in value, without block numbers: ranges of bytes from the start of each
+    /// block.</summary>
     public static (IReadOnlyList<Range> Before, IReadOnlyList<Range> After) Words(
         NcProgram before, NcBlock block, NcProgram after, NcBlock other)
     {
@@ -54,7 +55,7 @@ public static class SideBySide
             .ConvertAll(p => (p.First + b, p.Second + a))
             .Append((endBefore, endAfter)))
         {
-            // As many on both sides were rather changed than replaced.
+            // Equal numbers of blocks on both sides count as changed, not replaced.
             for (var isPaired = nextI - i == nextJ - j; i < nextI; i++)
             {
                 rows.Add(isPaired ? Row(before, i, after, j++) : new(i, -1, false));
@@ -103,7 +104,7 @@ public static class SideBySide
         return number;
     }
 
-    // The words but the number, each as a text that is the same however its value is spelled.
+    // The words except the block number, each as a text that does not depend on the spelling of its value.
     private static List<(string Text, Range Place)> Read(NcProgram program, NcBlock block)
     {
         var words = new List<(string, Range)>();

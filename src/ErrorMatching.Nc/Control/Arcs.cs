@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Arcs from what a block says: center words, a radius, an opening angle, a point on the way,
-/// or the direction of the motion before.</summary>
+/// <summary>Builds arcs from the words of a block: center words, a radius, an opening angle, an intermediate point, or the direction of
+/// the previous motion.</summary>
 internal sealed class Arcs(
     ControlState control,
     BlockValues values,
@@ -106,7 +106,7 @@ internal sealed class Arcs(
 
     public Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));
 
-    // A missing center word is the start's own coordinate, or zero where centers are positions.
+    // A missing center word means the start's own coordinate, or zero if centers are positions.
     private double CenterWord(double start, char letter)
     {
         var bit = BlockWords.Bit(letter);
@@ -122,7 +122,7 @@ internal sealed class Arcs(
                 start.Lerp(end, 0.5),
                 MotionFlags.ByRadius | (isKnown ? BadArc("no circle of this radius reaches from the start to the end") : MotionFlags.None));
 
-    // An opening angle with a center gives the end; with an end it gives the center.
+    // An opening angle with a center gives the end; with an end, it gives the center.
     private FoundArc ByAngle(MotionKind kind, Point2 start, Point2 end, double degrees, Point2? center, bool isKnown)
     {
         var counterClockwise = kind == MotionKind.ArcCounterClockwise;

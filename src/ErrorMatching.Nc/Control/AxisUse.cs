@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What the axis words of a block are for.</summary>
+/// <summary>The purpose of a block's axis words.</summary>
 internal enum AxisUse
 {
     Motion,

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What the G codes and M functions of a block do to the modes.</summary>
+/// <summary>Applies the G codes and M functions of a block to the modes.</summary>
 internal sealed class BlockCodes(
     ControlState control,
     BlockValues values,
@@ -18,7 +18,7 @@ internal sealed class BlockCodes(
     CannedCycles canned,
     ModeMemory memory)
 {
-    /// <summary>The function that changes the tool.</summary>
+    /// <summary>The M function of a tool change.</summary>
     public const int ToolChange = 6;
 
     public MotionFlags ReadCodes()
@@ -44,7 +44,7 @@ internal sealed class BlockCodes(
                     control.Units(meaning == NcMeaning.Inch, values.Dialect.ScalesFeed(tenths));
                     break;
                 case var _ when meaning.Steers():
-                    // The flow executes it behind the words; axis words are arguments.
+                    // The flow executes it after the words; axis words are arguments.
                     intent.Use = AxisUse.Nothing;
                     break;
                 case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
@@ -81,7 +81,7 @@ internal sealed class BlockCodes(
                     layers.Forget();
                     break;
                 case var role when role.Steers():
-                    // The flow executes it behind the words.
+                    // The flow executes it after the words.
                     break;
                 default:
                     layers.Forget();
@@ -92,7 +92,8 @@ internal sealed class BlockCodes(
         return flags;
     }
 
-    /// <summary>Does what a code or a keyword means; the family tells transformations apart that have an end of their own.</summary>
+    /// <summary>Applies the meaning of a code or keyword; the family distinguishes transformations that each have their own end
+    /// code.</summary>
     public void Obey(NcMeaning meaning, int family)
     {
         switch (meaning)
@@ -107,11 +108,11 @@ internal sealed class BlockCodes(
                 intent.Probes = true;
                 break;
             case NcMeaning.Polar:
-                // Axis words beside it are polar already.
+                // Axis words in the same block are already polar.
                 transforms.Begin(meaning, family);
                 break;
             case NcMeaning.MirroringOff:
-                // Its axis words say which axes; they are no motion.
+                // Its axis words name the axes; they are not a motion.
                 intent.Use = AxisUse.Nothing;
                 transforms.End(meaning, family);
                 break;
@@ -122,7 +123,7 @@ internal sealed class BlockCodes(
                 intent.Use = AxisUse.MachineCoordinates;
                 break;
             case var _ when meaning.Steers():
-                // A word that calls and that the flow has not executed.
+                // A call word that the flow did not execute.
                 intent.Use = AxisUse.Nothing;
                 run.Flow.RefuseCall(run.At, "A word of this block");
                 break;

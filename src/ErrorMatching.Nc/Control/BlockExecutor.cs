@@ -3,9 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Executes the words of a block: holds the parts that remember something, and asks them in the order in which a control does.
-/// </summary>
+/// <summary>Executes the words of a block: holds the stateful parts and calls them in the order in which a control works.</summary>
 internal sealed class BlockExecutor
 {
     private const uint StraightLetters = BlockWords.LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
@@ -76,14 +74,12 @@ internal sealed class BlockExecutor
 
     public IntegerWords Integers { get; }
 
-    /// <summary>True if the block that was executed has moved an axis.</summary>
+    /// <summary>True if the executed block moved an axis.</summary>
     public bool Moved => _intent.Use == AxisUse.Motion && _values.MovesAxes();
 
-    /// <summary>
-    /// True if a straight move is nothing else: no cycle or macro waits for it, no corner and no entry of compensation, and work
-    /// coordinates are those programmed. Two runs in one
-    /// <see cref="ModalState"/> in which this is true do the same from there on, as far as they only cut.
-    /// </summary>
+    /// <summary>True if a straight move has no further effect: no cycle, macro, corner or compensation entry is pending, and work
+    /// coordinates equal the programmed ones. Two runs in the same <see cref="ModalState"/> with this property true stay equal while they
+    /// only cut.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsStraight()
     {
@@ -93,11 +89,11 @@ internal sealed class BlockExecutor
             && !_corners.IsPending && _transforms.AreNone && _calls.AreNone && !_run.HasModalCall;
     }
 
-    /// <summary>Reads a block of plain words in one pass; false where it has anything else.</summary>
+    /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryReadPlain(ReadOnlySpan<byte> text) => _words.TryReadPlain(text, _dialect.Syntax);
 
-    /// <summary>True if the block whose plain words were just read is a cut or a rapid, and no more.</summary>
+    /// <summary>True if the block whose plain words were just read is only a cut or a rapid.</summary>
     public bool IsCut()
     {
         var isCut = (_words.Present & ~_cutLetters) == 0 && _words.Repeated == 0 && _words.Functions.Length == 0 && IsStraight();
@@ -110,11 +106,9 @@ internal sealed class BlockExecutor
         return isCut;
     }
 
-    /// <summary>
-    /// The short way for what nearly all blocks are: a straight move of plain words in a state without cycles, transforms and the like. It
-    /// does what <see cref="Step"/> would do; a test holds that.
-    /// </summary>
-    /// <returns>False where more than a straight move may be in the block, and nothing has been done then.</returns>
+    /// <summary>The fast path for nearly all blocks: a straight move of plain words in a state without cycles, transformations and the
+    /// like. It does what <see cref="Step"/> would do, as a test checks.</summary>
+    /// <returns>False if the block may have more than a straight move; then nothing was done.</returns>
     public bool TryRunStraight()
     {
         if ((_words.Present & ~_straightLetters) != 0 || _words.Repeated != 0 || _words.Functions.Length != 0 || !IsStraight())
@@ -161,7 +155,7 @@ internal sealed class BlockExecutor
         return true;
     }
 
-    /// <summary>Executes the words that were just read, whatever they are.</summary>
+    /// <summary>Executes any words that were just read.</summary>
     public void Step()
     {
         _intent.Begin();
@@ -172,7 +166,7 @@ internal sealed class BlockExecutor
                 Move(flags);
                 break;
             case AxisUse.Motion when _values.ListsIdleMoves && _values.StatesStraightMotion():
-                // LinuxCNC goes where it stands.
+                // LinuxCNC adds a motion that stays in place.
                 _writer.Append(_control.State.Mode, flags, _control.State.Position, _control.State.Unknown);
                 break;
             case AxisUse.MachineCoordinates when _values.MovesAxes():
@@ -192,7 +186,7 @@ internal sealed class BlockExecutor
         }
     }
 
-    // All that a block switches before its axis words count, and the feed.
+    // Reads all that a block switches before its axis words apply, and the feed.
     private MotionFlags ReadModes()
     {
         var flags = _obstacles.Read();
@@ -228,7 +222,7 @@ internal sealed class BlockExecutor
 
         if (_words.Has('F'))
         {
-            // LinuxCNC takes the feed of a block before its units.
+            // LinuxCNC applies the feed of a block before its units.
             ref var state = ref _control.State;
             var inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeedBefore : state.InchFeed;
             state.Feed = _words.Value('F') * (inchFeed && !state.InverseTime ? ControlState.MmPerInch : 1);

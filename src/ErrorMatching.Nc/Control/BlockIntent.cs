@@ -1,25 +1,25 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What the codes of the present block ask of its axis words.</summary>
+/// <summary>What the codes of the current block do with its axis words.</summary>
 internal sealed class BlockIntent
 {
     public AxisUse Use { get; set; }
 
-    /// <summary>The code that makes them anything but a motion.</summary>
+    /// <summary>The code that makes them something other than a motion.</summary>
     public NcMeaning Code { get; set; }
 
-    /// <summary>Tells transformations apart that have an end of their own.</summary>
+    /// <summary>Distinguishes transformations that each have their own end code.</summary>
     public int Family { get; set; }
 
-    /// <summary>The code that stores a place or goes to it (G28, G30); it holds on until another one comes.</summary>
+    /// <summary>The code that stores a place or moves to it (G28, G30); it stays until the next such code.</summary>
     public int Reference { get; set; }
 
-    /// <summary>True if the motion of the block probes.</summary>
+    /// <summary>True if the block's motion is a probing move.</summary>
     public bool Probes { get; set; }
 
-    /// <summary>True if nobody knows what a code of the block does.</summary>
+    /// <summary>True if the effect of a code of the block is unknown.</summary>
     public bool HasUnknownCode { get; set; }
 
-    /// <summary>Forgets what the block before asked.</summary>
+    /// <summary>Clears the intent of the previous block.</summary>
     public void Begin() => (Use, Code, Family, Probes, HasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Words that stand in the way of knowing, or of changing, what a block does.</summary>
+/// <summary>Finds words that prevent following or changing a block.</summary>
 internal sealed class BlockObstacles(
     ControlState control,
     BlockValues values,

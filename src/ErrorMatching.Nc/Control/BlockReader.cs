@@ -1,11 +1,11 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Reads the words of a block that is not plain, with the values that the flow computes.</summary>
+/// <summary>Reads the words of a block that is not plain, with values computed by the flow.</summary>
 internal sealed class BlockReader(BlockValues values, ProgramRun run)
 {
     public void ReadTokens(NcBlock block) => values.Words.ReadTokens(run.Text.Bytes.Span, block, values.Dialect.Syntax, ValueOf);
 
-    // Values of words that move nothing are not asked for: tool names, angles of rotary axes, offsets.
+    // Skips values of words that move nothing: tool names, angles of rotary axes, offsets.
     private double? ValueOf(NcToken token)
     {
         var role = token.Kind == NcTokenKind.PolarWord ? LetterRole.Axis : values.Dialect.RoleOf(token.Letter);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Words of several letters: commands, cycles, addresses and variables, by what the dialect's table says of them.</summary>
+/// <summary>Handles words of several letters (commands, cycles, addresses, variables) by the dialect's table.</summary>
 internal sealed class BlockStatements(
     ControlState control,
     BlockValues values,
@@ -38,7 +38,7 @@ internal sealed class BlockStatements(
 
         if (values.Dialect.IsFlow(name) || values.Dialect.IsFlow(name.TrimEnd("0123456789"u8)))
         {
-            // One that is not followed: those that are never come here.
+            // This one is not followed; those that are followed do not get here.
             layers.Forget();
             return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
         }
@@ -49,7 +49,7 @@ internal sealed class BlockStatements(
                 layers.Forget();
                 if (calls.NextIsModal)
                 {
-                    // Whatever it is, it runs behind every motion.
+                    // Any such call runs after every motion.
                     calls.Call(statement);
                 }
 
@@ -69,7 +69,7 @@ internal sealed class BlockStatements(
         }
     }
 
-    // CYCLE800() takes back what CYCLE800(..) set.
+    // CYCLE800() cancels what CYCLE800(..) set.
     private bool HasNoArguments(NcToken statement)
     {
         var bytes = run.BytesOf(statement);
@@ -124,12 +124,12 @@ internal sealed class BlockStatements(
             return MotionFlags.None;
         }
 
-        // It could be an axis by another name.
+        // It could be an axis with another name.
         control.State.Unknown = AxisSet.All;
         return result.UnknownWord(run.TextOf(statement));
     }
 
-    // Tool data, outputs and markers; all others can be offsets and settings.
+    // Tool data, outputs and markers are harmless; all others can be offsets and settings.
     private static bool IsHarmlessMachineVariable(ReadOnlySpan<byte> name)
     {
         foreach (var prefix in (ReadOnlySpan<string>)["$TC_", "$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"])

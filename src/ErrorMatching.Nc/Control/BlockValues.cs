@@ -2,12 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What the words of a block say under the modes in force: lengths in mm, angles in degrees, places.</summary>
+/// <summary>Values of a block's words under the active modes: lengths in mm, angles in degrees, places.</summary>
 internal sealed class BlockValues(NcDialect dialect, ControlState control)
 {
     public NcDialect Dialect => dialect;
 
-    /// <summary>The words of the present block.</summary>
+    /// <summary>The words of the current block.</summary>
     public BlockWords Words { get; } = new();
 
     /// <summary>Letters of axes that are not followed.</summary>
@@ -20,16 +20,14 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     public uint LengthLetters { get; } =
         LettersOf(dialect, LetterRole.Axis) | LettersOf(dialect, LetterRole.Center) | LettersOf(dialect, LetterRole.Radius);
 
-    /// <summary>
-    /// LinuxCNC has a motion for each step of a cycle even where it leads nowhere, and one for each block that states a straight one.
-    /// </summary>
+    /// <summary>LinuxCNC has a motion for each step of a cycle and for each block with a straight move, even if it leads nowhere.</summary>
     public bool ListsIdleMoves => dialect.Syntax == NcSyntax.LinuxCnc;
 
     /// <summary>Length of the corner word, as programmed.</summary>
     public double CornerLength() =>
         Words.CornerValue / (Dialect.IntegersAreIncrements && Words.CornerIsInteger ? Math.Pow(10, control.LeastDecimals) : 1);
 
-    /// <summary>True if the block has a word that moves an axis in the mode in force.</summary>
+    /// <summary>True if the block has a word that moves an axis in the active mode.</summary>
     public bool MovesAxes()
     {
         var given = Words.Present | Words.Computed;
@@ -55,10 +53,10 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>Axes that the block names.</summary>
     public AxisSet GivenAxes() => BlockWords.AxesOf(Words.Present | Words.Computed);
 
-    /// <summary>Axes of whose words the value is not known. Of a word that stands twice nobody knows which one counts.</summary>
+    /// <summary>Axes whose words have an unknown value. If a word occurs twice, it is unknown which one applies.</summary>
     public AxisSet UnknownWords() => BlockWords.AxesOf(Words.Unknown | Words.Repeated);
 
-    /// <summary>A place with the coordinates that the block's axis words give.</summary>
+    /// <summary>A place with its coordinates replaced by the block's axis words.</summary>
     public Point3 Given(Point3 place, bool incremental) => new(
         Words.Has('X') ? (incremental ? place.X : 0) + Length('X') : place.X,
         Words.Has('Y') ? (incremental ? place.Y : 0) + Length('Y') : place.Y,
@@ -78,31 +76,31 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
 
     public double Length(char letter) => Length((byte)letter);
 
-    /// <summary>A word as an angle in degrees; without a point it counts thousandths, or finer, where lengths do.</summary>
+    /// <summary>A word as an angle in degrees. Without a decimal point it counts thousandths, or finer units if lengths do.</summary>
     public double Degrees(char letter) =>
         Words.Value(letter) / (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0
             ? Math.Pow(10, Dialect.MetricDecimals) : 1);
 
-    /// <summary>The place to which a block goes from another one.</summary>
-    /// <param name="at">Where the tool is.</param>
-    /// <param name="given">Letters whose words count.</param>
+    /// <summary>The place to which a block moves from another one.</summary>
+    /// <param name="at">The tool's place.</param>
+    /// <param name="given">Letters whose words apply.</param>
     /// <param name="incremental">Letters whose words are increments.</param>
     public Point3 End(Point3 at, uint given, uint incremental)
     {
-        // Nearly always a word is the coordinate.
+        // In the usual case, a word is the coordinate itself.
         var isPlain = (given & incremental) == 0 && !control.State.Inch && !Dialect.IntegersAreIncrements;
         return isPlain
             ? new(PlainAxis('X', at.X, given), PlainAxis('Y', at.Y, given), PlainAxis('Z', at.Z, given))
             : new(Axis('X', at.X, given, incremental), Axis('Y', at.Y, given, incremental), Axis('Z', at.Z, given, incremental));
     }
 
-    /// <summary>A word as a factor; without a point it counts thousandths.</summary>
+    /// <summary>A word as a factor; without a decimal point it counts thousandths.</summary>
     public double Factor(char letter) => Words.Value(letter) / ((Words.Integers & BlockWords.Bit(letter)) != 0 ? 1000 : 1);
 
-    /// <summary>Sums of increments, as exact as the control's: the double nearest to the decimal, ten digits behind the point.</summary>
+    /// <summary>A sum of increments, as exact as the control's: the double nearest to the decimal with ten places.</summary>
     public static double Sum(double start, double increment) => Math.Round(start + increment, 10);
 
-    /// <summary>A value for each axis that the block names, and another one for the others.</summary>
+    /// <summary>One value for each axis that the block names, and another for the rest.</summary>
     public Vector3 Along(Func<char, double> value, double otherwise) =>
         new(Words.Has('X') ? value('X') : otherwise, Words.Has('Y') ? value('Y') : otherwise, Words.Has('Z') ? value('Z') : otherwise);
 

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Canned cycles as the motions that they are made of.</summary>
+/// <summary>Converts canned cycles to their motions.</summary>
 internal sealed class CannedCycles(
     ControlState control,
     BlockValues values,
@@ -12,13 +12,11 @@ internal sealed class CannedCycles(
     OffTheWall wall,
     CycleSteps steps)
 {
-    /// <summary>
-    /// How far above the last depth a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch; other controls have a parameter for it (assumed
-    /// the same).
-    /// </summary>
+    /// <summary>Distance above the last depth at which a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch. Other controls have a
+    /// parameter for it (assumed equal).</summary>
     private const double PeckClearanceMm = 0.254;
 
-    // Where the tool was along its axis when the first cycle began, and the words that hold on from block to block.
+    // The tool's height when the first cycle began, and the modal words of the cycle.
     private double _initial;
     private (double Depth, double Plane, double Peck, bool HasPlane) _words;
     private AxisSet _unknown;
@@ -38,7 +36,7 @@ internal sealed class CannedCycles(
         control.State.Unsure &= ~Unsure.Mode;
     }
 
-    /// <summary>Runs the cycle in force at the place of the block.</summary>
+    /// <summary>Runs the active cycle at the block's place.</summary>
     public void Drill(MotionFlags flags)
     {
         flags |= MotionFlags.Cycle;
@@ -49,7 +47,7 @@ internal sealed class CannedCycles(
         ReadWords(axis, toolAxis);
         if (control.State.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
         {
-            // Measured with rs274: its feeds go along other axes than its rapids.
+            // Measured with rs274: its feeds use other axes than its rapids.
             result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.",
                 MotionFlags.None);
             writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
@@ -59,7 +57,7 @@ internal sealed class CannedCycles(
         var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane;
         if (!isKnown || control.State.Cycle == NcMeaning.OpaqueCycle)
         {
-            // Over the position, at a height that depends.
+            // It ends over the position, at the height of the retract mode.
             var height = control.State.RetractsToR && control.State.Cycle != NcMeaning.BackBoreCycle ? _words.Plane : _initial;
             writer.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height),
                 (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
@@ -92,7 +90,7 @@ internal sealed class CannedCycles(
         }
     }
 
-    // The R plane counts from where the cycle began, the depth from the R plane, where coordinates are increments.
+    // If coordinates are increments, the R plane is relative to the cycle's initial height, and the depth to the R plane.
     private void ReadWords(char axis, AxisSet toolAxis)
     {
         if (values.Words.Has('R'))
@@ -124,7 +122,7 @@ internal sealed class CannedCycles(
         var height = plane.Height(control.State.Position);
         if (first && values.ListsIdleMoves)
         {
-            // LinuxCNC asks where the cycle began, not where the tool is.
+            // LinuxCNC checks the cycle's initial height, not the tool's.
             if (_initial < top)
             {
                 writer.Append(MotionKind.Rapid, flags, plane.Lift(plane.Project(control.State.Position), top), control.State.Unknown);
@@ -171,7 +169,7 @@ internal sealed class CannedCycles(
         ToHeight(MotionKind.Rapid, flags, clear);
     }
 
-    // From the bottom: off the wall, out, back over the hole.
+    // From the bottom: shifts off the wall, retracts, and moves back over the hole.
     private void LeaveOffTheWall(MotionFlags flags, Point2 place, AxisSet unknown, double clear)
     {
         wall.Shift(flags, place, unknown, away: true);
@@ -179,7 +177,8 @@ internal sealed class CannedCycles(
         wall.Shift(flags, place, unknown, away: false);
     }
 
-    // The tool passes the hole off its wall, cuts upwards from the R plane below, and leaves to where it began, whatever G98 and G99 say.
+    // The tool passes the hole shifted off its wall, cuts upwards from the R plane below, and returns to its initial height, regardless
+    // of G98 and G99.
     private void BackBore(MotionFlags flags, Point2 place, AxisSet unknown)
     {
         var plane = control.State.Plane;
@@ -201,7 +200,7 @@ internal sealed class CannedCycles(
 
     private void Pecks(MotionFlags flags, double bottom, double top)
     {
-        // Counted, since a peck can be too short to change a large height.
+        // Limited by a count, because a peck can be too short to change a large height.
         var (most, depth) = (PecksOfHole(), BlockValues.Sum(top, -_words.Peck));
         for (var peck = 0; peck < most && depth > bottom; peck++, depth = BlockValues.Sum(depth, -_words.Peck))
         {

@@ -2,16 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What the control remembers from block to block, and how codes switch it.</summary>
+/// <summary>The control's state from block to block, and how codes change it.</summary>
 /// <param name="dialect">The control.</param>
 internal sealed class ControlState(NcDialect dialect)
 {
     public const double MmPerInch = 25.4;
 
-    /// <summary>Modes and the place of the tool: all that plain cuts hang on, so a run can be compared with another one by it.</summary>
+    /// <summary>Modes and the tool's place: all that plain cuts depend on, so that two runs can be compared by it.</summary>
     public ModalState State = ModalState.Initial with { RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc };
 
-    /// <summary>The millimeters of a length that is stated as 1.</summary>
+    /// <summary>Millimeters per programmed unit of length.</summary>
     public double Unit => State.Inch ? MmPerInch : 1;
 
     /// <summary>Decimals of the least increment.</summary>
@@ -50,7 +50,7 @@ internal sealed class ControlState(NcDialect dialect)
         State.Unsure &= ~Unsure.Compensation;
     }
 
-    /// <summary>The first motion in the plane behind G41, G42 or G40 is the entry or the exit.</summary>
+    /// <summary>The first motion in the plane after G41, G42 or G40 is the entry or the exit.</summary>
     public MotionFlags SwitchCompensation(bool movesInPlane)
     {
         if (!State.CompensationSwitched || !movesInPlane)
@@ -62,7 +62,7 @@ internal sealed class ControlState(NcDialect dialect)
         return MotionFlags.CompensationSwitches;
     }
 
-    /// <summary>Nothing is certain until it is stated again.</summary>
+    /// <summary>Marks modes as unsure until the program states them again.</summary>
     public void Forget()
     {
         State.Unsure = Unsure.All;

@@ -2,15 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Offsets and transforms as layers: machine = origin of the work offset + tool length + rotation of (work + shift); work = transforms of
-/// what is programmed.
-/// Motions are in work coordinates. The tool stays where it is when a layer changes; what its coordinates are then follows as far as it is
-/// known.
-/// </summary>
-/// <param name="control">Where the tool is, as programmed.</param>
-/// <param name="result">Takes problems.</param>
-/// <param name="run">Where variables are that a change of layers makes unknown.</param>
+/// <summary>Offsets and transformations as layers: machine = origin of the work offset + tool length + rotation of (work + shift); work =
+/// transformations of programmed coordinates. Motions are in work coordinates. When a layer changes, the tool stays in place, and its
+/// coordinates are recalculated as far as they are known.</summary>
+/// <param name="control">Holds the tool's programmed place.</param>
+/// <param name="result">Receives problems.</param>
+/// <param name="run">Holds the variables that a change of layers makes unknown.</param>
 internal sealed class CoordinateLayers(ControlState control, RunResult result, ProgramRun run)
 {
     private readonly List<NcFrame> _frames =
@@ -24,10 +21,10 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
 
     public ProgramTransforms Transforms { get; } = new();
 
-    /// <summary>Places that the program has stored (G28.1, G30.1), by the code that goes there.</summary>
+    /// <summary>Places that the program stored (G28.1, G30.1), by the code that moves there.</summary>
     public Dictionary<int, (Point3 Place, AxisSet Unknown)> Stored { get; } = [];
 
-    /// <summary>The layers from each of their changes on.</summary>
+    /// <summary>The layers after each of their changes.</summary>
     public IReadOnlyList<NcFrame> Frames => _frames;
 
     /// <summary>The work coordinates of a programmed place.</summary>
@@ -42,27 +39,27 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
         return (frame.Apply(programmed), unknown == AxisSet.None || frame.KeepsAxes ? unknown : AxisSet.All);
     }
 
-    /// <summary>Where the tool is, in work coordinates.</summary>
+    /// <summary>The tool's place in work coordinates.</summary>
     public (Point3 Place, AxisSet Unknown) Tool() => Work(control.State.Position, control.State.Unknown);
 
-    /// <summary>What is programmed to reach a place of the work.</summary>
+    /// <summary>The programmed coordinates of a place in work coordinates.</summary>
     public Point3 Programmed(Point3 work) => Transforms.Inverse?.Apply(work) ?? work;
 
-    /// <summary>States where the tool is, in work coordinates.</summary>
+    /// <summary>Sets the tool's place in work coordinates.</summary>
     public void SetTool(Point3 work, AxisSet unknown)
     {
         control.State.Position = Programmed(work);
         control.State.Unknown = unknown == AxisSet.None || Transforms.Frame is not { KeepsAxes: false } ? unknown : AxisSet.All;
     }
 
-    /// <summary>The coordinates of the place where the tool stands change by this much.</summary>
+    /// <summary>Adds a vector to the coordinates of the tool's current place.</summary>
     public void MoveWork(Vector3 by, AxisSet unknown)
     {
         var (place, was) = Tool();
         SetTool(place + by, was | unknown);
     }
 
-    /// <summary>The tool is seen from another origin.</summary>
+    /// <summary>Recalculates the tool's coordinates for another origin.</summary>
     public void SeeFrom(WorkOrigin was, WorkOrigin now, AxisSet unknownDifference, Vector3 shift)
     {
         var (place, unknown) = Tool();
@@ -70,7 +67,7 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
         SetTool(place, unknown);
     }
 
-    /// <summary>Transforms have changed; the tool is where it was.</summary>
+    /// <summary>Applies changed transformations; the tool stays in place.</summary>
     public void Recompose((Point3 Place, AxisSet Unknown) work)
     {
         if (!Transforms.Compose())
@@ -83,7 +80,7 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
         NextFrame();
     }
 
-    /// <summary>A layer has changed: motions from here on name another frame.</summary>
+    /// <summary>A layer changed: later motions get another frame.</summary>
     public void NextFrame()
     {
         run.ForgetMachine();
@@ -94,14 +91,14 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
             Shift.Unknown, programShift, isTransformed));
     }
 
-    /// <summary>After a call or an unknown statement nothing is certain until it is stated again.</summary>
+    /// <summary>After a call or an unknown statement, nothing is certain until the program states it again.</summary>
     public void Forget()
     {
         control.Forget();
         ForgetOrigins();
     }
 
-    /// <summary>Whatever ran unseen could have written offsets and stored places, and chosen another offset.</summary>
+    /// <summary>Anything that ran unseen could have written offsets and stored places, and selected another offset.</summary>
     public void ForgetOrigins()
     {
         Offsets.Forget();
@@ -109,7 +106,7 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
         Shift.Forget();
     }
 
-    /// <summary>Offsets of the control could be anything from here on.</summary>
+    /// <summary>From here on, the control's offsets are unknown.</summary>
     public void LoseOrigin()
     {
         ForgetOrigins();

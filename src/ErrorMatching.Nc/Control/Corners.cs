@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Corner words: a rounding or a chamfer between the motion that has the word and the next one in the plane.</summary>
+/// <summary>Handles corner words: a rounding or chamfer between the motion that has the word and the next one in the plane.</summary>
 internal sealed class Corners(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result, MotionWriter writer)
 {
     private (byte Letter, double Value) _pending;
 
-    /// <summary>True if a corner waits for the next motion.</summary>
+    /// <summary>True if a corner is pending until the next motion.</summary>
     public bool IsPending => _pending.Letter != 0;
 
-    /// <summary>Keeps the corner that the block asks for behind its motion.</summary>
+    /// <summary>Stores the block's corner for the end of its motion.</summary>
     public void Keep(MotionKind kind)
     {
         var letter = values.Words.Corner;
@@ -24,8 +24,8 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             : default;
     }
 
-    /// <summary>Cuts it. Called with the motion that follows, before it is appended: its start moves to the end of the corner.
-    /// The center is one of the work.</summary>
+    /// <summary>Inserts the corner. Call it with the next motion before that is appended: its start moves to the end of the corner. The
+    /// center is in work coordinates.</summary>
     public void Cut(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2? center)
     {
         var (letter, value) = _pending;
@@ -39,7 +39,7 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             && kind is MotionKind.Line or MotionKind.Rapid
             && plane.Project(end) == plane.Project(control.State.Position))
         {
-            // Siemens inserts nothing where the next motion leaves the plane.
+            // Siemens inserts nothing if the next motion leaves the plane.
             _pending = default;
             return;
         }
@@ -81,10 +81,10 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         result.Block = block;
     }
 
-    /// <summary>Lets it go without a word: the tool leaves the plane first.</summary>
+    /// <summary>Drops the corner without a problem: the tool leaves the plane first.</summary>
     public void Drop() => _pending = default;
 
-    /// <summary>It is asked for and cannot be followed: where the tool leaves the element before is not known.</summary>
+    /// <summary>Reports a corner that cannot be followed: where the tool leaves the previous element is unknown.</summary>
     public void Lose()
     {
         if (IsPending)
@@ -111,14 +111,14 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         var vertex = before.PlaneEnd;
         if (letter != 'R')
         {
-            // A chamfer by its legs, or by its width.
+            // A chamfer by its leg length or by its width.
             var leg = letter == 'C' ? value : value / (2 * Math.Cos(Math.Atan2(Math.Abs(turn), a.Dot(b)) / 2));
             return before.IsArc || behind.IsArc || leg >= before.PlaneLength || leg >= behind.PlaneLength
                 ? null
                 : (MotionKind.Line, vertex - (a * leg), vertex + (b * leg), default);
         }
 
-        // The center lies one radius inside both.
+        // The center is one radius inside both.
         var left = turn > 0 ? value : -value;
         if (Inside(before, left) is not { } first || Inside(behind, left) is not { } second || first.Meet(second, vertex) is not { } center)
         {

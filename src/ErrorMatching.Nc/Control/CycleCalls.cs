@@ -4,12 +4,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the reference
-/// plane. Drilling, boring, tapping and
-/// patterns of holes are followed; of all others only the return plane is known. The motions are those of the Siemens cycles guide
-/// (docs/dialects.md says what of them is assumed).
-/// </summary>
+/// <summary>Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the
+/// reference plane. Drilling, boring, tapping and hole patterns are followed; of all others, only the return plane is known. The motions
+/// follow the Siemens cycles guide (docs/dialects.md lists the assumptions).</summary>
 internal sealed class CycleCalls(
     ControlState control,
     ProgramRun run,
@@ -19,21 +16,21 @@ internal sealed class CycleCalls(
     HoleCycles holes,
     HolePatterns patterns)
 {
-    // What is called behind every motion, and what the block calls.
+    // The call that runs after every motion, and the block's own call.
     private CycleCall? _modal;
     private CycleCall? _once;
     private bool _nextIsModal;
 
-    /// <summary>True if no call waits for a motion or a block.</summary>
+    /// <summary>True if no call is pending for a motion or a block.</summary>
     public bool AreNone => _once is null && _modal is null && !_nextIsModal;
 
-    /// <summary>True if the block says that the call behind it runs behind every motion (MCALL).</summary>
+    /// <summary>True if the next call of the block runs after every motion (MCALL).</summary>
     public bool NextIsModal => _nextIsModal;
 
-    /// <summary>MCALL: ends the call behind every motion; the next call of the block takes its place.</summary>
+    /// <summary>MCALL: ends the modal call; the block's next call replaces it.</summary>
     public void BeginModal() => (_modal, _nextIsModal) = (null, true);
 
-    /// <summary>Takes a call with its arguments.</summary>
+    /// <summary>Stores a call with its arguments.</summary>
     public void Call(NcToken token)
     {
         var name = run.NameOf(token);
@@ -50,7 +47,7 @@ internal sealed class CycleCalls(
         }
     }
 
-    /// <summary>Runs behind the block's own motion the cycle that it calls, or the one that is called behind every motion.</summary>
+    /// <summary>After the block's own motion, runs the cycle that it calls or the modal call.</summary>
     public void RunBehind(bool moved)
     {
         if ((_once ?? (moved ? _modal : null)) is { } call)
@@ -64,7 +61,7 @@ internal sealed class CycleCalls(
 
     private void Run(CycleCall call)
     {
-        // It leaves the plane first, so that no corner is rounded.
+        // The tool leaves the plane first, so no corner is rounded.
         corners.Drop();
         if (patterns.PlacesOf(call) is { } places)
         {
@@ -78,7 +75,7 @@ internal sealed class CycleCalls(
             return;
         }
 
-        // Drilling cycles end over their hole at the return plane; of patterns, pockets and the like not even that is known.
+        // Drilling cycles end over their hole at the return plane; for other cycles (patterns, pockets and the like), even that is unknown.
         result.Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
         var plane = control.State.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();
@@ -109,11 +106,11 @@ internal sealed class CycleCalls(
             }
         }
 
-        // At which end it stops could differ from version to version of the cycle.
+        // The end at which it stops could depend on the version of the cycle.
         control.State.Unknown |= places.Count > 1 ? plane.Axes() : AxisSet.None;
     }
 
-    // One value a comma, null where nothing stands; NaN where only the machine knows it.
+    // One value per argument: null if omitted, NaN if only the machine knows it.
     private List<double?> ArgumentsOf(NcToken call)
     {
         var bytes = run.BytesOf(call);

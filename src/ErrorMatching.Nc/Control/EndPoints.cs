@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Where a block goes, as programmed.</summary>
+/// <summary>The programmed end of a block.</summary>
 internal sealed class EndPoints(ControlState control, BlockValues values, CoordinateLayers layers, BlockIntent intent)
 {
     /// <summary>The end of the block's motion.</summary>
@@ -26,9 +26,8 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
         return (end, intent.HasUnknownCode ? AxisSet.All : unknown | values.UnknownWords());
     }
 
-    /// <summary>
-    /// LinuxCNC's @ and ^ are the polar coordinates of the end in the plane XY, or how much they grow; what is not said stays.
-    /// </summary>
+    /// <summary>LinuxCNC's @ and ^ are the polar coordinates of the end in the XY plane, or their increments; an omitted one
+    /// stays.</summary>
     public (Point3 End, AxisSet Unknown) PolarWordsTarget(Point3 at, AxisSet unknown)
     {
         var from = new Vector2(at.X, at.Y);
@@ -46,7 +45,7 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
             : (new(distance * cos, distance * sin, z), unknownZ | values.UnknownWords());
     }
 
-    // The first axis of the plane is a radius about the origin, the second an angle.
+    // The first axis of the plane is a radius about the origin; the second is an angle.
     private (Point3 End, AxisSet Unknown) PolarTarget()
     {
         var plane = control.State.Plane;

@@ -2,17 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance over the reference plane, to depth at feed (CYCLE83 in
-/// strokes), out as each cycle does, rapid to
-/// the return plane.
-/// </summary>
+/// <summary>Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance above the reference plane, feed to depth
+/// (CYCLE83 in strokes), retract as each cycle does, rapid to the return plane.</summary>
 internal sealed class HoleCycles(ControlState control, MotionWriter writer, CycleSteps steps)
 {
-    /// <summary>
-    /// The heights that a call states. Null where it is not followed: heights that nobody stated, or arguments that change what the others
-    /// mean.
-    /// </summary>
+    /// <summary>The heights that a call states. Null if it is not followed: heights are missing, or arguments change the meaning of
+    /// others.</summary>
     public CalledHole? HoleOf(CycleCall call)
     {
         if (IsFollowed(call) && call[0] * control.Unit is { } top && call[1] * control.Unit is { } reference
@@ -26,12 +21,11 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         return null;
     }
 
-    /// <summary>Depths from the reference plane at which the strokes end; null where nothing published says what the cycle does.</summary>
+    /// <summary>Depths below the reference plane at which the strokes end; null if no published source says what the cycle does.</summary>
     /// <remarks>
-    /// CYCLE83: first depth FDEP or FDPR, then each stroke shorter by DAM until it is DAM; strokes of DAM while more than twice DAM
-    /// remains; the rest in two halves. Without DAM all
-    /// strokes are as long as the first, the last one ends at the depth (assumed). VARI=0 lifts at feed to break the chip, VARI=1 leaves
-    /// the hole. Other cycles have one stroke.
+    /// CYCLE83: the first depth is FDEP or FDPR. Then each stroke is shorter by DAM until it is DAM. Strokes of DAM follow while more
+    /// than twice DAM remains; two halves cover the rest. Without DAM, all strokes are as long as the first, and the last one ends at the
+    /// depth (assumed). VARI=0 lifts at feed to break the chip; VARI=1 leaves the hole. Other cycles have one stroke.
     /// </remarks>
     public List<double>? StrokesOf(CycleCall call, CalledHole hole)
     {
@@ -55,8 +49,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
             at = BlockValues.Sum(at, stroke);
             if (at >= total || stroke == 0)
             {
-                // A stroke that the rules would make longer than what remains is none of theirs, but for the first one and where all are
-                // alike.
+                // The rules do not cover a stroke longer than the remaining depth, except for the first stroke and if all are equal.
                 return at == total || strokes.Count == 0 || less == 0 ? [.. strokes, total] : null;
             }
 
@@ -64,7 +57,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
             stroke = less == 0 ? stroke : Math.Max(BlockValues.Sum(stroke, -less), less);
             if (less > 0 && stroke == less && BlockValues.Sum(total, -at) <= BlockValues.Sum(less, less))
             {
-                // Halves are always longer than half of the degression, says the rule; of a shorter rest it says nothing.
+                // The rule says that halves are always longer than half of the degression; it does not cover a shorter rest.
                 return BlockValues.Sum(total, -at) > less ? [.. strokes, at + ((total - at) / 2), total] : null;
             }
         }
@@ -72,7 +65,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         return null;
     }
 
-    /// <summary>Runs the call over the place where the tool is.</summary>
+    /// <summary>Runs the call over the tool's current place.</summary>
     public void Run(CycleCall call, CalledHole hole, IReadOnlyList<double> strokes)
     {
         var feed = control.State.Feed;
@@ -102,8 +95,8 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         ToKnownHeight(MotionKind.Rapid, hole.Return);
     }
 
-    // Which arguments say no more than depth, feed, waits and spindle. Those behind are of later versions: geometry mode (of what the depth
-    // is), display mode (the plane), alternative mode (how arguments are read).
+    // Calls whose arguments state only depth, feed, waits and spindle. Later arguments are from later versions: geometry mode (reference
+    // of the depth), display mode (the plane), alternative mode (how arguments are read).
     private bool IsFollowed(CycleCall call) => call.Number switch
     {
         81 or 82 => HasUsualModes(call, 6),
@@ -118,11 +111,11 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         _ => false,
     };
 
-    // The third axis is the tool's, in whichever plane.
+    // The third axis is the tool axis, in every plane.
     private static bool IsToolAxis(double? axis) => axis is null or 0 or 3;
 
-    // The alternative mode says which of both depths counts (ones: 1 below the reference plane, 2 the place) and what waits are counted in
-    // (tens).
+    // The alternative mode selects which of both depths applies (ones digit: 1 below the reference plane, 2 the position) and the unit of
+    // waits (tens digit).
     private bool HasUsualModes(CycleCall call, int geometry)
     {
         var plane = control.State.Plane switch { CoordinatePlane.ZX => 2, CoordinatePlane.YZ => 3, _ => 1 };
@@ -137,7 +130,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         var (down, feed, removes) = (hole.Depth < hole.Reference ? -1 : 1, control.State.Feed, call[11] == 1);
         var lift = LengthOr(call[14], 1);
 
-        // How far above the last depth a rapid ends: stated, or by the depth of the hole.
+        // Distance above the last depth at which a rapid ends: stated, or by the depth of the hole.
         var total = Math.Abs(hole.Depth - hole.Reference);
         var ahead = LengthOr(call[16], total <= 30 ? 0.6 : Math.Min(total / 50, 7));
         control.State.Feed = feed * (call[10] is > 0 and var factor ? factor : 1);
@@ -176,11 +169,12 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
 
     private double LengthOr(double? stated, double length) => stated is null or 0 ? length : Math.Abs(stated.Value) * control.Unit;
 
-    // A feed that only the machine knows is none that can be shown.
+    // A feed that only the machine knows cannot be shown.
     private double FeedOr(double? stated, double feed) => stated is { } f && f > 0
         ? f * (control.State.InchFeed ? ControlState.MmPerInch : 1) : feed;
 
-    // CYCLE86: along up to three axes off the wall, up to the start, then back over the hole on the way to the return plane.
+    // CYCLE86: lifts off the wall along up to three axes, retracts to the start, then moves back over the hole on the way to the return
+    // plane.
     private void LiftOff(CycleCall call, CalledHole hole)
     {
         var lift = new Vector2(call[7] ?? 0, call[8] ?? 0) * control.Unit;

@@ -5,7 +5,7 @@ namespace ErrorMatching.Nc;
 /// <summary>Siemens patterns of holes: a row (HOLES1), a circle (HOLES2), a grid or frame (CYCLE801).</summary>
 internal sealed class HolePatterns(ControlState control, CycleSteps steps)
 {
-    /// <summary>The places of a call. Null where it is no pattern, or one whose places are not known.</summary>
+    /// <summary>The places of a call. Null if it is not a pattern, or if its places are unknown.</summary>
     public List<Point2>? PlacesOf(CycleCall call)
     {
         var places = call.Name switch
@@ -30,8 +30,8 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
         return (int)number;
     }
 
-    // SPCA, SPCO (a point of the row), STA1 (angle to the first axis), FDIS (from there to the first hole), DBH (between holes), NUM.
-    // It begins at the end that is nearer.
+    // SPCA, SPCO (a point of the row), STA1 (angle to the first axis), FDIS (from there to the first hole), DBH (between holes), NUM. It
+    // begins at the nearer end.
     private List<Point2>? Row(CycleCall call, int count)
     {
         var along = Vector2.FromDirection(Angle.FromDegrees(call[2] ?? 0));
@@ -57,7 +57,7 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
         return places;
     }
 
-    // CPA, CPO (center), RAD, STA1 (angle of the first hole), INDA (from hole to hole; 0 or nothing: all around), NUM.
+    // CPA, CPO (center), RAD, STA1 (angle of the first hole), INDA (from hole to hole; 0 or omitted: full circle), NUM.
     private List<Point2> Circle(CycleCall call, int count)
     {
         var step = call[4] is null or 0 ? 360.0 / count : call[4]!.Value;
@@ -71,7 +71,7 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
     }
 
     // SPCA, SPCO (a corner), STA (angle to the first axis), DIS1, DIS2 (between columns, rows), NUM1, NUM2 (columns, rows), VARI (1: the
-    // border only). In which order is the control's affair.
+    // border only). The control determines the order.
     private List<Point2>? Grid(CycleCall call)
     {
         if (CountOf(call[5]) is not { } columns || CountOf(call[6]) is not { } rows)
@@ -96,7 +96,7 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
         return places;
     }
 
-    // As exact as the sums of increments are.
+    // As exact as sums of increments.
     private Point2 Place(CycleCall call, Vector2 from) =>
         new(
             BlockValues.Sum((call[0] ?? 0) * control.Unit, from.X * control.Unit),

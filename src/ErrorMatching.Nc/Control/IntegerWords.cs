@@ -2,9 +2,8 @@ using System.Numerics;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Counts coordinates without a point, which count millimeters on one machine and least increments on another of the same make.
-/// </summary>
+/// <summary>Counts coordinates without a decimal point, which are millimeters on one machine and least increments on another of the same
+/// make.</summary>
 /// <param name="program">The program.</param>
 /// <param name="values">The words of its blocks.</param>
 internal sealed class IntegerWords(NcProgram program, BlockValues values)
@@ -13,12 +12,13 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
 
     private int _first;
 
-    /// <summary>True if they are worth counting on this control.</summary>
+    /// <summary>True if this control needs the count.</summary>
     public bool Matter { get; } = values.Dialect.NotesNumbersWithoutPoint;
 
     public long Count { get; private set; }
 
-    /// <summary>Counts those of a block. Zero is zero in any unit; times, counts and codes have no unit that a point changes.</summary>
+    /// <summary>Counts those of a block. Ignores zeros, which are equal in any unit, and times, counts and codes, whose unit does not
+    /// depend on a point.</summary>
     public void CountIn(int block)
     {
         var words = values.Words;
@@ -32,13 +32,13 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
         }
     }
 
-    /// <summary>Counts those of blocks that another run has executed, the first of which need not be named.</summary>
+    /// <summary>Adds those of blocks that another run executed, whose first one needs no note.</summary>
     public void Add(long count) => Count += count;
 
-    /// <summary>Goes on where another run has come to.</summary>
+    /// <summary>Continues with the counts of another run.</summary>
     public void Join(IntegerWords ahead) => (_first, Count) = (Count > 0 ? _first : ahead._first, Count + ahead.Count);
 
-    /// <summary>What has to be said of them.</summary>
+    /// <summary>The notes about them.</summary>
     public IEnumerable<NcNote> Notes()
     {
         if (Count > 0)

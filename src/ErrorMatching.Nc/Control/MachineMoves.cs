@@ -2,10 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Moves to places of the machine (G53, G28, G30): machine = origin of the work offset + tool length + rotation of (work + shift). They are
-/// known as far as the program itself has set all of these.
-/// </summary>
+/// <summary>Moves to machine positions (G53, G28, G30): machine = origin of the work offset + tool length + rotation of (work + shift).
+/// They are known as far as the program itself has set all of these.</summary>
 internal sealed class MachineMoves(
     ControlState control,
     BlockValues values,
@@ -16,17 +14,15 @@ internal sealed class MachineMoves(
     EndPoints ends,
     Corners corners)
 {
-    /// <summary>Stores the place where the tool stands (G28.1, G30.1).</summary>
+    /// <summary>Stores the tool's current place (G28.1, G30.1).</summary>
     public void Store()
     {
         result.DependOnPlace();
         layers.Stored[intent.Reference] = MachinePlace();
     }
 
-    /// <summary>
-    /// G53. Increments are no places of the machine. A cut stays a cut. A rapid to a place that only the machine knows is a move of its own
-    /// kind.
-    /// </summary>
+    /// <summary>G53. Increments are not machine positions. A cut stays a cut. A rapid to a place that only the machine knows has its own
+    /// kind.</summary>
     public void Move(MotionFlags flags)
     {
         var named = values.GivenAxes();
@@ -44,10 +40,8 @@ internal sealed class MachineMoves(
         corners.Keep(kind);
     }
 
-    /// <summary>
-    /// G28, G30: over the point that the block names to the stored place, which only the machine knows unless the program itself has stored
-    /// it.
-    /// </summary>
+    /// <summary>G28, G30: through the point that the block names to the stored place, which only the machine knows unless the program
+    /// itself stored it.</summary>
     public void Return(MotionFlags flags)
     {
         corners.Lose();
@@ -69,7 +63,7 @@ internal sealed class MachineMoves(
             return;
         }
 
-        // The axes that are named are those of the work, however its offset is turned.
+        // The named axes are work axes, even if the offset is rotated.
         var (there, unknownThere) = ToMachine(AxisSet.All, stored.Place, stored.Unknown);
         var end = control.State.Position + named.PartOf(there - control.State.Position);
         writer.Append((unknownThere & named) == AxisSet.None ? MotionKind.Rapid : MotionKind.Reference, flags, end,
@@ -95,7 +89,7 @@ internal sealed class MachineMoves(
             origin.Degrees is { } d ? (d == 0 ? unknown : WorkOrigin.Mixed(unknown)) : unknown | AxisSet.X | AxisSet.Y);
     }
 
-    // What is programmed to bring the named axes to a place of the machine; the others stay.
+    // The programmed end that brings the named axes to a machine position; the others stay.
     private (Point3 End, AxisSet Unknown) ToMachine(AxisSet named, Point3 machine, AxisSet unknownMachine)
     {
         var origin = layers.Offsets.Origin;
@@ -111,7 +105,7 @@ internal sealed class MachineMoves(
         return (Known(layers.Programmed(target), unknownEnd), unknownEnd);
     }
 
-    // Coordinates that are not known keep what was last said.
+    // Unknown coordinates keep their last value.
     private Point3 Known(Point3 end, AxisSet unknown)
     {
         var at = control.State.Position;

@@ -1,16 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// What depends on the machine and not on the program: whether a block behind a slash is executed, and whether a semicolon ends a block.
-/// </summary>
+/// <summary>Handles what depends on the machine, not the program: whether a block after a slash is executed, and whether a semicolon ends
+/// a block.</summary>
 internal sealed class MachineSwitches(BlockValues values, ProgramRun run, CoordinateLayers layers, RunResult result, BlockReader reader)
 {
     private const string OnlyHere = "The result holds for this position of the switch only.";
     private const string SplitHere = "Begin a line for them, or put a comment in parentheses.";
 
-    /// <summary>
-    /// Passes over a block behind a slash, or refuses it while nobody has said whether it is executed. True if it is not to be run.
-    /// </summary>
+    /// <summary>Skips a block after a slash if block skip is on; if the setting is unknown, refuses one that changes anything. True if the
+    /// block must not run.</summary>
     public bool PassesSkip(NcBlock block)
     {
         var text = run.Text.BytesOf(block);
@@ -47,10 +45,8 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
         return true;
     }
 
-    /// <summary>
-    /// Where a semicolon ends the block, words behind it are executed and not followed here; where it begins a comment, another machine
-    /// could still execute them.
-    /// </summary>
+    /// <summary>If the semicolon ends the block, words after it are executed but not followed here. If it begins a comment, another
+    /// machine could still execute them.</summary>
     public MotionFlags ReadSemicolon()
     {
         if (values.Dialect.Syntax != NcSyntax.Iso
@@ -75,7 +71,7 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
             MotionFlags.UnknownWord);
     }
 
-    /// <summary>The same for a block that decides how the program goes on: it could go on behind the words.</summary>
+    /// <summary>The same for a block that determines how the program continues: it could continue after the words.</summary>
     public bool RefusesSemicolon(NcBlock block)
     {
         if (values.Dialect is not { Syntax: NcSyntax.Iso, SemicolonEndsBlock: true } || !run.Text.BytesOf(block).Contains((byte)';'))

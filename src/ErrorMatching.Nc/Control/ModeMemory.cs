@@ -1,10 +1,8 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Modes that a program saves and restores (LinuxCNC M70 to M73), each call level for itself. As rs274 does it: what differs is stated
-/// again. The motion mode, the shift of G92 and the value of a
-/// tool length are not among them; a length that was in force comes back from the table.
-/// </summary>
+/// <summary>Modes that a program saves and restores (LinuxCNC M70 to M73), separately per call level. As in rs274, modes that differ are
+/// set again. The motion mode, the shift of G92 and the value of a tool length are not saved; an active length is restored from the
+/// table.</summary>
 internal sealed class ModeMemory(
     ControlState control,
     BlockValues values,
@@ -17,7 +15,7 @@ internal sealed class ModeMemory(
 {
     private readonly Dictionary<int, SavedModes> _saved = [];
 
-    /// <summary>The function of the block that saves or restores modes; harmless where it has none.</summary>
+    /// <summary>The function of the block that saves or restores modes; harmless if there is none.</summary>
     public FunctionRole RoleOfBlock()
     {
         foreach (var function in values.Words.Functions)
@@ -32,25 +30,25 @@ internal sealed class ModeMemory(
         return FunctionRole.Harmless;
     }
 
-    /// <summary>The modes in force.</summary>
+    /// <summary>The active modes.</summary>
     public SavedModes Now(bool atReturn) =>
         new(control.State, layers.Offsets.Chosen, layers.Offsets.IsUnsure, lengths.IsActive, layers.Transforms.OpaqueFamilies, atReturn);
 
-    /// <summary>Saves modes. Only feed and its mode are acted on before that; the other codes of the block come behind.</summary>
+    /// <summary>Saves modes. Only feed and its mode apply before that; the other codes of the block come after it.</summary>
     public void Save(SavedModes before)
     {
         var state = before.State;
         (state.Feed, state.InverseTime) = (control.State.Feed, control.State.InverseTime);
 
-        // Measured with rs274: M70 behind M73 changes what is restored at the end, not that it is.
+        // Measured with rs274: M70 after M73 changes what is restored at the end, not that it is restored.
         var atReturn = before.AtReturn || (_saved.TryGetValue(run.CallDepth, out var saved) && saved.AtReturn);
         _saved[run.CallDepth] = before with { State = state, AtReturn = atReturn };
     }
 
-    /// <summary>Drops what is saved at this level.</summary>
+    /// <summary>Discards the saved modes of this level.</summary>
     public void Drop() => _saved.Remove(run.CallDepth);
 
-    /// <summary>Restores what is saved at this level.</summary>
+    /// <summary>Restores the saved modes of this level.</summary>
     public MotionFlags Restore()
     {
         if (!_saved.TryGetValue(run.CallDepth, out var saved))
@@ -69,7 +67,7 @@ internal sealed class ModeMemory(
             return MotionFlags.None;
         }
 
-        // Measured with rs274: where a mode is restored, the rest of the block is lost.
+        // Measured with rs274: if a mode is restored, the rest of the block is lost.
         layers.Forget();
         return result.Problem(
             "words-beside-restore",
@@ -77,7 +75,7 @@ internal sealed class ModeMemory(
             MotionFlags.UnknownWord);
     }
 
-    /// <summary>A pass of a call ends.</summary>
+    /// <summary>Handles the end of a pass of a call.</summary>
     public void Return(int depth)
     {
         if (_saved.Remove(depth, out var saved) && saved.AtReturn)
@@ -88,7 +86,7 @@ internal sealed class ModeMemory(
 
     private void Take(SavedModes saved)
     {
-        // Whether a length or an offset is restored is not known where something ran unseen.
+        // If something ran unseen, it is unknown whether a length or an offset is restored.
         var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !layers.Offsets.IsUnsure
             && !saved.IsWorkOffsetUnsure;
         var modes = saved.State;

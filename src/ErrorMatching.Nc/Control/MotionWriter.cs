@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Moves the tool: adds motions in work coordinates, each with the modes in force.</summary>
+/// <summary>Moves the tool: adds motions in work coordinates, each with the active modes.</summary>
 internal sealed class MotionWriter(ControlState control, CoordinateLayers layers, RunResult result)
 {
     /// <summary>Moves the tool to a programmed place.</summary>
@@ -19,7 +19,7 @@ internal sealed class MotionWriter(ControlState control, CoordinateLayers layers
         state.Unknown = unknownEnd;
     }
 
-    /// <summary>Moves it straight on, where no layer lies between what is programmed and the work, and no corner is rounded.</summary>
+    /// <summary>Moves it on straight, for programmed coordinates that equal work coordinates and without a corner.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void AppendStraight(Point3 end, AxisSet unknownEnd)
     {

@@ -2,12 +2,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// How boring cycles take the tip off the wall at the bottom: the spindle stands in one direction, the tool shifts away from the tip,
-/// leaves, and shifts back (Fanuc G76, G87).
-/// How far is said by Q, but which way by a parameter of the machine; then nothing is known of the plane while the tool is shifted. I, J, K
-/// say both.
-/// </summary>
+/// <summary>How boring cycles take the tip off the wall at the bottom: the spindle stops in one orientation, the tool shifts away from
+/// the tip, retracts, and shifts back (Fanuc G76, G87). Q gives the distance, but a machine parameter gives the direction; then the place
+/// in the plane is unknown while the tool is shifted. I, J and K give both.</summary>
 internal sealed class OffTheWall(ControlState control, BlockValues values, MotionWriter writer)
 {
     private Vector2? _shift;
@@ -19,16 +16,15 @@ internal sealed class OffTheWall(ControlState control, BlockValues values, Motio
         _ => ('I', 'J'),
     };
 
-    /// <summary>True if K is a shift: in G18 and G19 beside the other letter; alone it is how often the cycle runs.</summary>
+    /// <summary>True if K is a shift: in G18 and G19, together with the other letter; alone it is the number of cycle runs.</summary>
     public bool ShiftsByK => control.State.Cycle is NcMeaning.FineBoreCycle or NcMeaning.BackBoreCycle
         && control.State.Plane != CoordinatePlane.XY && values.Words.Has(ShiftLetters.First) && values.Words.Has(ShiftLetters.Second);
 
-    /// <summary>Forgets how far: a cycle begins.</summary>
+    /// <summary>Clears the shift: a cycle begins.</summary>
     public void Begin() => _shift = null;
 
-    /// <summary>
-    /// Reads how far. Modal like the other words of a cycle: the last block counts that has one, Q or the center letters of the plane.
-    /// </summary>
+    /// <summary>Reads the shift. It is modal like the other words of a cycle: the last block with Q or the center letters of the plane
+    /// applies.</summary>
     public void Read()
     {
         var (first, second) = ShiftLetters;
@@ -53,7 +49,7 @@ internal sealed class OffTheWall(ControlState control, BlockValues values, Motio
         var to = away ? place + (_shift ?? Vector2.Zero) : place;
         unknown |= away && _shift is null ? plane.Axes() : AxisSet.None;
 
-        // Stated lengths are cut to at feed, those of the parameter are rapids.
+        // A stated shift is at feed; one by the machine parameter is a rapid.
         writer.Append(_shift is null ? MotionKind.Rapid : MotionKind.Line, flags, plane.Lift(to, plane.Height(control.State.Position)),
             unknown);
     }

@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes that choose a work offset (G54) and write one (G10).</summary>
+/// <summary>Codes that select a work offset (G54) or write one (G10).</summary>
 internal sealed class OffsetCodes(ControlState control, BlockValues values, CoordinateLayers layers)
 {
-    /// <summary>Chooses an offset.</summary>
+    /// <summary>Selects an offset.</summary>
     /// <param name="chosen">The code times ten, and its P word.</param>
     /// <param name="isKnown">False if the P word is a value that only the machine knows.</param>
     public void Choose((int Code, int Number) chosen, bool isKnown)
@@ -21,9 +21,8 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         layers.NextFrame();
     }
 
-    /// <summary>
-    /// G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) move no origin.
-    /// </summary>
+    /// <summary>G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) do
+    /// not move an origin.</summary>
     public void Write()
     {
         var table = values.Words.Has('L') ? (int)Math.Clamp(values.Words.Value('L'), -1, 10_000) : 2;
@@ -80,14 +79,14 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         layers.Offsets.Write(offset, now);
         if (offset == layers.Offsets.Chosen)
         {
-            // Measured with rs274: what it rotates is the place less the shift of G92.
+            // Measured with rs274: it rotates the place minus the shift of G92.
             var difference = (incremental ? AxisSet.None : was.Unknown & given) | values.UnknownWords();
             layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, isLinuxCnc ? Vector3.Zero : layers.Shift.Vector);
             layers.NextFrame();
         }
     }
 
-    // The offset is moved so that the place where the tool stands has the given coordinates in it.
+    // Moves the offset so that the tool's current place has the given coordinates in it.
     private void TouchOff((int Code, int Number) offset)
     {
         var given = values.GivenAxes();

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes that change a layer between what is programmed and the machine, by the axis words of their block.</summary>
+/// <summary>Codes that change a layer between programmed and machine coordinates by the axis words of their block.</summary>
 internal sealed class OriginCodes(
     BlockIntent intent,
     CoordinateLayers layers,
@@ -11,7 +11,7 @@ internal sealed class OriginCodes(
     ToolLengthCodes lengths,
     TransformCodes transforms)
 {
-    /// <summary>Does what the block asks.</summary>
+    /// <summary>Runs the block's code.</summary>
     public void Run()
     {
         if (intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling

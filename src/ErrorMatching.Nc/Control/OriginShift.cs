@@ -7,13 +7,13 @@ internal sealed class OriginShift
 {
     public Vector3 Vector { get; set; }
 
-    /// <summary>Axes in which it is not known.</summary>
+    /// <summary>Axes in which it is unknown.</summary>
     public AxisSet Unknown { get; set; }
 
-    /// <summary>The part of it that is G52's.</summary>
+    /// <summary>The part set by G52.</summary>
     public (Vector3 Vector, AxisSet Unknown) Local { get; set; }
 
-    /// <summary>What G92.3 brings back: before the program has set a shift itself, only the machine knows it.</summary>
+    /// <summary>The shift that G92.3 restores; until the program sets a shift itself, only the machine knows it.</summary>
     public (Vector3 Vector, AxisSet Unknown) Kept { get; private set; } = (Vector3.Zero, AxisSet.All);
 
     public void Keep() => Kept = (Vector, Unknown);

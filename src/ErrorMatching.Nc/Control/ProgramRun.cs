@@ -2,15 +2,12 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Where a run is: the file and the block, and the <see cref="NcFlow"/> that says where it goes on, once a block asks for it.
-/// </summary>
+/// <summary>The position of a run: the file and the block, and the <see cref="NcFlow"/> that decides where it continues, created when a
+/// block first needs it.</summary>
 internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library,
     CancellationToken cancellation)
 {
-    /// <summary>
-    /// How many blocks may run before a program counts as one that never ends: some tenths of a second's work, and more for a long file.
-    /// </summary>
+    /// <summary>Number of blocks that may run before a program counts as endless (some tenths of a second); long files get more.</summary>
     private const long LeastSteps = 500_000;
 
     private const long StepsPerBlock = 10;
@@ -26,10 +23,10 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public CancellationToken Cancellation => cancellation;
 
-    /// <summary>The file that is being read: the program itself, or one that it calls.</summary>
+    /// <summary>The current file: the program itself, or one that it calls.</summary>
     public NcProgram Text { get; private set; } = program;
 
-    /// <summary>The block of it that runs, or runs next.</summary>
+    /// <summary>The block of the file that runs, or runs next.</summary>
     public int At { get; set; }
 
     public bool HasEnded { get; set; }
@@ -39,7 +36,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public bool IsInProgram => ReferenceEquals(Text, Program);
 
-    /// <summary>True once a block has asked for the flow.</summary>
+    /// <summary>True once a block has needed the flow.</summary>
     public bool HasFlow => _flow is not null;
 
     public bool HasModalCall => _flow is { HasModalCall: true };
@@ -58,17 +55,17 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public NcRefusal? Refusal => _flow?.Refusal;
 
-    /// <summary>Goes where the flow has said.</summary>
+    /// <summary>Continues where the flow decided.</summary>
     public void Follow(FlowAction action)
     {
         HasEnded |= action == FlowAction.Stop;
         (Text, At) = (Flow.Program, Flow.Next);
     }
 
-    /// <summary>What variables of the machine hold is not known any more.</summary>
+    /// <summary>Marks the values of machine variables as unknown.</summary>
     public void ForgetMachine() => _flow?.Variables.ForgetMachine();
 
-    /// <summary>Computes a value: NaN where only the machine knows it, null where it is a variable that was never set.</summary>
+    /// <summary>Computes a value: NaN if only the machine knows it, null if it is a variable that was never set.</summary>
     public double? Compute(int start, int length) =>
         !Flow.TryValue(At, start, length, control.LeastDecimals, out var value) || value.Kind is NcValueKind.Unknown or NcValueKind.Text
             ? double.NaN
@@ -79,7 +76,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public ReadOnlySpan<byte> BytesOf(NcToken token) => Text.Bytes.Span.Slice(token.Start, token.Length);
 
-    /// <summary>The name that a statement begins with.</summary>
+    /// <summary>The name at the start of a statement.</summary>
     public ReadOnlySpan<byte> NameOf(NcToken statement)
     {
         var bytes = BytesOf(statement);
@@ -92,7 +89,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
         return bytes[..length];
     }
 
-    /// <summary>A word as written, or the beginning of one that is longer than anybody wants to read.</summary>
+    /// <summary>A word as written, or the beginning of one that is too long to show.</summary>
     public string TextOf(NcToken token) => token.Length <= LongestShown ? NcText.Decode(BytesOf(token))
         : NcText.Decode(BytesOf(token)[..LongestShown]) + "...";
 }

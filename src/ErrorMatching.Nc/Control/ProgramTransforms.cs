@@ -2,10 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Rotation, scale, mirror, polar coordinates and programmable frames between what is programmed and the work: which are active, and what
-/// all of them together are.
-/// </summary>
+/// <summary>Rotation, scaling, mirroring, polar coordinates and programmable frames between programmed and work coordinates: which are
+/// active, and their combined map.</summary>
 internal sealed class ProgramTransforms
 {
     private readonly double?[] _mirrors = new double?[3];
@@ -19,23 +17,23 @@ internal sealed class ProgramTransforms
 
     public ProgramFrame? Programmable { get; set; }
 
-    /// <summary>Of all of them; null where work coordinates are those programmed.</summary>
+    /// <summary>Maps programmed to work coordinates; null if they are equal.</summary>
     public ProgramFrame? Frame { get; private set; }
 
-    /// <summary>From the work to what is programmed.</summary>
+    /// <summary>Maps work to programmed coordinates.</summary>
     public ProgramFrame? Inverse { get; private set; }
 
-    /// <summary>True if none is active, and a coordinate is what is programmed.</summary>
+    /// <summary>True if none is active, so that a coordinate is the programmed one.</summary>
     public bool AreNone => Frame is null && _active == Transforms.None;
 
     /// <summary>True if coordinates in the plane are a radius and an angle.</summary>
     public bool IsPolar => (_active & Transforms.Polar) != Transforms.None;
 
-    /// <summary>True if more than a programmable shift is active, which alone changes no increment and no arc.</summary>
+    /// <summary>True if more than a programmable shift is active; a shift alone changes no increment and no arc.</summary>
     public bool AreMoreThanShift => _active != Transforms.None
         && (_isFlat || !(_active == Transforms.Programmable && (Frame is null || Frame.ShiftOnly is not null)));
 
-    /// <summary>The families of transformations that are not followed and are active, a bit each.</summary>
+    /// <summary>The families of active transformations that are not followed, one bit each.</summary>
     public ulong OpaqueFamilies
     {
         get => _opaqueFamilies;
@@ -46,7 +44,7 @@ internal sealed class ProgramTransforms
         }
     }
 
-    /// <summary>True if one is active, and if it is one that is not followed, one of this family; 0 counts for all.</summary>
+    /// <summary>True if a transformation is active. For one that is not followed, checks the family; 0 means all families.</summary>
     public bool Has(Transforms transform, int family) =>
         (_active & transform) != Transforms.None
             && (transform != Transforms.Opaque || family == 0 || (_opaqueFamilies & (1ul << family)) != 0);
@@ -56,12 +54,11 @@ internal sealed class ProgramTransforms
     /// <summary>True if an axis is mirrored.</summary>
     public bool HaveMirrors => Array.Exists(_mirrors, m => m is not null);
 
-    /// <summary>Mirrors at a place on an axis, 0 for X; null ends it.</summary>
+    /// <summary>Sets the mirror position of an axis, 0 for X; null ends it.</summary>
     public void Mirror(int axis, double? at) => _mirrors[axis] = at;
 
-    /// <summary>
-    /// Makes one frame of all: rotation of scale of mirror of programmable frame. False where a factor of zero makes all places one.
-    /// </summary>
+    /// <summary>Combines all into one frame: rotation of scale of mirror of programmable frame. False if a factor of zero maps all places
+    /// to one.</summary>
     public bool Compose()
     {
         var frame = Programmable ?? ProgramFrame.Identity;

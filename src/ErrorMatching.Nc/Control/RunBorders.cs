@@ -1,25 +1,22 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A program that has another one's bytes over long stretches does there what that one does. At the border of each stretch a run notes its
-/// state. Where a later run of a much like program arrives
-/// at a border in the same state, to the last bit, and up to the next border has the same bytes, which only move, it takes those motions
-/// over and goes on at that border. So the result is that of interpreting
-/// every block, for a block does nothing else in the same state.
-/// </summary>
+/// <summary>A program that shares long stretches of bytes with another does the same there. A run stores its state at the border of each
+/// stretch. Suppose a later run of a similar program reaches a border in exactly the same state, and the bytes up to the next border are
+/// equal and only move. Then it takes over those motions and continues at that border. The result equals interpreting every block,
+/// because a block does the same in the same state.</summary>
 internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult result, BlockExecutor executor)
 {
-    /// <summary>Blocks from border to border; a power of two.</summary>
+    /// <summary>Number of blocks from border to border; a power of two.</summary>
     public const int Stretch = 512;
 
     private readonly List<RunBorder> _borders = [];
     private int _next;
 
-    // How many motions began elsewhere than the one before them ended, and how many problems there were, at the last border.
+    // At the last border: the number of motions that did not begin at the end of the one before, and the number of problems.
     private int _jumps;
     private int _problems;
 
-    // The borders of a run of a much like program, and whether the stretch that ends at each is the same here.
+    // The borders of a run of a similar program, and whether the stretch that ends at each is equal here.
     private IReadOnlyList<RunBorder> _known = [];
     private bool[] _isSame = [];
 
@@ -28,15 +25,14 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
     /// <summary>Whether only plain cuts have run since the last border.</summary>
     public bool OnlyCuts { get; set; }
 
-    /// <summary>True if there is a much like program to take motions over from.</summary>
+    /// <summary>True if there is a similar program to take motions over from.</summary>
     public bool AreKnown => _known.Count > 0;
 
-    /// <summary>Takes the borders of a run of a much like program, and whether the stretch that ends at each is the same here.</summary>
+    /// <summary>Sets the borders of a run of a similar program, and whether the stretch that ends at each is equal here.</summary>
     public void Expect(IReadOnlyList<RunBorder> known, bool[] isSame) => (_known, _isSame) = (known, isSame);
 
-    /// <summary>
-    /// Stretches of plain cuts that have the same bytes in another program, at the same lines, by the border at which each ends.
-    /// </summary>
+    /// <summary>Stretches of plain cuts with the same bytes at the same lines in another program, by the border at which each
+    /// ends.</summary>
     public static bool[] SameStretches(NcProgram program, NcPath like)
     {
         var borders = Math.Min(like.Borders.Count, (program.BlockCount + Stretch - 1) / Stretch);
@@ -63,10 +59,10 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
         }
     }
 
-    /// <summary>Begins at a border in the middle of the program.</summary>
+    /// <summary>Starts at a border in the middle of the program.</summary>
     public void BeginAt(int border) => _next = border;
 
-    /// <summary>Notes the state at a border. Only where it comes first: a loop runs over a border more than once.</summary>
+    /// <summary>Stores the state at a border, the first time only: a loop passes a border more than once.</summary>
     public void Note()
     {
         if (run.At == _next && run.At < run.Program.BlockCount)
@@ -77,7 +73,7 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
         }
     }
 
-    /// <summary>Takes over the borders of what ran ahead, behind so many motions, but its first, which stands here already.</summary>
+    /// <summary>Takes over the borders of a run ahead, after n motions, except its first, which is already here.</summary>
     public void Join(RunBorders ahead, int motions, NcMotions motionsAhead)
     {
         if (_next != run.At + Stretch)
@@ -95,7 +91,7 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
             (ahead._next, ahead.OnlyCuts, result.Motions.Jumps - (motionsAhead.Jumps - ahead._jumps), result.Problems.Count);
     }
 
-    /// <summary>Passes over stretches that are the same, if this run arrived as that one did. True if it did.</summary>
+    /// <summary>Skips equal stretches if this run arrived in the same state as the other. True if it did.</summary>
     public bool TryPass()
     {
         var (first, behind) = (run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
@@ -105,7 +101,7 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
             return false;
         }
 
-        // The first coordinate without a point is to be named, so its stretch is interpreted.
+        // The first coordinate without a decimal point needs a note, so its stretch is interpreted.
         var last = first;
         while (last + 1 < behind && _isSame[last + 1]
             && (executor.Integers.Count > 0 || _known[last + 1].Integers == _known[first].Integers))
@@ -120,7 +116,7 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
         return last > first;
     }
 
-    /// <summary>True if nothing waits for a motion, and all that a cut hangs on is as in another state, to the last bit.</summary>
+    /// <summary>True if nothing is pending for a motion, and all that a cut depends on is bitwise as in another state.</summary>
     public bool StandsAs(in ModalState state) => executor.IsStraight() && control.State.SameAs(state);
 
     // The bytes between a border and the one before it.

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a run has yielded so far: motions, and what has to be said of them.</summary>
+/// <summary>The results of a run so far: motions, and their problems and notes.</summary>
 /// <param name="dialect">The control.</param>
-/// <param name="motions">Where motions are kept.</param>
+/// <param name="motions">Receives the motions.</param>
 internal sealed class RunResult(NcDialect dialect, NcMotions motions)
 {
     private readonly List<NcProblem> _problems = [];
@@ -13,22 +13,21 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
 
     public NcMotions Motions { get; } = motions;
 
-    /// <summary>
-    /// The block that motions belong to: the one being executed, or the one in this file that called a program of another file.
-    /// </summary>
+    /// <summary>The block to which motions belong: the one being executed, or the one in this file that called a program of another
+    /// file.</summary>
     public int Block { get; set; }
 
     public IReadOnlyList<NcProblem> Problems => _problems;
 
     public IReadOnlyList<NcNote> Notes => _notes;
 
-    /// <summary>Blocks that depend on where the tool is, each with the joint at which it is there.</summary>
+    /// <summary>Blocks that depend on the tool's place, each with its joint.</summary>
     public IReadOnlyList<(int Block, int Joint)> PlaceDependents => _placeDependents;
 
-    /// <summary>The joints at which a tool is changed.</summary>
+    /// <summary>The joints with a tool change.</summary>
     public IReadOnlyList<int> ToolChanges => _toolChanges;
 
-    /// <summary>Says what is wrong with the block: once, however often it runs.</summary>
+    /// <summary>Reports what is wrong with the block, once, no matter how often it runs.</summary>
     /// <returns>The flag.</returns>
     public MotionFlags Problem(string code, string message, MotionFlags flag)
     {
@@ -44,7 +43,7 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     public MotionFlags UnknownWord(string what) =>
         Problem("unknown-word", $"\"{what}\" is not known to the dialect {dialect.Name}.", MotionFlags.UnknownWord);
 
-    /// <summary>Says what the control does that is not followed: kept where it is first met, and counted from there on.</summary>
+    /// <summary>Reports control behavior that is not followed: stored at its first occurrence and counted from there on.</summary>
     public void Note(string code, string message)
     {
         var known = _notes.FindIndex(n => n.Code == code);

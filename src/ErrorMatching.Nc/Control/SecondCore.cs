@@ -1,28 +1,25 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The second core begins in the middle of a long program, with the modes that its first blocks set and the place that the blocks before
-/// the middle lead to. That is a guess: when the
-/// first core arrives there and its state is another one, to the last bit, what ran ahead counts for nothing. So the result is that of one
-/// core.
-/// </summary>
+/// <summary>A second thread starts in the middle of a long program, with the modes that its first blocks set and the place to which the
+/// blocks before the middle lead. That is a guess. If the first thread reaches the middle in a state that is not bitwise equal, the run
+/// ahead is discarded. So the result is that of one thread.</summary>
 internal sealed class SecondCore(NcProgram program, NcDialect dialect)
 {
-    /// <summary>From so many blocks on, it is worth its start.</summary>
+    /// <summary>Minimum number of blocks for a second thread to pay off.</summary>
     public const int Many = 100_000;
 
-    /// <summary>So many first blocks set the modes, and so many blocks lead to the middle.</summary>
+    /// <summary>Number of first blocks that set the modes, and of blocks that lead to the middle.</summary>
     public const int LeadIn = 16 * RunBorders.Stretch;
 
     private Task<RunAhead?>? _ahead;
 
-    // A class: tasks of our own structs are not compiled before they run.
+    // A class, because tasks of our own structs are not compiled ahead of time.
     private sealed record RunAhead(NcInterpreter Run, ModalState Began);
 
-    /// <summary>The block at which it began, until the first core has come there.</summary>
+    /// <summary>The block at which it began, until the first thread reaches it.</summary>
     public int Seam { get; private set; } = int.MaxValue;
 
-    /// <summary>Starts it with the modes of the first core, behind its motions.</summary>
+    /// <summary>Starts it with the modes of the first thread, after its motions.</summary>
     public void Start(ModalState state, NcMotions motions, CancellationToken end)
     {
         if (_ahead is null)
@@ -33,8 +30,8 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
         }
     }
 
-    /// <summary>Ends the wait for the first core, which has come to the seam.</summary>
-    /// <returns>What ran ahead, if it is there and began as the first core stands now, where these motions end; else null.</returns>
+    /// <summary>Waits for the run ahead, once the first thread has reached the seam.</summary>
+    /// <returns>The run ahead; null if it has not started, failed, or did not begin in the first thread's current state.</returns>
     public NcInterpreter? Meet(RunBorders borders, NcMotions motions)
     {
         Seam = int.MaxValue;
@@ -47,7 +44,7 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
             : null;
     }
 
-    // The rest of the program from the seam on, as far as it has cuts and rapids only; null where something else leads to the seam.
+    // The rest of the program from the seam on, while it has only cuts and rapids; null if something else leads to the seam.
     private RunAhead? Ahead(ModalState state, NcMotions motions, int seam, CancellationToken end)
     {
         var before = new NcInterpreter(program, dialect, new(), null, end);
@@ -60,7 +57,7 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
         var ahead = new NcInterpreter(program, dialect, motions.Ahead(before.Motions), null, end);
         ahead.RunCuts(before.State, seam, program.BlockCount);
 
-        // A problem would have to be told in its order, and only once; there should be none.
+        // A problem would have to be reported in order and only once; there should be none.
         return ahead.HasProblems ? null : new(ahead, before.State);
     }
 }

@@ -5,7 +5,7 @@ namespace ErrorMatching.Nc;
 /// <summary>Codes that shift the origin on top of the work offset (G92, G52).</summary>
 internal sealed class ShiftCodes(BlockValues values, CoordinateLayers layers)
 {
-    /// <summary>G92: the place where the tool stands gets the given coordinates.</summary>
+    /// <summary>G92: gives the tool's current place the given coordinates.</summary>
     public void SetPosition()
     {
         var given = values.GivenAxes();
@@ -23,7 +23,7 @@ internal sealed class ShiftCodes(BlockValues values, CoordinateLayers layers)
         layers.NextFrame();
     }
 
-    /// <summary>G52. LinuxCNC has one shift for G52 and G92; elsewhere that of G52 lies on top and is kept apart.</summary>
+    /// <summary>G52. LinuxCNC has one shift for G52 and G92; other controls add that of G52 on top and store it separately.</summary>
     public void ShiftLocally()
     {
         var given = values.GivenAxes();
@@ -38,7 +38,7 @@ internal sealed class ShiftCodes(BlockValues values, CoordinateLayers layers)
         layers.NextFrame();
     }
 
-    /// <summary>Changes the shift as a whole.</summary>
+    /// <summary>Replaces the whole shift.</summary>
     public void Change(Vector3 to, AxisSet unknown)
     {
         var (by, unknownBy) = (layers.Shift.Vector - to, layers.Shift.Unknown | unknown);

@@ -1,11 +1,10 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Words of a block that say how the program goes on: they call, return, end or begin a program.</summary>
+/// <summary>Words of a block that determine how the program continues: they call, return, end or begin a program.</summary>
 internal sealed class SteeringWords(BlockValues values, ProgramRun run)
 {
-    /// <summary>
-    /// Plain words that call, return, end or begin a program. The end of a program that never called needs no index of it.
-    /// </summary>
+    /// <summary>True for plain words that call, return, end or begin a program. The end of a program without calls does not need the
+    /// flow's index.</summary>
     public bool ConcernFlow()
     {
         var isNamed = values.Words.Has('O') || (values.Words.Has('L') && values.Dialect.Syntax == NcSyntax.Siemens);
@@ -30,9 +29,8 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
         return isNamed;
     }
 
-    /// <summary>
-    /// Whether the words of the block say how the program goes on. A call by an address that is a word among others is not executed.
-    /// </summary>
+    /// <summary>Whether the words of the block determine how the program continues. A call by an address that is one word among others is
+    /// not executed.</summary>
     public bool AreThere()
     {
         var steers = values.Dialect.Syntax == NcSyntax.Siemens && values.Dialect.RoleOf((byte)'L') == LetterRole.Program
@@ -50,7 +48,7 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
         return steers;
     }
 
-    /// <summary>A program that the machine has: what it does is not known, but it is not missing.</summary>
+    /// <summary>Handles a call of a program of the machine: its effect is unknown, but it is not missing.</summary>
     public bool CallMachineProgram()
     {
         var calls = false;
@@ -61,7 +59,7 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
 
         foreach (var code in values.Words.Codes)
         {
-            // One that runs behind every motion from here on is missing all the same: nothing would be known of any of them.
+            // A modal call still counts as missing: nothing would be known of any later motion.
             calls |= values.Dialect.MeaningOf(code) is NcMeaning.Call;
         }
 
@@ -71,7 +69,7 @@ internal sealed class SteeringWords(BlockValues values, ProgramRun run)
                 && values.Dialect.IsMachineProgram((int)Math.Clamp(values.Words.Value('L'), -1, int.MaxValue)));
     }
 
-    /// <summary>Siemens writes plain addresses with an equals sign as well; they concern nobody but the interpreter.</summary>
+    /// <summary>Siemens writes plain addresses with an equals sign too; those matter only to the interpreter.</summary>
     public bool HasStatements(NcBlock block)
     {
         if (values.Dialect.Syntax != NcSyntax.Siemens)

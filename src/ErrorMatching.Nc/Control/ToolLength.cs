@@ -9,13 +9,11 @@ internal sealed class ToolLength
 
     public Vector3 Vector { get; private set; }
 
-    /// <summary>Axes along which there is one.</summary>
+    /// <summary>Axes with a tool length.</summary>
     public AxisSet Axes => Vector.Axes();
 
-    /// <summary>
-    /// Axes along which it is not known: a length from the tool table is the machine's affair. So is one that was stated in other units:
-    /// LinuxCNC 2.9 keeps its number (measured with rs274).
-    /// </summary>
+    /// <summary>Axes with an unknown tool length: only the machine knows a length from the tool table. A length stated in other units is
+    /// unknown too: LinuxCNC 2.9 keeps its number (measured with rs274).</summary>
     public AxisSet UnknownIn(in ModalState state) => (state.LengthOffset ? AxisSet.Z : AxisSet.None)
         | (_isInInches != state.Inch ? Axes : AxisSet.None);
 

@@ -2,15 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes that state a tool length, take it from the table, and end it (G43.1, G43, G49).</summary>
+/// <summary>Codes that state a tool length, take it from the table, or end it (G43.1, G43, G49).</summary>
 internal sealed class ToolLengthCodes(ControlState control, BlockValues values, CoordinateLayers layers)
 {
-    /// <summary>True if a length is in force, stated or from the table.</summary>
+    /// <summary>True if a length is active, stated or from the table.</summary>
     public bool IsActive => control.State.LengthOffset || layers.Length.Axes != AxisSet.None;
 
     private AxisSet Unknown => layers.Length.UnknownIn(control.State);
 
-    /// <summary>G43.1: the tip is elsewhere from here on, by what the block says. What came from the table before is not known.</summary>
+    /// <summary>G43.1: from here on, the tip is shifted by the block's length. A previous length from the table is unknown.</summary>
     public void Set()
     {
         var given = values.GivenAxes();
@@ -19,7 +19,7 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
         control.State.LengthOffset &= (given & AxisSet.Z) == AxisSet.None;
     }
 
-    /// <summary>G43: the program counts on the tip, whatever the table says.</summary>
+    /// <summary>G43: the program relies on the tip, whatever length the table has.</summary>
     public void TakeFromTable()
     {
         Change(Vector3.Zero, layers.Length.Axes);
@@ -33,7 +33,7 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
         control.State.LengthOffset = false;
     }
 
-    /// <summary>Takes up or ends a length as it was.</summary>
+    /// <summary>Restores an active length or ends it.</summary>
     public void Restore(bool on)
     {
         if (on)

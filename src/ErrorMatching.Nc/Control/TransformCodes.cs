@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes that begin and end rotation, scale, mirror, polar coordinates and programmable frames.</summary>
+/// <summary>Codes that begin and end rotation, scaling, mirroring, polar coordinates and programmable frames.</summary>
 internal sealed class TransformCodes(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result)
 {
     private ProgramTransforms Active => layers.Transforms;
@@ -19,7 +19,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 var (plane, center) = (control.State.Plane, Center(control.State.Plane.Axes(), ref isKnown));
                 isKnown &= values.Words.Has('R');
 
-                // A center that is named while scaling is active is scaled too, the angle is not (B-63944EN-2/02, page 211).
+                // A center that is named while scaling is active is scaled too; the angle is not (B-63944EN-2/02, page 211).
                 Active.Rotation = ProgramFrame.Rotation(plane, Active.Scale?.Apply(center) ?? center,
                     values.Words.Has('R') ? values.Degrees('R') : 0);
                 Active.Switch(Transforms.Rotation, on: true);
@@ -58,7 +58,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         layers.Recompose(isKnown ? work : (work.Place, AxisSet.All));
     }
 
-    /// <summary>Ends a transformation, of those that are not followed one family; 0 counts for all.</summary>
+    /// <summary>Ends a transformation. For those that are not followed, ends one family; 0 means all families.</summary>
     public void End(NcMeaning meaning, int family)
     {
         var ended = meaning switch
@@ -97,7 +97,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         layers.Recompose(ended == Transforms.Opaque ? (work.Place, AxisSet.All) : work);
     }
 
-    /// <summary>Takes up transformations that are not followed as they were.</summary>
+    /// <summary>Restores transformations that are not followed.</summary>
     public void RestoreOpaque(ulong families)
     {
         if (families == Active.OpaqueFamilies)
@@ -121,7 +121,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         }
     }
 
-    // The point that a block names; a missing coordinate is the tool's own.
+    // The point that a block names; the tool's coordinate replaces a missing one.
     private Point3 Center(AxisSet needed, ref bool isKnown)
     {
         var place = values.Given(control.State.Position, control.State.Incremental);
@@ -129,7 +129,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         return place;
     }
 
-    // P without a point counts thousandths.
+    // P without a decimal point counts thousandths.
     private ProgramFrame ScaleOf(ref bool isKnown)
     {
         var center = Center(AxisSet.All, ref isKnown);

@@ -2,18 +2,18 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The work offsets as far as the program itself sets them, and which one is chosen.</summary>
-/// <param name="turn">True on a control whose work offsets can turn.</param>
+/// <summary>The work offsets as far as the program itself sets them, and the selected one.</summary>
+/// <param name="turn">True for a control whose work offsets can rotate.</param>
 internal sealed class WorkOffsets(bool turn)
 {
     private readonly Dictionary<(int Code, int Number), WorkOrigin> _known = [];
 
     public (int Code, int Number) Chosen { get; private set; } = (540, 0);
 
-    /// <summary>True if something unseen could have chosen another one.</summary>
+    /// <summary>True if something unseen could have selected another one.</summary>
     public bool IsUnsure { get; set; }
 
-    /// <summary>Where the chosen one lies.</summary>
+    /// <summary>The origin of the selected one.</summary>
     public WorkOrigin Origin => OriginOf(Chosen);
 
     public WorkOrigin OriginOf((int Code, int Number) offset) =>

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>How the machine's switches for block skip stand, all levels alike: whether blocks behind a slash are passed over.</summary>
+/// <summary>State of the machine's block skip switches, the same for all levels: whether blocks after a slash are skipped.</summary>
 public enum BlockSkip : byte
 {
-    /// <summary>Nobody has said so: a program that depends on it is refused.</summary>
+    /// <summary>Not stated: a program that depends on it is refused.</summary>
     Unstated,
 
-    /// <summary>Blocks behind a slash are executed.</summary>
+    /// <summary>Blocks after a slash are executed.</summary>
     Off,
 
-    /// <summary>Blocks behind a slash are passed over.</summary>
+    /// <summary>Blocks after a slash are skipped.</summary>
     On,
 }

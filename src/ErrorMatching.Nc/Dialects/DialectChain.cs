@@ -3,10 +3,10 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Finds the file of a dialect and those that it continues, and makes the dialect of them.</summary>
+/// <summary>Finds the file of a dialect and the files that it continues, and builds the dialect from them.</summary>
 internal static class DialectChain
 {
-    /// <summary>Largest file: whoever writes a bigger one by hand has chosen the wrong file.</summary>
+    /// <summary>Maximum size of a file: a larger one is surely the wrong file, not one written by hand.</summary>
     public static readonly JsonLimits Limits = new(1024 * 1024, 16);
 
     private const int MostFiles = 16;
@@ -24,7 +24,7 @@ internal static class DialectChain
 
     public static NcDialect BuiltIn(string name) => Build([.. Bases(Embedded(name))]);
 
-    /// <summary>The dialect of a shop's file.</summary>
+    /// <summary>Reads the dialect of a shop's file.</summary>
     /// <exception cref="JsonDocumentException">The file, or one that it continues, cannot be used.</exception>
     public static NcDialect Own(ReadOnlySpan<byte> bytes, string file)
     {
@@ -108,7 +108,7 @@ internal static class DialectChain
         return documents;
     }
 
-    // The files that come with the library are checked against the schema by its tests.
+    // Tests check the files that come with the library against the schema.
     private static DialectDocument Embedded(string name) =>
         new(name + ".json", JsonInput.Read(Resource(name), name + ".json", Limits), null);
 

@@ -3,8 +3,8 @@ using ErrorMatching.Json;
 namespace ErrorMatching.Nc;
 
 /// <summary>One file of a dialect, which may continue another.</summary>
-/// <param name="File">Name for messages; of a shop's file, its path.</param>
-/// <param name="Root">What stands in it.</param>
+/// <param name="File">Name for messages; for a shop's file, its path.</param>
+/// <param name="Root">Its content.</param>
 /// <param name="Sha256">Hash of a shop's file; null for a built-in one.</param>
 internal sealed record DialectDocument(string File, JsonItem Root, string? Sha256)
 {

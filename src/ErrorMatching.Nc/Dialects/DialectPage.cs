@@ -2,8 +2,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Turns the files of a dialect into the rows of its manual page. A subject that a later file states again is left out of the
-/// earlier row; a row without subjects is left out.</summary>
+/// <summary>Builds the rows of a dialect's manual page from its files. Omits a subject from an earlier row if a later file states it
+/// again, and omits rows without subjects.</summary>
 internal static class DialectPage
 {
     public static IReadOnlyList<DialectFact> Of(IReadOnlyList<DialectDocument> documents)
@@ -47,7 +47,7 @@ internal static class DialectPage
     private static void AddSubjects(
         List<DialectFact> facts, DialectTopic topic, IReadOnlyList<DialectDocument> documents, string list, string key)
     {
-        // Who has the last word on a subject: the later file, and within a file the single subject before the range.
+        // Decides who owns a subject: the later file, and within a file the single subject over the range.
         var owners = new Dictionary<string, (int Row, int Subject)>(StringComparer.Ordinal);
         var rows = new List<(DialectDocument Document, JsonItem Entry, List<SubjectRange> Subjects)>();
         foreach (var document in documents)

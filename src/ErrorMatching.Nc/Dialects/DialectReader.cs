@@ -2,8 +2,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Applies one file to the tables of a dialect, and collects what a schema cannot say:
-/// codes that are none, and codes stated twice.</summary>
+/// <summary>Applies one file to the tables of a dialect, and collects errors that a schema cannot express: invalid codes, and codes
+/// stated twice.</summary>
 internal sealed class DialectReader(DialectDocument document, DialectTables tables)
 {
     private static readonly Dictionary<string, int> Meanings = KebabNames.Of(typeof(NcMeaning));
@@ -44,7 +44,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         }
     }
 
-    // Ranges first: a single code beats a range, wherever the two stand.
+    // Ranges first: a single code has priority over a range, regardless of their order.
     private void Apply(DialectTopic topic, IReadOnlyList<JsonItem> entries, string key)
     {
         var singles = new List<Statement>();
@@ -126,7 +126,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         }
     }
 
-    // What the interpreter would not do: a role that it has no way for is not to be declared.
+    // Rejects a role that the interpreter cannot apply to the subject.
     private static string? Misplaced(NcMeaning meaning, SubjectRange subject)
     {
         var isCode = subject is { HasNumbers: true, Word: "G" };

@@ -1,15 +1,15 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What the files of a dialect add up to while they are read, from the first base to the file that was asked for:
-/// what comes later replaces what came before.</summary>
-/// <remarks>Arrays, and dictionaries of plain numbers: they are filled at every start,
-/// before the runtime has compiled anything else.</remarks>
+/// <summary>The tables of a dialect while its files are read, from the first base to the requested file: later entries replace earlier
+/// ones.</summary>
+/// <remarks>Arrays, and dictionaries of plain numbers: they are filled at every start, before the runtime has compiled anything
+/// else.</remarks>
 internal sealed class DialectTables
 {
-    /// <summary>G codes up to 999.9 are told apart.</summary>
+    /// <summary>Number of distinct G codes: up to 999.9.</summary>
     public const int Codes = 10_000;
 
-    /// <summary>M functions up to 9999 are.</summary>
+    /// <summary>Number of distinct M functions: up to 9999.</summary>
     public const int Functions = 10_000;
 
     private const int FamilyShift = 8;
@@ -43,7 +43,7 @@ internal sealed class DialectTables
 
     public LetterRole[] RoleOf { get; } = new LetterRole[26];
 
-    /// <summary>Addresses of several letters; the values are <see cref="LetterRole"/>.</summary>
+    /// <summary>Multi-letter addresses; the values are <see cref="LetterRole"/>.</summary>
     public Dictionary<string, int> Addresses { get; } = new(KeywordComparer.Instance);
 
     public FunctionRole[] FunctionOf { get; } = new FunctionRole[Functions];
@@ -54,7 +54,7 @@ internal sealed class DialectTables
 
     public HashSet<string> MachineNames { get; } = new(KeywordComparer.Instance);
 
-    /// <summary>Keywords; the values are an <see cref="NcMeaning"/> and above it the number of a family.</summary>
+    /// <summary>Keywords; the values are an <see cref="NcMeaning"/> and, in the higher bits, the number of a family.</summary>
     private Dictionary<string, int> Words { get; } = new(KeywordComparer.Instance);
 
     public void SetWord(string word, NcMeaning meaning, int family) => Words[word] = (int)meaning | (family << FamilyShift);
@@ -65,7 +65,7 @@ internal sealed class DialectTables
 
     public LetterRole RoleOfAddress(ReadOnlySpan<byte> address) => (LetterRole)Find(Addresses, address);
 
-    /// <summary>Number of a family, the same for the same name.</summary>
+    /// <summary>Number of a family; equal for equal names.</summary>
     public int FamilyNumber(string name)
     {
         var index = _families.IndexOf(name);

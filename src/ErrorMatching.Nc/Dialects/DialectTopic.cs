@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a statement of a dialect is about.</summary>
+/// <summary>Topic of a dialect's statement.</summary>
 public enum DialectTopic : byte
 {
     /// <summary>A number or switch: increments, tolerances, spelling.</summary>
@@ -9,7 +9,7 @@ public enum DialectTopic : byte
     /// <summary>G codes and keywords.</summary>
     Code,
 
-    /// <summary>Letters and longer addresses.</summary>
+    /// <summary>Letters and multi-letter addresses.</summary>
     Letter,
 
     /// <summary>M functions.</summary>
@@ -18,9 +18,9 @@ public enum DialectTopic : byte
     /// <summary>Words that branch, loop or define programs.</summary>
     Flow,
 
-    /// <summary>Programs that are in the machine.</summary>
+    /// <summary>Programs stored in the machine.</summary>
     MachineProgram,
 
-    /// <summary>Something that holds of the control and is no data.</summary>
+    /// <summary>A statement about the control without data.</summary>
     Note,
 }

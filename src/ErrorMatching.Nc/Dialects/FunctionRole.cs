@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What an M function does to the run of a program.</summary>
+/// <summary>Effect of an M function on the run of a program.</summary>
 public enum FunctionRole : byte
 {
     /// <summary>Not in the table.</summary>
@@ -15,7 +15,7 @@ public enum FunctionRole : byte
     /// <summary>Calls a part of the same program, from the block with the number P up to a return (M97).</summary>
     LocalCall,
 
-    /// <summary>Calls a program in a way that is not followed, or one that is looked for elsewhere (M198): refused.</summary>
+    /// <summary>Calls a program in a way that is not followed, or from another place (M198): refused.</summary>
     OpaqueCall,
 
     /// <summary>Ends the program.</summary>
@@ -24,18 +24,18 @@ public enum FunctionRole : byte
     /// <summary>Ends a subprogram; in a main program, the program.</summary>
     Return,
 
-    /// <summary>May change modes or positions: nothing is known behind it until the program states it again.</summary>
+    /// <summary>May change modes or positions: nothing is known after it until the program states it again.</summary>
     Unsure,
 
-    /// <summary>Saves the modes of the present call level, to be restored later (M70).</summary>
+    /// <summary>Saves the modes of the current call level, to be restored later (M70).</summary>
     SaveModes,
 
     /// <summary>Saves them, and restores them when the subprogram ends (M73).</summary>
     SaveModesOfCall,
 
-    /// <summary>Restores the saved modes of the present call level (M72).</summary>
+    /// <summary>Restores the saved modes of the current call level (M72).</summary>
     RestoreModes,
 
-    /// <summary>Drops them (M71).</summary>
+    /// <summary>Discards them (M71).</summary>
     DropModes,
 }

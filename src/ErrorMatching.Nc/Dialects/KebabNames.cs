@@ -2,12 +2,12 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The values of enumerations by their names as files spell them:
-/// <c>WorkOffset</c> is <c>work-offset</c>, <c>PlaneXY</c> is <c>plane-xy</c>.</summary>
+/// <summary>The values of enumerations by their names in files: <c>WorkOffset</c> is <c>work-offset</c>, <c>PlaneXY</c> is
+/// <c>plane-xy</c>.</summary>
 internal static class KebabNames
 {
-    /// <summary>The values of an enumeration of bytes by name. Plain numbers, since the runtime has such tables compiled already:
-    /// it is on the way of every start.</summary>
+    /// <summary>The values of a byte enumeration by name. Plain numbers, because the runtime has such tables precompiled and every start
+    /// needs this.</summary>
     public static Dictionary<string, int> Of(Type enumeration)
     {
         var (names, values) = (enumeration.GetEnumNames(), (byte[])enumeration.GetEnumValuesAsUnderlyingType());
@@ -20,7 +20,7 @@ internal static class KebabNames
         return table;
     }
 
-    /// <summary>A name as files spell it.</summary>
+    /// <summary>A name as spelled in files.</summary>
     public static string Of(string name)
     {
         var text = new StringBuilder(name.Length + 8);

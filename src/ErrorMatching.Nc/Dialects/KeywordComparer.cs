@@ -2,7 +2,7 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Compares ASCII words without regard to case, and finds them by their bytes in a program without making text of them.</summary>
+/// <summary>Compares ASCII words without regard to case, and looks them up by a program's bytes without creating strings.</summary>
 internal sealed class KeywordComparer : IEqualityComparer<string>, IAlternateEqualityComparer<ReadOnlySpan<byte>, string>
 {
     public static KeywordComparer Instance { get; } = new();

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a letter, or an address of several letters, stands for in a dialect.</summary>
+/// <summary>Role of a letter or a multi-letter address in a dialect.</summary>
 public enum LetterRole : byte
 {
     /// <summary>Not in the table.</summary>
@@ -36,13 +36,13 @@ public enum LetterRole : byte
     /// <summary>A rotary or secondary axis.</summary>
     OtherAxis,
 
-    /// <summary>A variable of the control, which moves nothing by itself (Siemens <c>R1=5</c>).</summary>
+    /// <summary>A variable of the control, which itself moves nothing (Siemens <c>R1=5</c>).</summary>
     Variable,
 
     /// <summary>Opening angle of an arc (<c>AR=</c>).</summary>
     OpeningAngle,
 
-    /// <summary>Turns of an arc beyond the first, a count (<c>TURN=</c>).</summary>
+    /// <summary>Number of turns of an arc beyond the first (<c>TURN=</c>).</summary>
     MoreTurns,
 
     /// <summary>Intermediate point of an arc along X, Y or Z (<c>I1=</c>, <c>J1=</c>, <c>K1=</c>).</summary>

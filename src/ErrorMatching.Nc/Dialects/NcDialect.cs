@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A control's language as data: what its codes, words and letters mean, its increments and tolerances. What goes with a whole
-/// family that spells alike (<see cref="NcSyntax"/>) is in the interpreter; what tells controls apart is here.</summary>
-/// <remarks>Immutable. Built-in ones come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both are
-/// JSON files of one form (<see cref="NcDialects.Schema"/>).</remarks>
+/// <summary>A control's language as data: the meaning of its codes, words and letters, its increments and tolerances. Behavior of a whole
+/// family with the same spelling (<see cref="NcSyntax"/>) is in the interpreter; differences between controls are here.</summary>
+/// <remarks>Immutable. Built-in dialects come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both
+/// are JSON files of the same form (<see cref="NcDialects.Schema"/>).</remarks>
 public sealed class NcDialect
 {
     private readonly DialectTables _tables;
@@ -18,88 +18,88 @@ public sealed class NcDialect
         _callFunctions = new(() => new HashSet<int>(Enumerable.Range(0, DialectTables.Functions).Where(f => Calls(tables.FunctionOf[f]))));
     }
 
-    /// <summary>Name as in jobs and on the command line; of a shop's own, the name that its file gives.</summary>
+    /// <summary>Name in jobs and on the command line; for a shop's own dialect, the name in its file.</summary>
     public string Name { get; }
 
-    /// <summary>What it is for, in a sentence.</summary>
+    /// <summary>Its purpose, in a sentence.</summary>
     public string Description { get; }
 
-    /// <summary>The shop's files that it was read from, the one that was asked for first; empty for a built-in dialect.</summary>
+    /// <summary>The shop's files from which it was read, the requested one first; empty for a built-in dialect.</summary>
     public IReadOnlyList<DialectFile> Files { get; }
 
-    /// <summary>How its programs are spelled.</summary>
+    /// <summary>Syntax of its programs.</summary>
     public NcSyntax Syntax => _tables.Syntax;
 
-    /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm),
-    /// false if it counts millimetres or inches.</summary>
+    /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm), false if it counts millimeters or
+    /// inches.</summary>
     public bool IntegersAreIncrements => _tables.IntegersAreIncrements;
 
-    /// <summary>True if results say how coordinates without a point were read:
-    /// machines of the kind differ there, or the dialect's own file has them count increments.</summary>
+    /// <summary>True if results report how coordinates without a point were read: machines of this kind differ, or the dialect's own file
+    /// makes them count increments.</summary>
     public bool NotesNumbersWithoutPoint => _tables.NotesNumbersWithoutPoint || _tables.IntegersAreIncrements;
 
-    /// <summary>True if a semicolon ends a block, so that words behind it are another one; false if it begins a comment.</summary>
+    /// <summary>True if a semicolon ends a block, so that words after it form another one; false if it begins a comment.</summary>
     public bool SemicolonEndsBlock => _tables.SemicolonEndsBlock;
 
-    /// <summary>How the switches for block skip stand.</summary>
+    /// <summary>State of the block skip switches.</summary>
     public BlockSkip BlockSkip { get; private init; }
 
-    /// <summary>Decimals of the least increment in millimetres.</summary>
+    /// <summary>Decimals of the least increment in millimeters.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
 
     /// <summary>Decimals of the least increment in inches.</summary>
     public int InchDecimals => _tables.InchDecimals;
 
-    /// <summary>Largest difference of an arc's two radii that the control is taken to accept, mm.</summary>
+    /// <summary>Largest difference of an arc's two radii that the control is assumed to accept, mm.</summary>
     public double ArcMismatchMm => _tables.ArcMismatchMm;
 
-    /// <summary>The same as a fraction of the radius: whichever is larger counts.</summary>
+    /// <summary>The same as a fraction of the radius; the larger of both applies.</summary>
     public double ArcMismatchOfRadius => _tables.ArcMismatchOfRadius;
 
-    /// <summary>Letter that gives the number of turns of an arc, the first included; 0 where the control has none.</summary>
+    /// <summary>Letter of the number of turns of an arc, including the first; 0 if the control has none.</summary>
     public byte TurnsLetter => _tables.TurnsLetter;
 
-    /// <summary>Everything the dialect states about its control, each with its source, in the order of a manual: settings, codes, letters,
-    /// functions, flow, programs, notes.</summary>
-    /// <remarks>Where it restates what a dialect says that it continues, only its own statement is listed.
-    /// Made when it is first asked for.</remarks>
+    /// <summary>All statements of the dialect about its control, each with its source, in the order of a manual: settings, codes,
+    /// letters, functions, flow, programs, notes.</summary>
+    /// <remarks>If it restates something from a dialect that it continues, only its own statement is listed. Created on first
+    /// access.</remarks>
     public IReadOnlyList<DialectFact> Facts => _facts.Value;
 
-    /// <summary>Words of several letters that branch, loop or define programs; compared without regard to case.</summary>
+    /// <summary>Multi-letter words that branch, loop or define programs; compared without regard to case.</summary>
     public IReadOnlySet<string> FlowKeywords => _tables.Flow;
 
     /// <summary>Miscellaneous functions that call a program.</summary>
     public IReadOnlySet<int> CallFunctions => _callFunctions.Value;
 
-    /// <summary>The same control with its switches for block skip in a position.</summary>
-    /// <param name="blockSkip">The position; unstated leaves what the dialect states.</param>
+    /// <summary>The same control with another state of its block skip switches.</summary>
+    /// <param name="blockSkip">The state; unstated keeps the dialect's own.</param>
     public NcDialect With(BlockSkip blockSkip) => blockSkip == BlockSkip || blockSkip == BlockSkip.Unstated
         ? this
         : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip };
 
-    /// <summary>What a G code means.</summary>
+    /// <summary>Meaning of a G code.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>
     public NcMeaning MeaningOf(int tenths) => (uint)tenths < (uint)_tables.MeaningOf.Length ? _tables.MeaningOf[tenths] : NcMeaning.Unknown;
 
-    /// <summary>What a word of several letters means as a command. A lookup without allocation.</summary>
+    /// <summary>Meaning of a multi-letter word as a command. The lookup does not allocate.</summary>
     /// <param name="keyword">The word without arguments or value, in any case: <c>TRANS</c>, <c>CYCLE81</c>, <c>MEAS</c>.</param>
     public NcMeaning MeaningOf(ReadOnlySpan<byte> keyword) => _tables.MeaningOfWord(keyword);
 
-    /// <summary>The family of transformations that a G code begins or ends: an end ends what is of its own family.
-    /// 0 where the dialect tells none apart.</summary>
+    /// <summary>The family of transformations that a G code begins or ends: an end code ends those of its own family. 0 if the dialect
+    /// does not distinguish families.</summary>
     /// <param name="tenths">The code times ten.</param>
     public int FamilyOf(int tenths) => (uint)tenths < (uint)_tables.FamilyOf.Length ? _tables.FamilyOf[tenths] : 0;
 
-    /// <summary>The family of transformations that a keyword begins or ends: an end ends what is of its own family.
-    /// 0 where the dialect tells none apart.</summary>
+    /// <summary>The family of transformations that a keyword begins or ends: an end keyword ends those of its own family. 0 if the
+    /// dialect does not distinguish families.</summary>
     /// <param name="keyword">The word without arguments or value, in any case.</param>
     public int FamilyOf(ReadOnlySpan<byte> keyword) => _tables.FamilyOfWord(keyword);
 
-    /// <summary>Whether a code that chooses inches or millimetres does so for feeds as well; true for every other code.</summary>
+    /// <summary>Whether a code that selects inches or millimeters also applies to feeds; true for every other code.</summary>
     /// <param name="tenths">The code times ten.</param>
     public bool ScalesFeed(int tenths) => (uint)tenths >= (uint)_tables.IsForLengthsOnly.Length || !_tables.IsForLengthsOnly[tenths];
 
-    /// <summary>What an upper-case letter, or an address of <see cref="NcAddress"/>, stands for.</summary>
+    /// <summary>Role of an upper-case letter or an address of <see cref="NcAddress"/>.</summary>
     public LetterRole RoleOf(byte letter) => letter switch
     {
         >= (byte)'A' and <= (byte)'Z' => _tables.RoleOf[letter - 'A'],
@@ -110,24 +110,24 @@ public sealed class NcDialect
         _ => LetterRole.Unknown,
     };
 
-    /// <summary>What an address of several letters stands for. A lookup without allocation.</summary>
+    /// <summary>Role of a multi-letter address. The lookup does not allocate.</summary>
     /// <param name="address">The word before the equals sign, in any case: <c>CR</c>, <c>TURN</c>, <c>I1</c>.</param>
     public LetterRole RoleOf(ReadOnlySpan<byte> address) => _tables.RoleOfAddress(address);
 
-    /// <summary>What an M function does to the run of the program.</summary>
+    /// <summary>Effect of an M function on the run of the program.</summary>
     /// <param name="function">Its number.</param>
     public FunctionRole FunctionOf(int function) =>
         (uint)function < DialectTables.Functions ? _tables.FunctionOf[function] : FunctionRole.Unknown;
 
-    /// <summary>Whether a word branches, loops or defines programs. A lookup without allocation.</summary>
+    /// <summary>Whether a word branches, loops or defines programs. The lookup does not allocate.</summary>
     /// <param name="keyword">The word without arguments, in any case.</param>
     public bool IsFlow(ReadOnlySpan<byte> keyword) => _tables.Flow.GetAlternateLookup<ReadOnlySpan<byte>>().Contains(keyword);
 
-    /// <summary>Whether a program of this number is known to be in the machine:
-    /// a call to it makes positions and modes unknown, but it is not missing.</summary>
+    /// <summary>Whether a program with this number is known to be in the machine: a call to it makes positions and modes unknown, but it
+    /// is not missing.</summary>
     public bool IsMachineProgram(int number) => _tables.MachineNumbers.Exists(r => r.First <= number && number <= r.Last);
 
-    /// <summary>Whether a program of this name is known to be in the machine.</summary>
+    /// <summary>Whether a program with this name is known to be in the machine.</summary>
     /// <param name="name">The name without arguments, in any case: <c>L9810</c>.</param>
     public bool IsMachineProgram(ReadOnlySpan<byte> name) => _tables.MachineNames.GetAlternateLookup<ReadOnlySpan<byte>>().Contains(name);
 

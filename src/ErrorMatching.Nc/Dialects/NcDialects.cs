@@ -3,7 +3,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The dialects that are built in, and those that shops write as files.</summary>
+/// <summary>The built-in dialects, and shops' dialects from files.</summary>
 public static class NcDialects
 {
     private const string GenericName = "generic";
@@ -13,17 +13,17 @@ public static class NcDialects
     private const string LinuxCncName = "linuxcnc";
     private static readonly string[] BuiltInNames = [GenericName, FanucName, DeltaName, SiemensName, LinuxCncName];
 
-    // Read when first asked for: a run needs one of them.
+    // Read on first access, because a run needs only one of them.
     private static readonly Lazy<NcDialect>[] BuiltIn = [.. BuiltInNames.Select(n => new Lazy<NcDialect>(() => DialectChain.BuiltIn(n)))];
 
-    /// <summary>Names of the built-in dialects, in the order in which they are listed.</summary>
+    /// <summary>Names of the built-in dialects, in list order.</summary>
     public static IReadOnlyList<string> Names => BuiltInNames;
 
-    /// <summary>What a file may name as <c>like</c>, beside other files:
-    /// the built-in dialects, and <c>iso</c>, the part that they all share.</summary>
+    /// <summary>Names, besides other files, that a file may give as <c>like</c>: the built-in dialects, and <c>iso</c>, the part that
+    /// they all share.</summary>
     public static IReadOnlyList<string> Bases { get; } = ["iso", .. BuiltInNames];
 
-    /// <summary>What most ISO milling controls have in common.</summary>
+    /// <summary>The common part of most ISO milling controls.</summary>
     public static NcDialect Generic => Named(GenericName);
 
     /// <summary>Fanuc series 0i and 30i milling.</summary>
@@ -38,13 +38,13 @@ public static class NcDialects
     /// <summary>LinuxCNC 2.9.</summary>
     public static NcDialect LinuxCnc => Named(LinuxCncName);
 
-    /// <summary>All built-in dialects, in the order in which they are listed.</summary>
+    /// <summary>All built-in dialects, in list order.</summary>
     public static IReadOnlyList<NcDialect> All => [.. Names.Select(Named)];
 
     /// <summary>The JSON Schema (draft 2020-12) of dialect files, with a description of each key.</summary>
     public static string Schema => Encoding.UTF8.GetString(DialectChain.Resource("dialect.schema"));
 
-    /// <summary>The dialect of a name; the same object each time.</summary>
+    /// <summary>The dialect with a name; the same object each time.</summary>
     /// <exception cref="NcException">No dialect has this name (<see cref="NcErrorCode.UnknownDialect"/>).</exception>
     public static NcDialect Named(string name) => Array.IndexOf(BuiltInNames, name) is var index and >= 0
         ? BuiltIn[index].Value
@@ -52,28 +52,28 @@ public static class NcDialects
             NcErrorCode.UnknownDialect,
             $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json.");
 
-    /// <summary>Whether a text names a dialect's file and not a built-in dialect: it ends in <c>.json</c>.</summary>
+    /// <summary>Whether a text names a dialect file, not a built-in dialect: it ends in <c>.json</c>.</summary>
     public static bool IsFile(string dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
         return DialectChain.IsFile(dialect);
     }
 
-    /// <summary>The dialect in a file; files that it continues are found from its folder.</summary>
+    /// <summary>Reads the dialect in a file; files that it continues are found relative to its folder.</summary>
     /// <param name="path">The file.</param>
-    /// <exception cref="JsonDocumentException">As of <see cref="Parse"/>.</exception>
+    /// <exception cref="JsonDocumentException">As for <see cref="Parse"/>.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Reading the file is not permitted.</exception>
     public static NcDialect Read(string path) => Parse(JsonInput.Load(path, DialectChain.Limits), path);
 
-    /// <summary>The dialect in some bytes.</summary>
+    /// <summary>Reads a dialect from bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed, at most 1 MiB.</param>
-    /// <param name="file">Name for messages; files that it continues are found from its folder.</param>
+    /// <param name="file">Name for messages; files that it continues are found relative to its folder.</param>
     /// <exception cref="JsonDocumentException">
-    /// The bytes are no JSON (as of <see cref="JsonInput.Read"/>), break <see cref="Schema"/> (as of <see cref="JsonSchema.Check"/>), name
-    /// a code that is none (<c>bad-subject</c>), state one twice (<c>stated-twice</c>), have the name of a built-in dialect
-    /// (<c>name-taken</c>), or continue what is not there (<c>unknown-like</c>) or leads back (<c>circular-like</c>). The error names the
-    /// file that is wrong, which may be one of those that are continued.
+    /// The bytes are not JSON (as for <see cref="JsonInput.Read"/>), violate <see cref="Schema"/> (as for
+    /// <see cref="JsonSchema.Check"/>), name an invalid code (<c>bad-subject</c>), state a code twice (<c>stated-twice</c>), have the
+    /// name of a built-in dialect (<c>name-taken</c>), or continue a file that does not exist (<c>unknown-like</c>) or leads back
+    /// (<c>circular-like</c>). The error names the faulty file, which may be one of the continued files.
     /// </exception>
     public static NcDialect Parse(ReadOnlySpan<byte> bytes, string file) => DialectChain.Own(bytes, file);
 }

@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>One subject of a statement as a dialect's file spells it: <c>G1</c>, <c>G54..G59</c>, <c>TRANS</c>, <c>CYCLE81..CYCLE89</c>,
+/// <summary>One subject of a statement as spelled in a dialect's file: <c>G1</c>, <c>G54..G59</c>, <c>TRANS</c>, <c>CYCLE81..CYCLE89</c>,
 /// <c>X</c>, <c>M98</c>, <c>9810</c>.</summary>
-/// <param name="Spelling">As it stands in the file.</param>
+/// <param name="Spelling">Its spelling in the file.</param>
 /// <param name="Word">The word, or the part before the numbers of a range.</param>
-/// <param name="First">First number, of G codes in tenths; -1 where there are no numbers.</param>
+/// <param name="First">First number, for G codes in tenths; -1 if there are no numbers.</param>
 /// <param name="Last">Last number.</param>
-/// <param name="Step">From one to the next: whole G codes are 10 apart.</param>
+/// <param name="Step">Difference between consecutive numbers: whole G codes are 10 apart.</param>
 internal sealed record SubjectRange(string Spelling, string Word, int First, int Last, int Step)
 {
     private const int MostNumber = 99_999_999;
@@ -18,10 +18,10 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
 
     public bool HasNumbers => First >= 0;
 
-    /// <summary>True if it names several subjects; a single one beats it.</summary>
+    /// <summary>True if it names several subjects; a single one has priority over it.</summary>
     public bool IsRange => Last > First;
 
-    /// <summary>A name for each subject in it, the same for the same subject however it is spelled.</summary>
+    /// <summary>A name for each of its subjects; equal for equal subjects, regardless of spelling.</summary>
     public IEnumerable<string> Names()
     {
         if (!HasNumbers)
@@ -35,7 +35,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
         }
     }
 
-    /// <summary>The subjects of a statement, or the spelling that is none.</summary>
+    /// <summary>Reads the subjects of a statement; returns the spelling of an invalid one.</summary>
     public static bool TryRead(string text, DialectTopic topic, List<SubjectRange> subjects, out string bad)
     {
         bad = text;
@@ -75,7 +75,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
             : null;
     }
 
-    // G54.1 is 541; -1 for what is no G code.
+    // G54.1 is 541; -1 if it is not a G code.
     private static int Tenths(string code)
     {
         if (!code.StartsWith('G'))
@@ -116,7 +116,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
         var (from, to) = (
             Number(first.AsSpan(stem.Length), MostNumber), Number(last.AsSpan(Math.Min(stem.Length, last.Length)), MostNumber));
 
-        // Numbers with leading zeros would come out as other words.
+        // Numbers with leading zeros would become other words.
         var isPlain = first[stem.Length..].StartsWith('0') || last.Length == stem.Length;
         return last.AsSpan().StartsWith(stem, StringComparison.Ordinal)
             && from >= 0
@@ -133,7 +133,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
             && word.All(c => char.IsAsciiLetterUpper(c) || char.IsAsciiDigit(c) || c is '_' or '$')
             && !IsCode(word);
 
-    // A G with digits is a code, in range or not, and never a word.
+    // A G with digits is a code, even out of range, and never a word.
     private static bool IsCode(string word) => word[0] == 'G' && !word.AsSpan(1).ContainsAnyExceptInRange('0', '9');
 
     private static int Number(ReadOnlySpan<char> digits, int most) =>

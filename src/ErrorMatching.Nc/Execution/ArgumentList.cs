@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The arguments of one function, kept without allocating.</summary>
+/// <summary>The arguments of one function, stored without allocating.</summary>
 internal struct ArgumentList
 {
     private Storage _storage;
@@ -15,7 +15,7 @@ internal struct ArgumentList
 
     public void Add(NcValue value) => _storage[Count++] = value;
 
-    // No function takes more than three.
+    // No function has more than three.
     [InlineArray(3)]
     private struct Storage
     {

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>How a block begins: block skip, number, label, and where its first statement stands.</summary>
-/// <param name="At">Where the first statement begins, from the start of the block.</param>
-/// <param name="Number">The block's number; -1 where it has none.</param>
-/// <param name="LabelAt">Where the label begins (Siemens).</param>
-/// <param name="LabelLength">Its length; 0 where there is none.</param>
-/// <param name="IsSkip">True if it has a slash: the switch for block skip decides whether it is executed.</param>
+/// <summary>The head of a block: block skip, number, label, and the position of its first statement.</summary>
+/// <param name="At">Start of the first statement, from the start of the block.</param>
+/// <param name="Number">The block's number; -1 if it has none.</param>
+/// <param name="LabelAt">Start of the label (Siemens).</param>
+/// <param name="LabelLength">Its length; 0 if there is none.</param>
+/// <param name="IsSkip">True if it has a slash: the block skip switch decides whether it is executed.</param>
 internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength, bool IsSkip)
 {
     /// <summary>Reads the head of a block.</summary>
@@ -50,8 +50,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         return new(at, number, labelAt, labelLength, isSkip);
     }
 
-    /// <summary>Length of the name (letters, digits, underscores, not beginning with a digit) at a place;
-    /// 0 where none stands there.</summary>
+    /// <summary>Length of the name (letters, digits, underscores, not starting with a digit) at a position; 0 if there is none.</summary>
     public static int NameLength(ReadOnlySpan<byte> text, int at)
     {
         var end = at;
@@ -63,7 +62,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         return end - at;
     }
 
-    /// <summary>The whole number at a place, behind spaces.</summary>
+    /// <summary>The whole number at a position, after spaces.</summary>
     public static (int Start, int Length, long Value) NumberAt(ReadOnlySpan<byte> text, int at)
     {
         while (at < text.Length && text[at] is (byte)' ' or (byte)'\t')
@@ -80,7 +79,7 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         return (start, at - start, value);
     }
 
-    /// <summary>True if a word stands at a place, in any case.</summary>
+    /// <summary>True if a word is at a position, in any case.</summary>
     public static bool Stands(ReadOnlySpan<byte> text, int at, ReadOnlySpan<byte> word) =>
         text.Length - at >= word.Length && System.Text.Ascii.EqualsIgnoreCase(text.Slice(at, word.Length), word);
 }

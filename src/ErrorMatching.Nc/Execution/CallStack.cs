@@ -1,13 +1,13 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>The programs that are being executed, the innermost last.</summary>
-/// <param name="main">The file that the run began with.</param>
+/// <summary>The programs being executed, innermost last.</summary>
+/// <param name="main">The file in which the run began.</param>
 /// <param name="dialect">Its control.</param>
 internal sealed class CallStack(NcProgram main, NcDialect dialect)
 {
     public NcProgram Main => main;
 
-    /// <summary>Empty until a statement needs the index of the file: a straight program with M30 at its end never does.</summary>
+    /// <summary>Empty until a statement needs the index of the file; a straight program with M30 at its end never does.</summary>
     public Stack<FlowFrame> Frames { get; } = new();
 
     public FlowFrame Frame
@@ -26,13 +26,13 @@ internal sealed class CallStack(NcProgram main, NcDialect dialect)
 
     public FlowUnit Unit => Frame.Unit;
 
-    /// <summary>The file that is being executed: the program itself, or one of the library.</summary>
+    /// <summary>The file being executed: the program itself, or one of the library.</summary>
     public NcProgram Program => Frames.Count == 0 ? main : Unit.Index.Program;
 
-    /// <summary>How many calls the present block is inside of; 0 in the main program.</summary>
+    /// <summary>Call depth of the current block; 0 in the main program.</summary>
     public int Depth => Math.Max(0, Frames.Count - 1);
 
-    /// <summary>A block of a program in another file stands for the block of this one that called it.</summary>
+    /// <summary>The block of the main file: for a block of another file, the block that called it.</summary>
     public int InProgram(int block)
     {
         foreach (var frame in Frames)

@@ -1,16 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// What operators and functions compute. Whatever is computed from an unknown value is unknown;
-/// what has no value is an error in words, never a NaN.
-/// </summary>
+/// <summary>Computes operators and functions. A result is unknown if an operand is unknown. An undefined result gives an error message,
+/// never NaN.</summary>
 internal static class ExpressionArithmetic
 {
     private const double CloseTo = 0.00001;
     private const double RelativeTo = 1e-12;
     private const double LargestWhole = 9.0e15;
 
-    /// <summary>Applies an operator. The error says why there is no result; it is null where there is one.</summary>
+    /// <summary>Applies an operator. The error says why there is no result; it is null if there is one.</summary>
     public static NcValue Apply(ExpressionOperator what, NcValue a, NcValue b, ExpressionEquality equality, out string? error)
     {
         error = null;
@@ -39,7 +37,7 @@ internal static class ExpressionArithmetic
     }
 
     /// <summary>Applies a function to its arguments; <see cref="ExpressionFunction.Round"/> rounds to a number of decimals. The error is
-    /// null where there is a result.</summary>
+    /// null if there is a result.</summary>
     public static NcValue Apply(ExpressionFunction what, ReadOnlySpan<NcValue> arguments, int decimals, out string? error)
     {
         error = null;
@@ -71,8 +69,8 @@ internal static class ExpressionArithmetic
         return Finite(value, ref error);
     }
 
-    // Whether two values differ where at least one is no number: nothing equals only nothing, a text only the same text.
-    // Null where both are numbers.
+    // Whether two values differ if at least one is not a number: a vacant value equals only a vacant value, a text only the same text.
+    // Null if both are numbers.
     private static bool? Differ(NcValue a, NcValue b) =>
         a.Kind != b.Kind ? true : a.Kind switch
         {
@@ -172,7 +170,7 @@ internal static class ExpressionArithmetic
         _ => Degrees(Math.Asin(a)),
     };
 
-    // Exact at the quarter turns, where a program asks whether a sine is zero.
+    // Exact at the quarter turns, where a program may check whether a sine is zero.
     private static double Sine(double degrees)
     {
         var angle = degrees % 360;

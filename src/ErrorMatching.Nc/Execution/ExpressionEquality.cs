@@ -1,14 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>When two numbers count as equal.</summary>
+/// <summary>When two numbers are equal.</summary>
 internal enum ExpressionEquality : byte
 {
-    /// <summary>When they are the same.</summary>
+    /// <summary>If they are identical.</summary>
     Exact,
 
-    /// <summary>When they differ by less than 0.00001; only in equality, not in order (LinuxCNC).</summary>
+    /// <summary>If they differ by less than 0.00001; only for equality, not for order (LinuxCNC).</summary>
     Close,
 
-    /// <summary>When they differ by at most 1e-12 of the larger; in order too (Siemens).</summary>
+    /// <summary>If they differ by at most 1e-12 of the larger; for order too (Siemens).</summary>
     Relative,
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What is computed from arguments. Angles are degrees.</summary>
+/// <summary>Functions in expressions. Angles are degrees.</summary>
 internal enum ExpressionFunction : byte
 {
     Sine,
@@ -10,7 +10,7 @@ internal enum ExpressionFunction : byte
     /// <summary>From -90 to 90.</summary>
     ArcSine,
 
-    /// <summary>From 270 over 360 to 90.</summary>
+    /// <summary>From 270 through 360 to 90.</summary>
     ArcSineOfTurn,
     ArcCosine,
 
@@ -51,6 +51,6 @@ internal enum ExpressionFunction : byte
     Minimum,
     Maximum,
 
-    /// <summary>The third argument, held between the first and the second.</summary>
+    /// <summary>The third argument, limited to the range from the first to the second.</summary>
     Bound,
 }

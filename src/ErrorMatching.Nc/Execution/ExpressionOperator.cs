@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What stands between two operands. Where families differ in what a spelling means, each meaning has its own name.</summary>
+/// <summary>Operators in expressions. If a spelling has different meanings in different families, each meaning has its own name.</summary>
 internal enum ExpressionOperator : byte
 {
     Add,
@@ -8,10 +8,10 @@ internal enum ExpressionOperator : byte
     Multiply,
     Divide,
 
-    /// <summary>Whole part of the quotient.</summary>
+    /// <summary>Integer part of the quotient.</summary>
     DivideWhole,
 
-    /// <summary>Remainder of two whole numbers, with the sign of the first.</summary>
+    /// <summary>Remainder of two integers, with the sign of the first.</summary>
     Remainder,
 
     /// <summary>Remainder that is never negative.</summary>
@@ -30,6 +30,6 @@ internal enum ExpressionOperator : byte
     Or,
     Xor,
 
-    /// <summary>Joins two texts.</summary>
+    /// <summary>Concatenates two texts.</summary>
     Join,
 }

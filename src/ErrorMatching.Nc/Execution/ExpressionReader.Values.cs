@@ -7,7 +7,7 @@ internal ref partial struct ExpressionReader
 {
     private const double Nearly = 0.0001;
 
-    /// <summary>Reads which variable stands here: <c>#1</c>, <c>#[#2+1]</c>, <c>##3</c>, <c>#&lt;name&gt;</c>, <c>R1</c>, <c>R[..]</c>,
+    /// <summary>Reads the variable here: <c>#1</c>, <c>#[#2+1]</c>, <c>##3</c>, <c>#&lt;name&gt;</c>, <c>R1</c>, <c>R[..]</c>,
     /// <c>NAME</c>, <c>NAME[i, j]</c>, <c>$..</c>.</summary>
     public VariablePlace Place()
     {
@@ -61,7 +61,7 @@ internal ref partial struct ExpressionReader
         return error is null ? value : FailAt(start, error);
     }
 
-    // A whole number that names a variable or an element; null where only the machine knows it.
+    // The whole number of a variable or an array element; null if only the machine knows it.
     private int? Position(NcValue value, int start)
     {
         if (Error is not null || value.IsUnknown)
@@ -147,7 +147,7 @@ internal ref partial struct ExpressionReader
         return known is null ? BehindMachineVariable() : VariablePlace.Named(name!);
     }
 
-    // What stands in the brackets of the machine's own variables (axes, keywords) is not computed.
+    // The brackets of machine variables (axes, keywords) are not computed.
     private VariablePlace BehindMachineVariable()
     {
         while (Peek() is (byte)'[' or (byte)'(')
@@ -205,7 +205,7 @@ internal ref partial struct ExpressionReader
         return VariablePlace.Element(name!, (int)position);
     }
 
-    // NOT x, B_NOT x, TRUE, FALSE: words that stand where an operand stands.
+    // NOT x, B_NOT x, TRUE, FALSE: words in the place of an operand.
     private bool Prefixed(out NcValue value)
     {
         value = default;
@@ -276,7 +276,7 @@ internal ref partial struct ExpressionReader
             : FailAt(start, "this is no number");
     }
 
-    // LinuxCNC reads on over spaces: 1 2 is 12.
+    // LinuxCNC ignores spaces in numbers: 1 2 is 12.
     private readonly bool SpaceInNumber()
     {
         var behind = BehindSpaces(0);

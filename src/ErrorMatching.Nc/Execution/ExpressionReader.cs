@@ -1,10 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Reads an expression from a block's bytes and computes it while reading:
-/// precedence climbing over the operators of <see cref="ExpressionSyntax"/>. The first error stops it;
-/// from then on every value is unknown and nothing is read any more.
-/// </summary>
+/// <summary>Reads an expression from a block's bytes and computes it while reading: precedence climbing over the operators of
+/// <see cref="ExpressionSyntax"/>. The first error stops it; from then on every value is unknown and nothing more is read.</summary>
 internal ref partial struct ExpressionReader
 {
     /// <summary>Deepest nesting of brackets, functions, signs and variables.</summary>
@@ -17,9 +14,9 @@ internal ref partial struct ExpressionReader
     private int _depth;
 
     /// <param name="text">The bytes of the block.</param>
-    /// <param name="at">Where to begin.</param>
-    /// <param name="syntax">How the family writes expressions.</param>
-    /// <param name="variables">What variables hold.</param>
+    /// <param name="at">Position of the first byte to read.</param>
+    /// <param name="syntax">Expression syntax of the family.</param>
+    /// <param name="variables">Values of variables.</param>
     public ExpressionReader(ReadOnlySpan<byte> text, int at, ExpressionSyntax syntax, NcVariables variables)
     {
         _text = text;
@@ -28,8 +25,7 @@ internal ref partial struct ExpressionReader
         _variables = variables;
     }
 
-    /// <summary>Decimals to which ROUND rounds: 0 in a computation; Fanuc rounds to the least increment where ROUND stands in an
-    /// address.</summary>
+    /// <summary>Decimals to which ROUND rounds: 0 in a computation; in an address, Fanuc rounds to the least increment.</summary>
     public int RoundDecimals { get; init; }
 
     /// <summary>The first byte not read.</summary>
@@ -39,15 +35,15 @@ internal ref partial struct ExpressionReader
         set => _at = value;
     }
 
-    /// <summary>What is wrong, in words; null where nothing is.</summary>
+    /// <summary>The error message; null if there is no error.</summary>
     public string? Error { get; private set; }
 
-    /// <summary>Where it is wrong, from the start of the block.</summary>
+    /// <summary>Position of the error, from the start of the block.</summary>
     public int ErrorAt { get; private set; }
 
     private readonly bool IsSiemens => _syntax.Syntax == NcSyntax.Siemens;
 
-    /// <summary>Reads an expression as far as it goes.</summary>
+    /// <summary>Reads the longest expression from here.</summary>
     public NcValue Expression() => Expression(0);
 
     /// <summary>Reads one operand: a number, variable, function or bracket, with its sign.</summary>
@@ -77,7 +73,7 @@ internal ref partial struct ExpressionReader
         return value;
     }
 
-    /// <summary>Reads a bracket with the expression in it.</summary>
+    /// <summary>Reads a bracketed expression.</summary>
     public NcValue Bracket()
     {
         if (!Take(_syntax.Open))
@@ -89,7 +85,7 @@ internal ref partial struct ExpressionReader
         return Close() ? value : NcValue.Unknown;
     }
 
-    /// <summary>Stops reading with an error at the present place.</summary>
+    /// <summary>Stops reading with an error at the current position.</summary>
     public NcValue Fail(string why) => FailAt(_at, why);
 
     public void SkipSpaces()
@@ -100,7 +96,7 @@ internal ref partial struct ExpressionReader
         }
     }
 
-    /// <summary>Reads a character behind spaces, if it stands here.</summary>
+    /// <summary>Reads a character after spaces, if it is here.</summary>
     public bool Take(byte c)
     {
         SkipSpaces();
@@ -146,7 +142,7 @@ internal ref partial struct ExpressionReader
         return Error is null ? left : NcValue.Unknown;
     }
 
-    // The operator that stands here behind spaces; nothing is read yet.
+    // The operator here, after spaces; reads nothing yet.
     private OperatorSpelling? Operator(out int length)
     {
         SkipSpaces();
@@ -223,7 +219,7 @@ internal ref partial struct ExpressionReader
             return NcValue.Unknown;
         }
 
-        // ATAN[y]/[x]: the second argument stands in a bracket of its own.
+        // ATAN[y]/[x]: the second argument has its own bracket.
         if (!IsSiemens
             && function.Most == 2
             && arguments.Count == 1

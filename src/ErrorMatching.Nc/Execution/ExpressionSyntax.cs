@@ -1,9 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// How a family of controls writes expressions: brackets, operators with their rank, functions.
-/// All operators of one rank are computed from left to right.
-/// </summary>
+/// <summary>Expression syntax of a family of controls: brackets, operators with their rank, functions. Operators of the same rank are
+/// computed from left to right.</summary>
 /// <remarks>
 /// Sources: Fanuc Series 0i-MF operator's manual B-64604EN, custom macro (parameter 6004#0 = 0, which gives the ranges of ASIN and ATAN);
 /// LinuxCNC 2.9, G-code overview, with the ranks and the tolerance of EQ as rs274 shows them;
@@ -99,7 +97,7 @@ internal sealed class ExpressionSyntax
 
     public ExpressionEquality Equality { get; private init; }
 
-    /// <summary>Spellings that begin alike stand longest first.</summary>
+    /// <summary>Of spellings with the same start, the longest is first.</summary>
     public required OperatorSpelling[] Operators { get; init; }
 
     public required FunctionSpelling[] Functions { get; init; }

@@ -1,14 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What follows when a block has been given to the machine.</summary>
+/// <summary>What to do after a block was given to the flow.</summary>
 internal enum FlowAction : byte
 {
-    /// <summary>The block has words of its own: read and act on them, then give the block to <see cref="NcFlow.Behind"/>.</summary>
+    /// <summary>The block has words of its own: read and apply them, then give the block to <see cref="NcFlow.Behind"/>.</summary>
     Words,
 
-    /// <summary>The block is done: go on at <see cref="NcFlow.Next"/> of <see cref="NcFlow.Program"/>.</summary>
+    /// <summary>The block is done: continue at <see cref="NcFlow.Next"/> of <see cref="NcFlow.Program"/>.</summary>
     Continue,
 
-    /// <summary>The program has ended, or <see cref="NcFlow.Refusal"/> says why it cannot go on.</summary>
+    /// <summary>The program has ended, or <see cref="NcFlow.Refusal"/> says why it cannot continue.</summary>
     Stop,
 }

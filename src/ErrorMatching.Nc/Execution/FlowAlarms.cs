@@ -1,7 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Branches on what only the machine knows (a probe that touched nothing), one way of which only stops the run: whatever is
-/// executed behind them went the other way, so that no guess is needed.</summary>
+/// <summary>Branches on values that only the machine knows (a probe that touched nothing), if one way only stops the run. Everything
+/// executed after them took the other way, so no guess is needed.</summary>
 internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory)
 {
     private const string ConditionalStop = "conditional-stop";
@@ -19,7 +19,7 @@ internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport re
         return at < text.Length && text[at] == '#' && BlockHead.NumberAt(text, at + 1).Value == IsoWords.AlarmVariable && NoteStop(block);
     }
 
-    /// <summary>IF .. with nothing but messages, an alarm and M30 up to its ENDIF.</summary>
+    /// <summary>IF .. with only messages, an alarm and M30 up to its ENDIF.</summary>
     public bool OnlyStops(FlowStatement branch, ReadOnlySpan<byte> condition)
     {
         if (syntax != NcSyntax.Siemens || branch.Kind != FlowKind.If || branch.Branch is not { Kind: FlowKind.EndIf } end)
@@ -48,7 +48,7 @@ internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport re
 
     private bool NoteStop(int block)
     {
-        // Once a program: a probing program has one at every point.
+        // Once per program: a probing program has one at every point.
         block = report.Notes.FirstOrDefault(n => n.Code == ConditionalStop)?.Block ?? block;
         report.Note(
             ConditionalStop,

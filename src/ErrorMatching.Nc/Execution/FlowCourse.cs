@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Which block runs next: jumps, calls and returns, with their limits.</summary>
+/// <summary>Determines the next block: jumps, calls and returns, with their limits.</summary>
 internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, ProgramParameters parameters,
     FlowSettings settings)
 {
@@ -10,27 +10,25 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
     private long _changes;
     private int _resumed;
 
-    /// <summary>The block to be executed next.</summary>
+    /// <summary>The next block to execute.</summary>
     public int Next { get; set; }
 
-    /// <summary>How many blocks were executed, counted where the program does not run straight through.</summary>
+    /// <summary>Number of blocks executed, counted where the program does not run straight through.</summary>
     public long Steps { get; private set; }
 
     public bool HasEnded { get; private set; }
 
-    /// <summary>The block at which the program begins, or goes on since it last jumped.</summary>
+    /// <summary>The block at which the program began, or continued after its last jump.</summary>
     public int Begun => _resumed;
 
-    /// <summary>Begins at a block: 0, unless an archive begins with a subprogram.</summary>
+    /// <summary>Starts at a block: 0, unless an archive begins with a subprogram.</summary>
     public void Begin(int block) => _resumed = block;
 
-    /// <summary>Something has changed beside variables that a loop can depend on.</summary>
+    /// <summary>Records a change, other than of variables, that a loop can depend on.</summary>
     public void Change() => _changes++;
 
-    /// <summary>
-    /// Goes on at a block of the present program. A jump back that finds the program knowing just what it knew the last time will never
-    /// end.
-    /// </summary>
+    /// <summary>Continues at a block of the current program. Refuses a jump back if no value has changed since the same jump before:
+    /// the loop would never end.</summary>
     public FlowAction Jump(int from, int target)
     {
         if (target <= from)
@@ -54,7 +52,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         return GoTo(from, target);
     }
 
-    /// <summary>Goes on at a block of the present program that no loop leads to.</summary>
+    /// <summary>Continues at a block of the current program without checking for an endless loop.</summary>
     public FlowAction GoTo(int from, int target)
     {
         Steps += Math.Max(0, from - _resumed) + 1;
@@ -77,7 +75,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
             : FlowAction.Continue;
     }
 
-    /// <summary>Calls.</summary>
+    /// <summary>Calls a program.</summary>
     public FlowAction Enter(FlowFrame frame)
     {
         if (calls.Frames.Count > settings.Depth)
@@ -117,7 +115,8 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         return frame.Parameters is null ? FlowAction.Continue : parameters.Bind(frame.Unit, frame.Parameters, frame.Results);
     }
 
-    /// <summary>Ends a pass of the present call: the next pass, or behind the caller, or at a block of the calling program.</summary>
+    /// <summary>Ends a pass of the current call. Continues with the next pass, after the caller, or at a block of the calling
+    /// program.</summary>
     public FlowAction Return(int from, long number = -1)
     {
         var frame = calls.Frame;
@@ -161,7 +160,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         return action == FlowAction.Continue && target == frame.Caller + 1 ? BehindRegion(frame.Caller) : action;
     }
 
-    /// <summary>A section that a REPEAT statement executes ends behind this block: once more, or on behind the statement.</summary>
+    /// <summary>Ends a pass of a section that a REPEAT statement executes: repeats it, or continues after the statement.</summary>
     public FlowAction BehindRegion(int block)
     {
         if (calls.Frames.Count > 0 && calls.Frame.Regions.TryPeek(out var region) && region.Last == block)
@@ -188,7 +187,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
             : Jump(block, target);
     }
 
-    /// <summary>Goes on where a file's last block before this one has been executed: in the calling program, or nowhere.</summary>
+    /// <summary>Continues after a file's last block before this one was executed: in the calling program, or the run ends.</summary>
     public FlowAction AtEnd(int block)
     {
         if (calls.Frames.Count <= 1)
@@ -205,7 +204,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         return Return(block - 1);
     }
 
-    /// <summary>Returns, or ends where nobody called.</summary>
+    /// <summary>Returns, or ends if there is no caller.</summary>
     public FlowAction ReturnOrEnd(int block) => calls.Frames.Count > 1 ? Return(block) : Ended();
 
     public FlowAction Ended()

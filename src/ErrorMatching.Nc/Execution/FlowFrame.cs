@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A program, subprogram, macro or subroutine that is being executed.</summary>
+/// <summary>A program, subprogram, macro or subroutine being executed.</summary>
 internal sealed class FlowFrame
 {
     public required FlowUnit Unit { get; init; }
@@ -11,27 +11,28 @@ internal sealed class FlowFrame
     /// <summary>The block that called.</summary>
     public int Caller { get; init; }
 
-    /// <summary>Passes left, the present one included.</summary>
+    /// <summary>Remaining passes, including the current one.</summary>
     public long Passes { get; set; } = 1;
 
-    /// <summary>What a call gives to the variables of its level, for each pass anew; null where the level is the caller's.</summary>
+    /// <summary>Values that a call assigns to the variables of its level, again for each pass; null if it uses the caller's
+    /// level.</summary>
     public IReadOnlyList<(VariablePlace Place, NcValue Value)>? Arguments { get; init; }
 
-    /// <summary>The arguments of a Siemens call in their order, each with the variable that it is, if it is one.</summary>
+    /// <summary>The arguments of a Siemens call in order, each with its variable if it is one.</summary>
     public List<(NcValue Value, VariablePlace? Place)>? Parameters { get; init; }
 
-    /// <summary>Parameters by reference (Siemens VAR): what is handed back to the caller's variables.</summary>
+    /// <summary>Parameters by reference (Siemens VAR): values returned to the caller's variables.</summary>
     public List<(VariablePlace Inside, VariablePlace Outside)> Results { get; } = [];
 
-    /// <summary>True if a modal call behind a motion began it.</summary>
+    /// <summary>True if a modal call after a motion began it.</summary>
     public bool IsModalMacro { get; init; }
 
-    /// <summary>How many of the modal calls are active in it.</summary>
+    /// <summary>Number of modal calls active in it.</summary>
     public int ModalCalls { get; set; }
 
-    /// <summary>Passes left of counted loops, by the block of the loop.</summary>
+    /// <summary>Remaining passes of counted loops, by the block of the loop.</summary>
     public Dictionary<int, long> Counters { get; } = [];
 
-    /// <summary>Repeated sections, the innermost last.</summary>
+    /// <summary>Repeated sections, innermost last.</summary>
     public Stack<FlowRegion> Regions { get; } = new();
 }

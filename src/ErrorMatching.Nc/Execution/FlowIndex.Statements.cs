@@ -2,15 +2,15 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Which statements belong together.</content>
+/// <content>Matches the statements of a structure.</content>
 internal sealed partial class FlowIndex
 {
     private const int DeepestStructure = 100;
 
     private readonly Stack<(string Label, FlowStatement Begin, FlowStatement Last)> _open = new();
 
-    /// <summary>Splits an O word block of LinuxCNC: its label (empty where it is computed), its keyword in upper case,
-    /// and where each ends.</summary>
+    /// <summary>Splits an O word block of LinuxCNC: its label (empty if it is computed), its keyword in upper case, and the end of
+    /// each.</summary>
     public static (string Label, int LabelEnd, string Keyword, int KeywordEnd) OWordAt(ReadOnlySpan<byte> text, int at)
     {
         var number = BlockHead.NumberAt(text, at + 1);
@@ -230,7 +230,8 @@ internal sealed partial class FlowIndex
         }
     }
 
-    // Takes the innermost open structure of a label; what was opened in it and never closed stays without an end. Null where none is open.
+    // Closes the innermost open structure of a label; structures inside it that were never closed stay without an end. Null if none is
+    // open.
     private (FlowStatement Begin, FlowStatement Last)? CloseUpTo(string label, FlowKind kind)
     {
         if (!_open.Any(o => o.Label == label && o.Begin.Kind == kind))

@@ -2,8 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What a file consists of: its programs, and the statements that belong together.
-/// Made once, when the first statement of flow is met.</summary>
+/// <summary>The parts of a file: its programs and the statements of each structure. Created once, at the first flow statement.</summary>
 internal sealed partial class FlowIndex
 {
     private readonly NcSyntax _syntax;
@@ -34,7 +33,7 @@ internal sealed partial class FlowIndex
 
             if (HeadingOf(text, head.At) is { } heading)
             {
-                // LinuxCNC runs on over the number of a subprogram; only the second percent sign ends the file.
+                // LinuxCNC continues past the number of a subprogram; only the second percent sign ends the file.
                 if (syntax == NcSyntax.LinuxCnc)
                 {
                     end = heading.Length == 0 && hasContent ? i : end;
@@ -75,13 +74,13 @@ internal sealed partial class FlowIndex
 
     public NcProgram Program { get; }
 
-    /// <summary>The program that runs first: the first main program of an archive, else the first of the file.</summary>
+    /// <summary>The program that runs first: the first main program of an archive, or else the first of the file.</summary>
     public FlowUnit Main { get; }
 
-    /// <summary>The program of a name; null where the file has none.</summary>
+    /// <summary>The program with a name; null if the file has none.</summary>
     public FlowUnit? Unit(string name) => _named.GetValueOrDefault(name);
 
-    /// <summary>The program in which a block stands.</summary>
+    /// <summary>The program that contains a block.</summary>
     public FlowUnit UnitAt(int block)
     {
         var (low, high) = (0, _units.Count - 1);
@@ -94,17 +93,16 @@ internal sealed partial class FlowIndex
         return _units[low];
     }
 
-    /// <summary>How many blocks were looked at to find the targets of jumps.</summary>
+    /// <summary>Number of blocks searched for jump targets.</summary>
     public long Searched { get; private set; }
 
-    /// <summary>The structure that a block belongs to; null where it belongs to none.</summary>
+    /// <summary>The structure statement at a block; null if there is none.</summary>
     public FlowStatement? StatementAt(int block) => _statements.GetValueOrDefault(block);
 
-    /// <summary>The definition of a LinuxCNC subroutine; null where the file has none.</summary>
+    /// <summary>The definition of a LinuxCNC subroutine; null if the file has none.</summary>
     public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
 
-    /// <summary>The block with a number, searched forward from a block and then from the start of the program;
-    /// -1 where there is none.</summary>
+    /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 if none.</summary>
     public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) =>
         Find(unit, from, forward, backward, number, "");
 
@@ -112,10 +110,10 @@ internal sealed partial class FlowIndex
     public int FindLabel(FlowUnit unit, int from, string label, bool forward = true, bool backward = true) =>
         Find(unit, from, forward, backward, -1, label);
 
-    /// <summary>How a program number is named: <c>O0100</c>.</summary>
+    /// <summary>The name for a program number: <c>O0100</c>.</summary>
     public static string NumberName(long number) => string.Create(CultureInfo.InvariantCulture, $"O{number:D4}");
 
-    /// <summary>A Siemens name without the marks of files and archives: <c>_N_POCKET_SPF</c> and <c>POCKET.SPF</c> are POCKET.</summary>
+    /// <summary>A Siemens name without file and archive marks: <c>_N_POCKET_SPF</c> and <c>POCKET.SPF</c> are POCKET.</summary>
     public static string PlainName(string name)
     {
         name = name.ToUpperInvariant();
@@ -138,7 +136,7 @@ internal sealed partial class FlowIndex
         }
     }
 
-    // The name of the program that begins here; an empty one where the tape's start or end is marked; null for any other block.
+    // The name of the program that begins here; empty at the marked start or end of the tape; null for any other block.
     private string? HeadingOf(ReadOnlySpan<byte> text, int at)
     {
         if (at >= text.Length)
@@ -170,7 +168,7 @@ internal sealed partial class FlowIndex
         var found = forward ? Search(from + 1, unit.End, number, label) : -1;
         if (found < 0 && backward)
         {
-            // Behind a search forward all the rest counts from the top; a search only backward takes the nearest.
+            // A forward search continues from the top; a search only backward takes the nearest.
             found = forward ? Search(unit.First, from + 1, number, label) : SearchBack(unit.First, from, number, label);
         }
 

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Statements that belong together over several blocks, whatever a family calls them.</summary>
+/// <summary>Structure statements over several blocks, independent of a family's names.</summary>
 internal enum FlowKind : byte
 {
     If,
@@ -8,11 +8,11 @@ internal enum FlowKind : byte
     Else,
     EndIf,
 
-    /// <summary>A loop whose condition stands at its begin.</summary>
+    /// <summary>A loop with its condition at the start.</summary>
     While,
     EndWhile,
 
-    /// <summary>A loop whose condition stands at its end: DO .. WHILE, REPEAT .. UNTIL.</summary>
+    /// <summary>A loop with its condition at the end: DO .. WHILE, REPEAT .. UNTIL.</summary>
     Do,
     Until,
 

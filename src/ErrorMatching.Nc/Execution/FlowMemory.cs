@@ -1,13 +1,13 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Values of a running program: variables, expressions, and what counts and conditions must be.</summary>
+/// <summary>Values of a running program: variables, expressions, and the checks of counts and conditions.</summary>
 internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
 {
     private readonly ExpressionSyntax _expressions = ExpressionSyntax.Of(syntax);
 
     public NcVariables Variables { get; } = new(syntax);
 
-    /// <summary>True once a condition was asked or a variable set.</summary>
+    /// <summary>True once a condition was checked or a variable set.</summary>
     public bool HasComputed { get; set; }
 
     public ExpressionReader ReaderAt(ReadOnlySpan<byte> text, int at) => new(text, at, _expressions, Variables);
@@ -15,10 +15,10 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
     /// <summary>Computes the value of a word.</summary>
     /// <param name="block">Its block.</param>
     /// <param name="text">The text of the block, up to the end of the value.</param>
-    /// <param name="at">Where the value begins; an equals sign is passed over.</param>
+    /// <param name="at">Start of the value; skips an equals sign.</param>
     /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address.</param>
     /// <param name="value">The value.</param>
-    /// <returns>False where the refusal says what is wrong.</returns>
+    /// <returns>False if there is a refusal.</returns>
     public bool TryValue(int block, ReadOnlySpan<byte> text, int at, int decimals, out NcValue value)
     {
         var reader = new ExpressionReader(text, at, _expressions, Variables) { RoundDecimals = syntax == NcSyntax.Iso ? decimals : 0 };
@@ -33,7 +33,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         return Check(ref reader, block);
     }
 
-    /// <summary>True where nothing is wrong; else the refusal is set.</summary>
+    /// <summary>True if there is no error; otherwise sets the refusal.</summary>
     public bool Check(ref ExpressionReader reader, int block)
     {
         if (reader.Error is not null)
@@ -45,7 +45,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         return report.Refusal is null;
     }
 
-    /// <summary>A whole number that decides how the program goes on; false where there is none, with the refusal.</summary>
+    /// <summary>A whole number that determines how the program continues; false, with a refusal, if there is none.</summary>
     public bool TryCount(int block, NcValue value, string what, out long count)
     {
         count = 0;
@@ -66,7 +66,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         return true;
     }
 
-    /// <summary>Whether a condition holds; false where nobody can know, with the refusal.</summary>
+    /// <summary>Whether a condition is true; false, with a refusal, if it is unknown.</summary>
     public bool TryTruth(int block, ref ExpressionReader reader, NcValue value, out bool truth)
     {
         HasComputed = true;
@@ -89,7 +89,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         return report.Refusal is null;
     }
 
-    /// <summary>P=3, P3 or P=R1 behind a call or REPEAT; 1 where there is none.</summary>
+    /// <summary>P=3, P3 or P=R1 after a call or REPEAT; 1 if there is none.</summary>
     public bool TryPasses(int block, ref ExpressionReader reader, out long passes)
     {
         passes = 1;
@@ -149,7 +149,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         _ => null,
     };
 
-    /// <summary>Fails at anything else than the end of a statement: the control stops there.</summary>
+    /// <summary>Fails on anything but the end of a statement: the control stops there.</summary>
     public static void EndOfStatement(ref ExpressionReader reader, ReadOnlySpan<byte> text)
     {
         SkipComments(ref reader, text);
@@ -159,7 +159,7 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
         }
     }
 
-    /// <summary>Comments stand anywhere behind the keyword and count for nothing.</summary>
+    /// <summary>Comments are allowed anywhere after the keyword and are ignored.</summary>
     public static void SkipComments(ref ExpressionReader reader, ReadOnlySpan<byte> text)
     {
         for (reader.SkipSpaces(); reader.At < text.Length && text[reader.At] == '('; reader.SkipSpaces())

@@ -1,16 +1,16 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Why a running program cannot go on, and what is worth knowing of how it ran.</summary>
+/// <summary>Why a running program cannot continue, and notes on how it ran.</summary>
 internal sealed class FlowReport(CallStack calls)
 {
     private readonly List<NcNote> _notes = [];
 
-    /// <summary>Why the program cannot go on; null where it can.</summary>
+    /// <summary>Why the program cannot continue; null if it can.</summary>
     public NcRefusal? Refusal { get; private set; }
 
     public IReadOnlyList<NcNote> Notes => _notes;
 
-    /// <summary>Ends the run at a block for a reason.</summary>
+    /// <summary>Ends the run at a block with a reason.</summary>
     public FlowAction Refuse(string code, int block, string message)
     {
         var (program, called) = (calls.Main, calls.Program);
@@ -22,7 +22,7 @@ internal sealed class FlowReport(CallStack calls)
         }
         else
         {
-            // The file that the setter named has the block that calls; the message says where in the other one.
+            // The setter's file has the calling block; the message gives the place in the other file.
             var name = calls.Unit.Name.Length > 0 ? calls.Unit.Name : "the called program";
             var where = called.BlockCount == 0 ? "" : $", {called.NameOf(called[Math.Clamp(block, 0, called.BlockCount - 1)])}";
             Refusal ??= NcRefusal.At(program, main, code, $"in {name}{where}: {message}");
@@ -35,7 +35,7 @@ internal sealed class FlowReport(CallStack calls)
         Refuse(NcRefusalCodes.MissingProgram, block,
             $"the program {name} is called, and neither this file nor the folder of the program has it.");
 
-    /// <summary>Refuses a call that cannot be executed, or a block with two words that steer.</summary>
+    /// <summary>Refuses a call that cannot be executed, or a block with two flow words.</summary>
     public FlowAction RefuseCall(int block, string word) => Refuse(
         NcRefusalCodes.MissingProgram,
         block,

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A block that is part of a structure, with its partners.</summary>
-/// <param name="kind">What it is.</param>
+/// <summary>A block that is part of a structure, linked to the structure's other statements.</summary>
+/// <param name="kind">Its kind.</param>
 /// <param name="block">Its position.</param>
-/// <param name="at">Where its condition or argument begins, from the start of the block.</param>
+/// <param name="at">Start of its condition or argument, from the start of the block.</param>
 internal sealed class FlowStatement(FlowKind kind, int block, int at)
 {
     public FlowKind Kind { get; } = kind;
@@ -12,12 +12,12 @@ internal sealed class FlowStatement(FlowKind kind, int block, int at)
 
     public int At { get; } = at;
 
-    /// <summary>The statement that begins the structure; null where there is none.</summary>
+    /// <summary>The statement that begins the structure; null if there is none.</summary>
     public FlowStatement? Start { get; set; }
 
     /// <summary>The next branch of an IF, or its end.</summary>
     public FlowStatement? Branch { get; set; }
 
-    /// <summary>The statement that ends the structure; kept at the one that begins it.</summary>
+    /// <summary>The statement that ends the structure; set on the one that begins it.</summary>
     public FlowStatement? End { get; set; }
 }

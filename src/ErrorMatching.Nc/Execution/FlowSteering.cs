@@ -2,9 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// What the roles of a dialect do to the run of a program. All are decided here; one that has no way of its own is refused.
-/// </summary>
+/// <summary>Applies a dialect's flow roles to the run of a program. It handles all of them; a role without a handler is refused.</summary>
 internal sealed class FlowSteering(
     NcDialect dialect,
     FlowReport report,
@@ -13,10 +11,10 @@ internal sealed class FlowSteering(
     MacroCalls macros,
     IsoWords words)
 {
-    /// <summary>True if the block last given to <see cref="Behind"/> had a word that steers, and it was executed.</summary>
+    /// <summary>True if the block last given to <see cref="Behind"/> had a flow word that was executed.</summary>
     public bool HasSteered { get; private set; }
 
-    /// <summary>Executes what a block does behind its words.</summary>
+    /// <summary>Executes what a block does after its words.</summary>
     public FlowAction Behind(int block, ReadOnlySpan<byte> text, bool moved)
     {
         HasSteered = false;
@@ -36,7 +34,7 @@ internal sealed class FlowSteering(
                 return Steer(block, role, number.Value, NcValue.Vacant);
             }
 
-            // Digits belong to what they follow: the 3 of 1EX3 is no word.
+            // Digits belong to what they follow: the 3 of 1EX3 is not a word.
             at += Math.Max(1, length);
             if (text[at - 1] == '"' && text[at..].IndexOf((byte)'"') is >= 0 and var close)
             {
@@ -73,7 +71,7 @@ internal sealed class FlowSteering(
         };
     }
 
-    // The word that steers among those of the block: a code before functions, since what stands behind it is its arguments.
+    // Executes the flow word of the block: a code before functions, because the words after it are its arguments.
     private FlowAction SteerByWords(int block, bool moved)
     {
         if (TryMacroCode(block, out var meaning, out var tenths, out var at))
@@ -113,7 +111,7 @@ internal sealed class FlowSteering(
             : FlowAction.Continue;
     }
 
-    // A code that calls among the collected words, and where its arguments begin.
+    // A call code among the collected words, and the start of its arguments.
     private bool TryMacroCode(int block, out NcMeaning meaning, out int tenths, out int at)
     {
         (meaning, tenths, at) = (NcMeaning.Unknown, 0, 0);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Branches and loops over several blocks, which all families have in common.</summary>
+/// <summary>Branches and loops over several blocks, common to all families.</summary>
 internal sealed class FlowStructures(
     NcSyntax syntax,
     CallStack calls,
@@ -48,8 +48,7 @@ internal sealed class FlowStructures(
         }
     }
 
-    // Measured with rs274: a break out of a while loop still counts at the next end of a do loop, which is left whatever its condition
-    // says.
+    // Measured with rs274: a break out of a while loop also ends the next do loop at its end, whatever its condition.
     private FlowAction LeaveUntil(int block)
     {
         _breaking = false;
@@ -135,7 +134,7 @@ internal sealed class FlowStructures(
         return course.Jump(statement.Block, left > 0 ? start.Block + 1 : statement.Block + 1);
     }
 
-    // FOR i = a TO b .. ENDFOR: the end value is computed at each pass; i goes up by one.
+    // FOR i = a TO b .. ENDFOR: the end value is computed at each pass; i increases by one.
     private FlowAction For(FlowStatement start, ReadOnlySpan<byte> text, FlowStatement end, bool begins)
     {
         var from = begins ? start.Block : end.Block;

@@ -1,10 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Which blocks the machine must see: those that assign, branch, call, return, end, or begin a program.</summary>
+/// <summary>Finds the blocks that the flow must see: those that assign, branch, call, return, end, or begin a program.</summary>
 internal static class FlowTrigger
 {
-    /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>.
-    /// Answering true for another block costs time and nothing else.</summary>
+    /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Returning true for another block only costs time.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
         var syntax = dialect.Syntax;
@@ -19,7 +18,7 @@ internal static class FlowTrigger
 
             if (c == '(' && syntax != NcSyntax.Siemens && at < lastClose)
             {
-                // What stands behind a comment in a comment can be either; the tokens decide.
+                // Text after a comment inside a comment can be either; the tokens decide.
                 var close = text[at..].IndexOf((byte)')');
                 if (text.Slice(at + 1, close).Contains((byte)'('))
                 {

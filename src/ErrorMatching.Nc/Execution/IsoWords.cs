@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Blocks of ISO controls and LinuxCNC: assignments, and the words that matter to calls.</summary>
+/// <summary>Blocks of ISO controls and LinuxCNC: assignments, and words that affect calls.</summary>
 internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course)
 {
     /// <summary>The variable that raises an alarm.</summary>
@@ -10,20 +10,20 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
     private int _scanned = -1;
 
-    /// <summary>The words of the block with their values, in their order; letter 0 is a word of several letters.</summary>
+    /// <summary>The words of the block with their values, in order; letter 0 is a word of several letters.</summary>
     public IReadOnlyList<(byte Letter, NcValue Value)> Collected => _words;
 
-    /// <summary>A block begins.</summary>
+    /// <summary>Begins a block.</summary>
     public void Begin()
     {
         _pending.Clear();
         _scanned = -1;
     }
 
-    /// <summary>A block ends: its words are not those of the next time that it runs.</summary>
+    /// <summary>Ends a block: its words are read again the next time it runs.</summary>
     public void End() => _scanned = -1;
 
-    /// <summary>Makes what LinuxCNC assigns behind the words of a block; false where the refusal says what is wrong.</summary>
+    /// <summary>Makes LinuxCNC's assignments after the words of a block; false if there is a refusal.</summary>
     public bool TryFinish(int block, ReadOnlySpan<byte> text)
     {
         if (_scanned != block && Assign(block, text, BlockHead.Read(text, syntax).At) == FlowAction.Stop)
@@ -43,7 +43,7 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         return true;
     }
 
-    /// <summary>Makes the assignments of a block (LinuxCNC: keeps them until its words have been read) and collects its words with their
+    /// <summary>Makes the assignments of a block (LinuxCNC: stores them until its words are read) and collects its words with their
     /// values.</summary>
     public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
     {
@@ -126,8 +126,8 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         return memory.Assigned(block, place, value, column);
     }
 
-    // A guard has something before it that decides. An alarm that nothing leads to, not even a motion, is a lock:
-    // somebody takes it out once the program is complete.
+    // A guard depends on something before it. An alarm that nothing leads to, not even a motion, is a lock: it is removed once the
+    // program is complete.
     private bool IsLock(int block)
     {
         var isLock = calls.Depth == 0 && course.Steps == 0 && !memory.HasComputed;
@@ -159,7 +159,7 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         }
         else
         {
-            // A word of several letters that is no statement of flow: the interpreter says what it thinks of it.
+            // A word of several letters that is not a flow statement: the interpreter handles it.
             _words.Add((0, NcValue.Vacant));
             reader.At = name > 0 ? text.Length : reader.At;
         }

@@ -1,14 +1,12 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What paper tapes and serial lines leave in front of a program's first percent sign: controls read nothing before it.</summary>
+/// <summary>What paper tapes and serial lines leave before a program's first percent sign: controls ignore everything before it.</summary>
 internal static class Leader
 {
     private const byte Percent = (byte)'%';
 
-    /// <summary>
-    /// How many blocks belong to the leader, the one with the percent sign included; 0 where there is none. Blocks with words are never a
-    /// leader: a percent sign behind them ends a program.
-    /// </summary>
+    /// <summary>Number of blocks in the leader, including the one with the percent sign; 0 if there is none. Blocks with words are never
+    /// a leader: a percent sign after them ends a program.</summary>
     public static int BlocksOf(NcProgram program, NcDialect dialect)
     {
         var bytes = program.Bytes.Span;

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Named parameters that LinuxCNC itself provides (LinuxCNC 2.9, predefined named parameters):
-/// what they hold is the machine's affair.</summary>
+/// <summary>Named parameters that LinuxCNC itself provides (LinuxCNC 2.9, predefined named parameters); only the machine knows their
+/// values.</summary>
 internal static class LinuxCncNames
 {
     private static readonly HashSet<string> Predefined = new(StringComparer.Ordinal)

@@ -13,11 +13,11 @@ internal sealed class MacroCalls(
 {
     private readonly List<ModalCall> _modal = [];
 
-    // Local variables of the letters A to Z; 0 where a letter is no argument (Fanuc, argument specification I).
+    // Local variables of the letters A to Z; 0 if a letter is not an argument (Fanuc, argument specification I).
     private static ReadOnlySpan<byte> LocalOfLetter =>
         [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 
-    /// <summary>True while a macro is called behind every motion.</summary>
+    /// <summary>True while a macro is called after every motion.</summary>
     public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
 
     public FlowAction CallNumber(int block, NcValue program)
@@ -56,7 +56,7 @@ internal sealed class MacroCalls(
             return report.Refuse(NcRefusalCodes.MissingLabel, block, message);
         }
 
-        // From the block found on round the program the next of that number is itself.
+        // If the number is unique, searching for it from the found block returns that block.
         if (calls.Unit.Index.FindNumber(calls.Unit, target, number) != target)
         {
             var message = FormattableString.Invariant($"the call goes to block N{number}, which stands more than once in this program.");
@@ -180,7 +180,7 @@ internal sealed class MacroCalls(
             (passes, number) = (number / 10_000, number % 10_000);
         }
 
-        // LinuxCNC calls nothing with L0.
+        // In LinuxCNC, L0 calls nothing.
         if (passes < (syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block,
@@ -197,7 +197,7 @@ internal sealed class MacroCalls(
             ? index.Unit(name) ?? index.Main : null);
     }
 
-    // Letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).
+    // Assigns letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).
     private List<(VariablePlace, NcValue)> Arguments(int at)
     {
         var (arguments, set, last) = (new List<(VariablePlace, NcValue)>(), 0, 0);

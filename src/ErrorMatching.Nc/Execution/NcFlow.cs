@@ -1,15 +1,11 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Executes what a program computes: decides which block runs next, keeps variables and calls, and stops where a program would never end or
-/// where only the
-/// machine knows how it goes on. A program without such statements need not be given to it at all.
-/// </summary>
+/// <summary>Executes the computing part of a program: determines the next block, and keeps variables and calls. Stops if a program would
+/// never end, or if only the machine knows how it continues. A program without such statements does not need it.</summary>
 /// <remarks>
-/// A block that <see cref="FlowTrigger"/> names is given to <see cref="Before"/>; where that answers <see cref="FlowAction.Words"/>, its
-/// words are read (with
-/// <see cref="TryValue"/> for computed ones) and acted on, and then <see cref="Behind"/> is called. Everything else runs from one block to
-/// the next.
+/// Give a block for which <see cref="FlowTrigger"/> is true to <see cref="Before"/>. If that returns <see cref="FlowAction.Words"/>, read
+/// its words (with <see cref="TryValue"/> for computed ones), apply them, and then call <see cref="Behind"/>. All other blocks run in
+/// sequence.
 /// </remarks>
 internal sealed class NcFlow
 {
@@ -50,27 +46,27 @@ internal sealed class NcFlow
         _siemens = new(dialect, _course, _report, new(_calls, _report, _memory, _course, settings), arrays, named, assignments);
     }
 
-    /// <summary>The file in which <see cref="Next"/> stands: the program itself, or one of the library.</summary>
+    /// <summary>The file that contains <see cref="Next"/>: the program itself, or one of the library.</summary>
     public NcProgram Program => _calls.Program;
 
-    /// <summary>The block to be executed next.</summary>
+    /// <summary>The next block to execute.</summary>
     public int Next => _course.Next;
 
-    /// <summary>How many calls the present block is inside of; 0 in the main program.</summary>
+    /// <summary>Call depth of the current block; 0 in the main program.</summary>
     public int Depth => _calls.Depth;
 
-    /// <summary>Why the program cannot go on; null where it can.</summary>
+    /// <summary>Why the program cannot continue; null if it can.</summary>
     public NcRefusal? Refusal => _report.Refusal;
 
-    /// <summary>What is worth knowing of how the program ran.</summary>
+    /// <summary>Notes on how the program ran.</summary>
     public IReadOnlyList<NcNote> Notes => _report.Notes;
 
     public NcVariables Variables => _memory.Variables;
 
-    /// <summary>True while a macro is called behind every motion: then each block that moves is given to <see cref="Behind"/>.</summary>
+    /// <summary>True while a macro is called after every motion: then give each block that moves to <see cref="Behind"/>.</summary>
     public bool HasModalCall => _macros.HasModalCall;
 
-    /// <summary>True if the block last given to <see cref="Behind"/> had a word that steers, and it was executed.</summary>
+    /// <summary>True if the block last given to <see cref="Behind"/> had a flow word that was executed.</summary>
     public bool HasSteered => _steering.HasSteered;
 
     /// <summary>The block that runs first: 0, or the main program's first in an archive that begins with a subprogram.</summary>
@@ -89,7 +85,8 @@ internal sealed class NcFlow
         }
     }
 
-    /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls that stand alone.</summary>
+    /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls without other
+    /// words.</summary>
     public FlowAction Before(int block)
     {
         if (Refusal is not null || _course.HasEnded)
@@ -118,9 +115,8 @@ internal sealed class NcFlow
         return BehindRegion(block, depth, action);
     }
 
-    /// <summary>
-    /// Executes what a block does behind its words: the assignments of LinuxCNC, calls, returns and the end of the program.
-    /// </summary>
+    /// <summary>Executes what a block does after its words: the assignments of LinuxCNC, calls, returns and the end of the
+    /// program.</summary>
     /// <param name="block">The block.</param>
     /// <param name="moved">True if its words moved an axis; a modal macro is then called.</param>
     public FlowAction Behind(int block, bool moved = false)
@@ -137,7 +133,7 @@ internal sealed class NcFlow
         return BehindRegion(block, depth, action);
     }
 
-    /// <summary>Passes over a block that is not executed.</summary>
+    /// <summary>Skips a block that is not executed.</summary>
     public FlowAction Skip(int block)
     {
         if (_calls.Frames.Count > 0 && block >= _calls.Unit.End)
@@ -149,17 +145,17 @@ internal sealed class NcFlow
         return _course.BehindRegion(block);
     }
 
-    /// <summary>Goes on where a file's last block has been executed: in the calling program, or nowhere.</summary>
+    /// <summary>Continues after a file's last block: in the calling program, or the run ends.</summary>
     public FlowAction AtEnd() => _course.AtEnd(Program.BlockCount);
 
-    /// <summary>Computes the value of a word, as it is before the block's own assignments take effect in LinuxCNC.</summary>
+    /// <summary>Computes the value of a word; in LinuxCNC, before the block's own assignments take effect.</summary>
     /// <param name="block">The block.</param>
-    /// <param name="start">First byte of the value, counted from the start of the program; an equals sign before it is passed over.</param>
-    /// <param name="length">Number of bytes of the value; it must be used up.</param>
-    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 where the address has
+    /// <param name="start">First byte of the value, from the start of the program; skips an equals sign before the value.</param>
+    /// <param name="length">Number of bytes of the value; all must be used.</param>
+    /// <param name="decimals">Decimals of the address's least increment, to which ROUND rounds in a Fanuc address; 0 if the address has
     /// none.</param>
-    /// <param name="value">The value; vacant where the word is as if not written.</param>
-    /// <returns>False where <see cref="Refusal"/> says what is wrong.</returns>
+    /// <param name="value">The value; vacant if the word counts as not written.</param>
+    /// <returns>False if <see cref="Refusal"/> is set.</returns>
     public bool TryValue(int block, int start, int length, int decimals, out NcValue value)
     {
         var place = Program[block];
@@ -167,13 +163,13 @@ internal sealed class NcFlow
         return _memory.TryValue(block, text, start - place.Start, decimals, out value);
     }
 
-    /// <summary>Ends the run at a block for a reason.</summary>
+    /// <summary>Ends the run at a block with a reason.</summary>
     public FlowAction Refuse(string code, int block, string message) => _report.Refuse(code, block, message);
 
-    /// <summary>Refuses a call that cannot be executed, or a block with two words that steer.</summary>
+    /// <summary>Refuses a call that cannot be executed, or a block with two flow words.</summary>
     public FlowAction RefuseCall(int block, string word) => _report.RefuseCall(block, word);
 
-    // Where the block has led nowhere else, a repeated section can end behind it.
+    // If the block led nowhere else, a repeated section can end after it.
     private FlowAction BehindRegion(int block, int depth, FlowAction action) =>
         action == FlowAction.Continue && Depth == depth && Next == block + 1 ? _course.BehindRegion(block) : action;
 
@@ -182,8 +178,7 @@ internal sealed class NcFlow
         at < text.Length && (text[at] == '%'
             || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
 
-    // The beginning of the next program is the end of the one that runs. What an index knows is not asked here: behind its end no block is
-    // met.
+    // The start of the next program ends the current one. If there is an index, it already limits the blocks to those of the program.
     private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
     {
         var isFirst = _calls.Frames.Count == 0;
@@ -198,12 +193,12 @@ internal sealed class NcFlow
             }
         }
 
-        // What stands behind the number of a program is executed.
+        // Statements after the number of a program are executed.
         var number = BlockHead.NumberAt(head, headAt + 1);
         return head[headAt] == '%' ? FlowAction.Continue : _iso.Execute(block, head, number.Start + number.Length);
     }
 
-    // Structures begin with a word of letters, or with an O word.
+    // Structures begin with a word of letters or with an O word.
     private bool MayBeStructure(ReadOnlySpan<byte> text, int at) =>
         at + 1 < text.Length && SyntaxBytes.IsLetter(text[at])
             && (SyntaxBytes.IsLetter(text[at + 1]) || (_syntax == NcSyntax.LinuxCnc && (text[at] | 0x20) == 'o'));

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>A value that a program computes: a finite number, a text, nothing at all, or something that only the machine knows.</summary>
-/// <param name="Kind">What is known of it.</param>
-/// <param name="Number">The number; 0 where it is none.</param>
-/// <param name="Text">The text; null where it is none.</param>
+/// <summary>A value computed by a program: a finite number, a text, vacant, or known only to the machine.</summary>
+/// <param name="Kind">Its kind.</param>
+/// <param name="Number">The number; 0 for other kinds.</param>
+/// <param name="Text">The text; null for other kinds.</param>
 internal readonly record struct NcValue(NcValueKind Kind, double Number, string? Text)
 {
     public static NcValue Vacant => default;

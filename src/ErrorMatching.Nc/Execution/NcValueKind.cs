@@ -1,17 +1,17 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What is known of a value that a program computes.</summary>
+/// <summary>Kind of a value computed by a program.</summary>
 internal enum NcValueKind : byte
 {
-    /// <summary>Never assigned: Fanuc's null. A word whose value is vacant is as if not written.</summary>
+    /// <summary>Never assigned: Fanuc's null. A word with a vacant value counts as not written.</summary>
     Vacant,
 
-    /// <summary>A number; truth is 1 or 0.</summary>
+    /// <summary>A number; true is 1 and false is 0.</summary>
     Number,
 
-    /// <summary>Only the machine knows it, or it was computed from something that only the machine knows.</summary>
+    /// <summary>Only the machine knows it, or it was computed from such a value.</summary>
     Unknown,
 
-    /// <summary>Text, as Siemens has it.</summary>
+    /// <summary>Text (Siemens).</summary>
     Text,
 }

@@ -2,14 +2,12 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The variables of a running program. What was left in the control by an earlier program, and what only the machine knows,
-/// is unknown until the program assigns it.
-/// </summary>
+/// <summary>The variables of a running program. Values left in the control by an earlier program, and values that only the machine knows,
+/// are unknown until the program assigns them.</summary>
 /// <remarks>
-/// Fanuc: #1 to #33 belong to a macro call and begin vacant, #100 to #999 are common. LinuxCNC:
-/// #1 to #30 and names belong to a subroutine, #31 to #5000 and names that begin with an underscore to all; unassigned numbers are 0.
-/// Siemens: R parameters are common, DEF variables belong to a program level.
+/// Fanuc: #1 to #33 belong to a macro call and begin vacant; #100 to #999 are common. LinuxCNC: #1 to #30 and names belong to a
+/// subroutine; #31 to #5000 and names with a leading underscore are global; unassigned numbers are 0. Siemens: R parameters are common;
+/// DEF variables belong to a program level.
 /// </remarks>
 internal sealed class NcVariables
 {
@@ -32,10 +30,10 @@ internal sealed class NcVariables
 
     public VariableNames Names { get; } = new();
 
-    /// <summary>Grows whenever a value changes: as long as it stays, the program knows what it knew.</summary>
+    /// <summary>Increases with every change of a value: while it is constant, the program's knowledge is the same.</summary>
     public long Version { get; private set; }
 
-    /// <summary>Begins a level of variables of its own, as a call does.</summary>
+    /// <summary>Begins a new level of variables, as a call does.</summary>
     public void Enter()
     {
         var locals = new NcValue[_localCount];
@@ -48,24 +46,25 @@ internal sealed class NcVariables
         Version++;
     }
 
-    /// <summary>Ends the level that was begun last.</summary>
+    /// <summary>Ends the innermost level.</summary>
     public void Leave()
     {
         _levels.Pop();
         Version++;
     }
 
-    /// <summary>What a LinuxCNC subroutine hands back, if anything: <c>#&lt;_value&gt;</c> and <c>#&lt;_value_returned&gt;</c>.</summary>
+    /// <summary>Sets what a LinuxCNC subroutine returns, if anything: <c>#&lt;_value&gt;</c> and
+    /// <c>#&lt;_value_returned&gt;</c>.</summary>
     public void Return(NcValue? value)
     {
         Write(VariablePlace.Named("_VALUE"), value ?? NcValue.Zero);
         Write(VariablePlace.Named("_VALUE_RETURNED"), NcValue.Of(value is not null));
     }
 
-    /// <summary>How often the program has written what belongs to the machine: its offsets, modes and positions.</summary>
+    /// <summary>Number of times the program wrote machine data: offsets, modes and positions.</summary>
     public long MachineWrites { get; private set; }
 
-    /// <summary>What the machine may have changed by itself (offsets, positions) is unknown again.</summary>
+    /// <summary>Marks values that the machine may have changed itself (offsets, positions) as unknown.</summary>
     public void ForgetMachine()
     {
         foreach (var number in _numbered.Keys.Where(IsOfMachine).ToArray())
@@ -76,7 +75,7 @@ internal sealed class NcVariables
         Version++;
     }
 
-    /// <summary>Reads a variable. The error says why it cannot be read; it is null where it can.</summary>
+    /// <summary>Reads a variable. The error says why it cannot be read; otherwise it is null.</summary>
     public NcValue Read(VariablePlace place, out string? error)
     {
         error = null;
@@ -93,7 +92,7 @@ internal sealed class NcVariables
     }
 
     /// <summary>Assigns a value to a variable.</summary>
-    /// <returns>Why it cannot be assigned, in words; null where it was.</returns>
+    /// <returns>Why it cannot be assigned; null if it was.</returns>
     public string? Write(VariablePlace place, NcValue value)
     {
         switch (place.Kind)
@@ -118,11 +117,11 @@ internal sealed class NcVariables
     /// <summary>True if a variable of this name has a value.</summary>
     public bool Knows(string name) => Find(name) is not null;
 
-    /// <summary>True if the name is one of the program's own variables or arrays.</summary>
+    /// <summary>The program's own variable or array with a name; null if there is none.</summary>
     public VariableArray? Find(string name) =>
         _levels.Peek().Named.TryGetValue(name, out var local) ? local : _global.GetValueOrDefault(name);
 
-    /// <summary>Defines a variable or an array on the present level; an earlier one of its name is gone.</summary>
+    /// <summary>Defines a variable or an array on the current level, replacing an earlier one with its name.</summary>
     public VariableArray Define(string name, VariableType type, int rows, int columns)
     {
         Version++;
@@ -155,7 +154,7 @@ internal sealed class NcVariables
             return _levels.Peek().Numbered[number];
         }
 
-        // Fanuc's system variables go their own ways even behind an assignment (timers, signals, offsets that G10 changes).
+        // Fanuc's system variables can change even after an assignment (timers, signals, offsets that G10 changes).
         if (_syntax == NcSyntax.Iso && IsOfMachine(number))
         {
             return NcValue.Unknown;
@@ -202,7 +201,7 @@ internal sealed class NcVariables
             error = $"#<{place.Name!.ToLowerInvariant()}> has never been assigned";
         }
 
-        // Siemens: a name that the program does not define is one of the machine's own data.
+        // Siemens: a name that the program does not define is machine data.
         return NcValue.Unknown;
     }
 

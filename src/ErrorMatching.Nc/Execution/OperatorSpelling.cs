@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>How an operator is written and how strongly it binds.</summary>
+/// <summary>The spelling of an operator and its precedence.</summary>
 /// <param name="Spelling">Its upper-case ASCII text.</param>
 /// <param name="Meaning">What it computes.</param>
 /// <param name="Rank">Operators of a higher rank are computed first.</param>

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a Siemens subprogram declares: <c>PROC NAME(REAL A, VAR INT B, REAL C=5)</c>.</summary>
+/// <summary>The parameters that a Siemens subprogram declares: <c>PROC NAME(REAL A, VAR INT B, REAL C=5)</c>.</summary>
 internal sealed class ProgramParameters(NcSyntax syntax, FlowReport report, FlowMemory memory)
 {
-    // Gives the arguments of a call to the parameters of PROC, which stands in the first statement of the subprogram.
+    // Assigns the arguments of a call to the parameters of PROC, which is the first statement of the subprogram.
     public FlowAction Bind(FlowUnit unit, List<(NcValue Value, VariablePlace? Place)> values, List<(VariablePlace, VariablePlace)> results)
     {
         results.Clear();

@@ -40,7 +40,7 @@ internal sealed class SiemensArrays(FlowReport report, FlowMemory memory, FlowCo
         return memory.Check(ref reader, block) ? FlowAction.Continue : FlowAction.Stop;
     }
 
-    // (1, 2, 3) into successive elements, or one value into all that follow.
+    // (1, 2, 3) into successive elements, or one value into all following ones.
     public FlowAction Fill(int block, ref ExpressionReader reader, VariableArray array, int from, bool isRepeated)
     {
         if (!reader.Take((byte)'('))

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Assignments of Siemens, in their order; all other words of their block are left to the interpreter.</summary>
+/// <summary>Siemens assignments, in order; the interpreter handles all other words of their block.</summary>
 internal sealed class SiemensAssignments(FlowMemory memory, SiemensArrays arrays)
 {
-    /// <summary>Makes those of a block.</summary>
+    /// <summary>Makes the assignments of a block.</summary>
     public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
     {
         var hasWords = false;

@@ -21,7 +21,7 @@ internal sealed class SiemensCalls(
         return FlowAction.Continue;
     }
 
-    /// <summary>A name that stands alone or with arguments: two letters at least, or L with a number.</summary>
+    /// <summary>A name alone or with arguments: at least two letters, or L with a number.</summary>
     public static bool IsCall(ReadOnlySpan<byte> text, int at, int length)
     {
         if (length < 2 || (SyntaxBytes.IsDigit(text[at + 1]) && (text[at] | 0x20) != 'l'))
@@ -124,7 +124,7 @@ internal sealed class SiemensCalls(
                 continue;
             }
 
-            // A parameter by reference needs the variable itself: whatever is one alone.
+            // A parameter by reference needs the variable itself: an argument that is only a variable.
             var start = reader.At;
             var length = BlockHead.NameLength(text, start);
             VariablePlace? place = null;
@@ -149,7 +149,7 @@ internal sealed class SiemensCalls(
         }
     }
 
-    // A word that is no program but the control's own.
+    // A word of the control itself, not a program.
     private bool IsWord(string name)
     {
         var word = Encoding.UTF8.GetBytes(name);

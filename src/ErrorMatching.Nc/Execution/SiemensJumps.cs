@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Jumps of Siemens to labels, and sections that are repeated: IF, GOTOF, CASE, REPEAT.</summary>
+/// <summary>Siemens jumps to labels, and repeated sections: IF, GOTOF, CASE, REPEAT.</summary>
 internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course, FlowSettings settings)
 {
     public FlowAction If(int block, ReadOnlySpan<byte> text, int at)
@@ -16,7 +16,7 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
         return GoToLabel(block, text, reader.At, holds, out _);
     }
 
-    // GOTOF LABEL and its kind; the word stands at a place. Where it does not jump, only the end of the statement is looked for.
+    // GOTOF LABEL and similar, with the word at a position. If it does not jump, only finds the end of the statement.
     public FlowAction GoToLabel(int block, ReadOnlySpan<byte> text, int at, bool jumps, out int end)
     {
         var length = BlockHead.NameLength(text, at);
@@ -101,7 +101,7 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
         return FlowAction.Continue;
     }
 
-    // REPEAT LABEL P=n, REPEAT FROM TO P=n, REPEATB LABEL P=n: n more passes of a section, then on behind the statement.
+    // REPEAT LABEL P=n, REPEAT FROM TO P=n, REPEATB LABEL P=n: n more passes of a section, then continues after the statement.
     public FlowAction Repeat(int block, ReadOnlySpan<byte> text, int at, bool isOneBlock)
     {
         if (calls.Frame.Regions.TryPeek(out var region) && region.Owner == block && region.Last == block)
@@ -171,7 +171,7 @@ internal sealed class SiemensJumps(CallStack calls, FlowReport report, FlowMemor
             : calls.Unit.Index.FindLabel(calls.Unit, block, label, forward, backward);
     }
 
-    // A label as written, or the text that a variable or expression holds.
+    // A label as written, or the text of a variable or expression.
     private bool TryLabel(int block, ReadOnlySpan<byte> text, int at, out string label, out int end)
     {
         var reader = memory.ReaderAt(text, at);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Statements of Siemens, by the word that they begin with.</summary>
+/// <summary>Siemens statements, by their first word.</summary>
 internal sealed class SiemensStatements(
     NcDialect dialect,
     FlowCourse course,

@@ -1,14 +1,11 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Which roles decide how a program goes on. They are executed by <see cref="NcFlow"/>, or refused there; all others belong to the
-/// interpreter.
-/// </summary>
+/// <summary>Finds roles that determine how a program continues. <see cref="NcFlow"/> executes or refuses them; the interpreter handles
+/// all others.</summary>
 internal static class Steering
 {
-    /// <summary>
-    /// True unless a role says that the program goes on with the next block: a role that is not listed here is the flow's.
-    /// </summary>
+    /// <summary>True unless a role means that the program continues with the next block: a role that is not listed here belongs to the
+    /// flow.</summary>
     public static bool Steers(this FunctionRole role) => role is not (FunctionRole.Unknown or FunctionRole.Harmless or FunctionRole.Unsure
         or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes or FunctionRole.DropModes);
 

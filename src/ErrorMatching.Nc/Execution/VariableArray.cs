@@ -3,7 +3,7 @@ namespace ErrorMatching.Nc;
 /// <summary>A defined variable: one value, or the values of an array row by row.</summary>
 internal sealed class VariableArray
 {
-    /// <summary>Most elements of an array.</summary>
+    /// <summary>Maximum number of elements of an array.</summary>
     public const int MaxLength = 100_000;
 
     public VariableArray(VariableType type, int rows, int columns)
@@ -19,7 +19,7 @@ internal sealed class VariableArray
 
     public NcValue[] Values { get; }
 
-    /// <summary>The value as the variable keeps it: whole, true or false where its type says so.</summary>
+    /// <summary>The value as the variable stores it: an integer or a truth value if its type requires it.</summary>
     public NcValue Converted(NcValue value) => (Type, value.Kind) switch
     {
         (VariableType.Opaque, _) => NcValue.Unknown,

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Keeps one string for each name, so that reading a name again allocates nothing. Case and spaces do not count.</summary>
+/// <summary>Stores one string per name, so that reading a name again allocates nothing. Ignores case and spaces.</summary>
 internal sealed class VariableNames
 {
-    /// <summary>Longest name that is read.</summary>
+    /// <summary>Maximum length of a name.</summary>
     public const int MaxLength = 128;
 
     private readonly HashSet<string> _known = new(StringComparer.Ordinal);
@@ -11,13 +11,13 @@ internal sealed class VariableNames
 
     public VariableNames() => _lookup = _known.GetAlternateLookup<ReadOnlySpan<char>>();
 
-    /// <summary>The name in upper case without spaces; null where it is too long.</summary>
+    /// <summary>The name in upper case without spaces; null if it is too long.</summary>
     public string? Of(ReadOnlySpan<byte> spelling) => Find(spelling, adds: true);
 
-    /// <summary>The same for a name that was kept before; null for any other.</summary>
+    /// <summary>The same for a stored name; null for any other.</summary>
     public string? Known(ReadOnlySpan<byte> spelling) => Find(spelling, adds: false);
 
-    /// <summary>Keeps a name.</summary>
+    /// <summary>Stores a name.</summary>
     public void Add(string name) => _known.Add(name);
 
     private string? Find(ReadOnlySpan<byte> spelling, bool adds)

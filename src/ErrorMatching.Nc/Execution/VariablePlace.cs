@@ -1,10 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Which variable is meant: a number, a name, an element of an array, or something of the machine that a program cannot
-/// know.</summary>
-/// <param name="Kind">Which of these.</param>
+/// <summary>A reference to a variable: a number, a name, an array element, or machine data that a program cannot know.</summary>
+/// <param name="Kind">Its kind.</param>
 /// <param name="Number">Number of a numbered variable; position in an array.</param>
-/// <param name="Name">Name of a named variable or array, as <see cref="VariableNames"/> keeps it.</param>
+/// <param name="Name">Name of a named variable or array, as stored by <see cref="VariableNames"/>.</param>
 internal readonly record struct VariablePlace(VariableKind Kind, int Number, string? Name)
 {
     public static VariablePlace Machine => new(VariableKind.Machine, 0, null);

@@ -1,17 +1,17 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a defined variable holds (Siemens DEF).</summary>
+/// <summary>Type of a defined variable (Siemens DEF).</summary>
 internal enum VariableType : byte
 {
     Real,
 
-    /// <summary>Whole: what is assigned is rounded.</summary>
+    /// <summary>Integer: assigned values are rounded.</summary>
     Integer,
 
     /// <summary>1 or 0.</summary>
     Truth,
     Text,
 
-    /// <summary>Axes and frames: what they hold is not followed.</summary>
+    /// <summary>Axes and frames: their values are not followed.</summary>
     Opaque,
 }

@@ -3,12 +3,10 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The comment by which a compensated program tells what it was made of: the SHA-256 of the measurement and of the base program.
-/// It keeps a correction from being applied twice.
-/// </summary>
+/// <summary>The comment in a compensated program that names its sources: the SHA-256 of the measurement and of the base program. It
+/// prevents applying a correction twice.</summary>
 /// <param name="MeasurementSha256">SHA-256 of the measurement that was compensated, 64 hexadecimal digits.</param>
-/// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a program was made anew.</param>
+/// <param name="BaseSha256">SHA-256 of the program that was displaced, or of the nominal surface for which a new program was made.</param>
 public sealed record Marker(string MeasurementSha256, string BaseSha256)
 {
     private const string Word = "ERRORMATCH";
@@ -19,23 +17,22 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     /// <summary>Code of the refusal of a program that is not the nominal one.</summary>
     public const string AlreadyCompensated = "already-compensated";
 
-    /// <summary>Code of the refusal of a measurement that the program already follows.</summary>
+    /// <summary>Code of the refusal of a measurement that the program already compensates.</summary>
     public const string SameMeasurement = "same-measurement";
 
-    /// <summary>Code of the refusal of a marker that cannot be read, so that nobody knows which measurements the program already
-    /// follows.</summary>
+    /// <summary>Code of the refusal of a damaged marker: it is unknown which measurements the program already compensates.</summary>
     public const string MarkerDamaged = "marker-damaged";
 
     /// <summary>The comment, as a line of a program without its line end.</summary>
-    /// <param name="syntax">How the program is spelled: Siemens controls have no comments in parentheses.</param>
+    /// <param name="syntax">Syntax of the program: Siemens controls have no comments in parentheses.</param>
     public string TextIn(NcSyntax syntax)
     {
         var text = $"{Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()}";
         return syntax == NcSyntax.Siemens ? $"; {text}" : $"({text})";
     }
 
-    /// <summary>All markers of a program with the positions of their blocks;
-    /// a marker that was damaged so that its hashes cannot be read is null.</summary>
+    /// <summary>All markers of a program with the positions of their blocks; null for a marker whose hashes are too damaged to
+    /// read.</summary>
     public static IReadOnlyList<(int Block, Marker? Marker)> Find(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -49,7 +46,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         {
             foreach (var token in program.Tokens(program[i]))
             {
-                // A comment that lost its end is no comment for the tokenizer, but it is a marker for us.
+                // A comment without its end is not a comment for the tokenizer, but it can still be a marker.
                 if (token.Kind is NcTokenKind.Comment or NcTokenKind.Invalid
                     && IsMarker(Encoding.Latin1.GetString(program.Bytes.Span.Slice(token.Start, token.Length)), out var marker))
                 {
@@ -61,15 +58,13 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
         return found;
     }
 
-    /// <summary>
-    /// The program with the marker as a line of its own: behind the percent sign and the program number if it begins with them,
-    /// so that the control still finds both.
-    /// </summary>
+    /// <summary>The program with the marker as a separate line. If it begins with the percent sign and the program number, the marker
+    /// comes after them, so that the control still finds both.</summary>
     public byte[] InsertInto(NcProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
 
-        // A UTF-8 mark is one only at the very beginning, so what comes first stays first.
+        // A byte order mark is valid only at the very beginning, so the first line stays first.
         var at = Math.Max(HeadLength(program), program.Bytes.Span.StartsWith("\uFEFF"u8) ? 1 : 0);
         var start = at < program.BlockCount ? program[at].Start : program.Bytes.Length;
         var lineEnd = LineEnd(program);
@@ -116,13 +111,13 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
             : null;
     }
 
-    // The blocks up to the percent sign and the program number, with what is empty before and between them.
+    // The blocks up to the percent sign and the program number, including empty ones before and between them.
     private static int HeadLength(NcProgram program)
     {
         var length = 0;
         for (var i = 0; i < program.BlockCount; i++)
         {
-            // A colon is the letter O in programs of ISO code.
+            // In ISO programs, a colon can replace the letter O.
             var names = program.BytesOf(program[i]) is [(byte)':', ..];
             foreach (var token in program.Tokens(program[i]))
             {

@@ -2,19 +2,17 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Finds the center of an arc from the words that a program gives for it.</summary>
+/// <summary>Finds the center of an arc from the words of a program.</summary>
 internal static class ArcCenter
 {
-    /// <summary>
-    /// Center of an arc given by its radius: of the two circles through both ends the one whose arc is at most half a turn for a positive
-    /// radius, at least half a turn for a negative one.
-    /// </summary>
+    /// <summary>Center of an arc given by its radius. Of the two circles through both ends, a positive radius selects the one whose arc
+    /// is at most half a turn, a negative radius the one whose arc is at least half a turn.</summary>
     /// <param name="start">Start in the plane.</param>
     /// <param name="end">End in the plane.</param>
     /// <param name="radius">Signed radius as programmed.</param>
-    /// <param name="counterClockwise">Sense of the arc.</param>
-    /// <param name="chordTolerance">How much longer than the diameter the chord may be; the center is then its middle.</param>
-    /// <returns>The center, or null where no circle of this radius reaches both ends.</returns>
+    /// <param name="counterClockwise">Direction of the arc.</param>
+    /// <param name="chordTolerance">Allowed excess of the chord over the diameter; the center is then the chord's midpoint.</param>
+    /// <returns>The center; null if no circle of this radius reaches both ends.</returns>
     public static Point2? ByRadius(Point2 start, Point2 end, double radius, bool counterClockwise, double chordTolerance)
     {
         var chord = end - start;
@@ -30,6 +28,6 @@ internal static class ArcCenter
         return start.Lerp(end, 0.5) + (chord.Left / length * (centerIsLeft ? height : -height));
     }
 
-    /// <summary>How far the two radii of an arc differ.</summary>
+    /// <summary>Difference of the two radii of an arc.</summary>
     public static double Mismatch(Point2 start, Point2 end, Point2 center) => Math.Abs(start.DistanceTo(center) - end.DistanceTo(center));
 }

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Sets of axes against planes and places.</summary>
+/// <summary>Relates sets of axes to planes and places.</summary>
 internal static class AxisSetExtensions
 {
     /// <summary>The two axes of a plane.</summary>
@@ -21,7 +21,7 @@ internal static class AxisSetExtensions
             (unknown & AxisSet.Y) == AxisSet.None ? place.Y : 0,
             (unknown & AxisSet.Z) == AxisSet.None ? place.Z : 0);
 
-    /// <summary>The axes along which a vector points.</summary>
+    /// <summary>The axes in which a vector is not zero.</summary>
     public static AxisSet Axes(this Vector3 v) =>
         (v.X != 0 ? AxisSet.X : AxisSet.None) | (v.Y != 0 ? AxisSet.Y : AxisSet.None) | (v.Z != 0 ? AxisSet.Z : AxisSet.None);
 

@@ -1,26 +1,26 @@
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// Reading a block: in one pass over its bytes where it has plain words only, as nearly all blocks do, else by its tokens.
-/// Both give the same words; a test holds that.
+/// Reads a block in one pass over its bytes if it has plain words only, as nearly all blocks do; otherwise by its tokens. Both give the
+/// same words, as a test checks.
 /// </content>
 internal sealed partial class BlockWords
 {
     private static readonly System.Buffers.SearchValues<byte> ZeroBytes = System.Buffers.SearchValues.Create("+-0. \t"u8);
 
-    /// <summary>As many digits as a double holds exactly.</summary>
+    /// <summary>Number of digits that a double holds exactly.</summary>
     private const int ExactDigits = 15;
 
     private static ReadOnlySpan<double> Powers => [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-    /// <summary>Reads a block of plain words in one pass; false where it has anything else.</summary>
+    /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
     public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
         Clear();
         return ReadPlain(text, syntax == NcSyntax.LinuxCnc);
     }
 
-    /// <summary>Reads letters with numbers, and spaces between them. False at anything else.</summary>
+    /// <summary>Reads letters with numbers, and spaces between them. False for anything else.</summary>
     private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
         var at = 0;
@@ -99,10 +99,10 @@ internal sealed partial class BlockWords
 
     /// <summary>Reads any block by its tokens.</summary>
     /// <param name="bytes">The program's bytes.</param>
-    /// <param name="block">Where the block is.</param>
-    /// <param name="syntax">How it is spelled.</param>
-    /// <param name="compute">The value of a computed word: NaN where only the machine knows it,
-    /// null where it is a variable that was never set.</param>
+    /// <param name="block">The block.</param>
+    /// <param name="syntax">Its syntax.</param>
+    /// <param name="compute">Returns the value of a computed word: NaN if only the machine knows it, null if it is a variable that was
+    /// never set.</param>
     public void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
     {
         Clear();
@@ -152,7 +152,7 @@ internal sealed partial class BlockWords
     private static double ValueOf(ReadOnlySpan<byte> bytes, NcToken token, Func<NcToken, double?> compute) =>
         token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;
 
-    // A word of a plain zero; a computed one has no number either.
+    // A word of a plain zero; a computed word has no number either.
     private static bool IsZero(ReadOnlySpan<byte> bytes, NcToken token) =>
         !bytes.Slice(token.ValueStart, token.ValueLength).ContainsAnyExcept(ZeroBytes);
 
@@ -162,7 +162,7 @@ internal sealed partial class BlockWords
         Incremental |= token.Distance == WordDistance.Incremental ? Bit(token.Letter) : 0;
     }
 
-    // NaN is a value that only the machine knows; null one that was never set, and a word as if not written.
+    // NaN is a value that only the machine knows. Null was never set: the word counts as not written.
     private void AddComputed(NcToken token, double? value)
     {
         if (value is not { } number)

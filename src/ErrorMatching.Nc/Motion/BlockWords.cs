@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>The words of one block, sorted by letter: reused from block to block so that interpreting allocates nothing.</summary>
+/// <summary>The words of one block, sorted by letter. Reused from block to block, so that interpreting allocates nothing.</summary>
 internal sealed partial class BlockWords
 {
     /// <summary>X, Y and Z.</summary>
@@ -9,7 +9,7 @@ internal sealed partial class BlockWords
     /// <summary>I, J and K.</summary>
     public const uint CenterWords = (1u << 8) | (1u << 9) | (1u << 10);
 
-    /// <summary>All words that say where a motion goes.</summary>
+    /// <summary>All words that determine where a motion goes.</summary>
     public const uint GeometryWords = LinearAxes | CenterWords | (1u << 17) | (0x3Fu << 26);
 
     private readonly double[] _values = new double[32];
@@ -19,59 +19,57 @@ internal sealed partial class BlockWords
     private int _codeCount;
     private int _functionCount;
 
-    /// <summary>Letters with a known value, one bit each, A first; behind Z the addresses of <see cref="NcAddress"/>.</summary>
+    /// <summary>Letters with a known value, one bit each; bit 0 is A. The addresses of <see cref="NcAddress"/> follow Z.</summary>
     public uint Present { get; private set; }
 
-    /// <summary>Letters whose value the control computes, known or not.</summary>
+    /// <summary>Letters whose value the control computes, whether known or not.</summary>
     public uint Computed { get; private set; }
 
     /// <summary>Letters whose value only the machine knows.</summary>
     public uint Unknown { get; private set; }
 
-    /// <summary>Letters that stand twice in the block (G and M aside).</summary>
+    /// <summary>Letters that occur twice in the block (except G and M).</summary>
     public uint Repeated { get; private set; }
 
-    /// <summary>Letters whose number has no point.</summary>
+    /// <summary>Letters whose number has no decimal point.</summary>
     public uint Integers { get; private set; }
 
-    /// <summary>Letters that say themselves that they are positions.</summary>
+    /// <summary>Letters whose own words mark them as positions.</summary>
     public uint Absolute { get; private set; }
 
-    /// <summary>Letters that say themselves that they are increments.</summary>
+    /// <summary>Letters whose own words mark them as increments.</summary>
     public uint Incremental { get; private set; }
 
-    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding),
-    /// 0 where the block has none.</summary>
+    /// <summary>Letter of the corner word (R rounding, C chamfer by its legs, F by its width, M modal rounding); 0 if none.</summary>
     public byte Corner { get; private set; }
 
-    /// <summary>Value of the corner word; NaN where it is computed.</summary>
+    /// <summary>Value of the corner word; NaN if it is computed.</summary>
     public double CornerValue { get; private set; }
 
-    /// <summary>True if the corner word's number has no point.</summary>
+    /// <summary>True if the corner word's number has no decimal point.</summary>
     public bool CornerIsInteger { get; private set; }
 
-    /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN where only the machine knows it,
-    /// null where the block has none.</summary>
+    /// <summary>Angle of a rotation in the plane (RPL=), degrees; NaN if only the machine knows it, null if the block has none.</summary>
     public double? PlaneAngle { get; set; }
 
-    /// <summary>Distance from the origin in the plane XY (@), as programmed;
-    /// NaN where only the machine knows it, null where the block has none.</summary>
+    /// <summary>Distance from the origin in the XY plane (@), as programmed; NaN if only the machine knows it, null if the block has
+    /// none.</summary>
     public double? PolarDistance { get; private set; }
 
-    /// <summary>Angle about the origin in the plane XY (^), degrees;
-    /// NaN where only the machine knows it, null where the block has none.</summary>
+    /// <summary>Angle about the origin in the XY plane (^), degrees; NaN if only the machine knows it, null if the block has
+    /// none.</summary>
     public double? PolarAngle { get; private set; }
 
     /// <summary>True if the block has a polar coordinate.</summary>
     public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
 
-    /// <summary>Assignments, words of several letters, strings and expressions that stand alone, in their order.</summary>
+    /// <summary>Assignments, words of several letters, strings and separate expressions, in order.</summary>
     public IReadOnlyList<NcToken> Statements => _statements;
 
-    /// <summary>The first bytes that no rule explains; of length 0 where there are none.</summary>
+    /// <summary>The first bytes that no rule explains; of length 0 if there are none.</summary>
     public NcToken Invalid { get; private set; }
 
-    /// <summary>The semicolon with the rest of its line; of length 0 where there is none.</summary>
+    /// <summary>The semicolon with the rest of its line; of length 0 if there is none.</summary>
     public NcToken Semicolon { get; private set; }
 
     public ReadOnlySpan<int> Codes => _codes.AsSpan(0, _codeCount);
@@ -93,7 +91,7 @@ internal sealed partial class BlockWords
 
     public double Value(byte letter) => _values[letter - 'A'];
 
-    /// <summary>Takes a value for a letter that the block does not have: the arguments of a modal call.</summary>
+    /// <summary>Sets a value for a letter that the block does not have: an argument of a modal call.</summary>
     public void Supply(char letter, double value)
     {
         Present |= Bit(letter);
@@ -108,7 +106,7 @@ internal sealed partial class BlockWords
         _statements.Clear();
     }
 
-    // G codes have at most one decimal; anything finer is no code at all.
+    // G codes have at most one decimal; more decimals are not a code.
     private void AddCode(long digits, int decimals)
     {
         while (decimals > 1 && digits % 10 == 0)
@@ -116,7 +114,7 @@ internal sealed partial class BlockWords
             (digits, decimals) = (digits / 10, decimals - 1);
         }
 
-        // One code too many is none that a dialect knows.
+        // More codes than fit give a code that no dialect knows.
         var tenths = decimals == 0 ? digits * 10 : digits;
         var isCode = _codeCount < _codes.Length && decimals <= 1 && tenths is >= 0 and < 10_000;
         _codeCount = Math.Min(_codeCount + 1, _codes.Length);

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>A long list in pieces of one size: it grows without copying, and equal pieces can be shared with another list.</summary>
+/// <summary>A long list in pieces of one size: it grows without copying, and can share equal pieces with another list.</summary>
 internal sealed class Chunks<T>
     where T : struct
 {
@@ -14,16 +14,16 @@ internal sealed class Chunks<T>
     private T[] _last = [];
     private int _used;
 
-    // Where the piece ends that items are added to.
+    // The end of the piece to which items are added.
     private int _end;
 
-    // Items from the seam on lie further behind by a gap: their pieces came from another list.
+    // From the seam on, items are further back by a gap, because their pieces came from another list.
     private int _seam = int.MaxValue;
     private int _gap;
 
-    /// <summary>An empty list.</summary>
-    /// <param name="like">A list whose pieces are taken over where they are equal, byte for byte.</param>
-    /// <param name="inPlace">True if each item is to lie where that list has the one at its position.</param>
+    /// <summary>Creates an empty list.</summary>
+    /// <param name="like">A list whose pieces are shared if they are equal, byte for byte.</param>
+    /// <param name="inPlace">True if each item is stored at the same place as that list's item at the same position.</param>
     public Chunks(Chunks<T>? like = null, bool inPlace = false)
     {
         _like = like;
@@ -57,8 +57,8 @@ internal sealed class Chunks<T>
         _used++;
     }
 
-    /// <summary>Appends the items that the list has which this one is like, from this one's end up to a position. It must have been made in
-    /// that one's place. Whole pieces are shared.</summary>
+    /// <summary>Appends the items of the similar list from this list's end up to a position. This list must have been created in place.
+    /// Shares whole pieces.</summary>
     public void TakeOver(int behind)
     {
         while (Count < behind)
@@ -82,9 +82,9 @@ internal sealed class Chunks<T>
         }
     }
 
-    /// <summary>Takes over the pieces of another list, which gets no more items. Once only.</summary>
+    /// <summary>Takes over the pieces of another list, which must get no more items. Call it only once.</summary>
     /// <param name="other">The list.</param>
-    /// <param name="from">Its first item that is taken.</param>
+    /// <param name="from">The first item to take.</param>
     public void Join(Chunks<T> other, int from)
     {
         var (own, others) = (PiecesOf(_used), PiecesOf(other._used));
@@ -94,7 +94,7 @@ internal sealed class Chunks<T>
         (_last, _used, _end) = (other._last, (own << Shift) + other._used, (own << Shift) + other._end);
     }
 
-    /// <summary>How many items from a position on lie at the same place of one piece that this list shares with another.</summary>
+    /// <summary>Number of items from a position on that are at the same place of a piece shared with another list.</summary>
     public int SharedFrom(int index, Chunks<T> other)
     {
         var (mine, its) = (PlaceOf(index), other.PlaceOf(index));
@@ -123,7 +123,7 @@ internal sealed class Chunks<T>
         _chunks[piece] = _last = spare;
     }
 
-    // The piece just filled: if the other list has the same, its own memory is free for the next.
+    // The piece was just filled: if the other list has an equal one, this list shares it and reuses its own memory for the next.
     private bool Share(int piece)
     {
         if (_like is null || ((piece + 1) << Shift) > _like._used)

@@ -2,16 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Finds where a contour comes back to a place. A few searches walk along the contour;
-/// for many, all joints of the path are sorted by place once, so that the cost grows with the program and not with its square.
-/// </summary>
+/// <summary>Finds where a contour returns to a place. A few searches walk along the contour. For many, all joints of the path are sorted
+/// by place once, so the cost grows linearly with the program, not with its square.</summary>
 internal sealed class ContourSearch
 {
-    /// <summary>As many searches walk rather than sort.</summary>
+    /// <summary>Up to this number of searches, walking is used instead of sorting.</summary>
     private const int Few = 8;
 
-    /// <summary>Places are sorted into cubes of this size, mm, whose middles lie on the grid that programs are written on.</summary>
+    /// <summary>Size of the cubes into which places are sorted, mm; their centers are on the grid of programmed coordinates.</summary>
     private const double CellMm = 1e-4;
 
     private readonly NcMotions _motions;
@@ -22,11 +20,11 @@ internal sealed class ContourSearch
     private ulong[]? _ends;
     private ulong[]? _starts;
 
-    /// <summary>A search in a path.</summary>
+    /// <summary>Creates a search in a path.</summary>
     /// <param name="motions">The path.</param>
-    /// <param name="tolerance">Places closer than this are one, mm; less than half of <see cref="CellMm"/>.</param>
-    /// <param name="searches">How many searches will follow.</param>
-    /// <param name="passes">Motions that go nowhere in the plane and do not interrupt a contour; null where there are none.</param>
+    /// <param name="tolerance">Places closer than this are the same, mm; less than half of <see cref="CellMm"/>.</param>
+    /// <param name="searches">Number of searches that will follow.</param>
+    /// <param name="passes">Motions that do not move in the plane and do not interrupt a contour; null if there are none.</param>
     public ContourSearch(NcMotions motions, double tolerance, int searches, Func<int, bool>? passes = null)
     {
         (_motions, _tolerance, _isSorted, _passes) = (motions, tolerance, searches > Few, passes);
@@ -45,11 +43,10 @@ internal sealed class ContourSearch
         }
     }
 
-    /// <summary>The first motion from a position on that ends at a place, all between being cuts of one contour;
-    /// -1 where there is none.</summary>
+    /// <summary>The first motion from a position on that ends at a place, with only cuts of one contour before it; -1 if none.</summary>
     /// <param name="place">The place.</param>
-    /// <param name="from">Where to begin.</param>
-    /// <param name="like">A motion whose plane and frame the contour has.</param>
+    /// <param name="from">The first motion to check.</param>
+    /// <param name="like">A motion with the plane and frame of the contour.</param>
     public int FirstEndingAt(Point3 place, int from, int like)
     {
         if (from >= _motions.Length || !Belongs(from, like))
@@ -66,11 +63,10 @@ internal sealed class ContourSearch
         return WalkAhead(place, from, like);
     }
 
-    /// <summary>The last motion up to a position that begins at a place, all between being cuts of one contour;
-    /// -1 where there is none.</summary>
+    /// <summary>The last motion up to a position that begins at a place, with only cuts of one contour after it; -1 if none.</summary>
     /// <param name="place">The place.</param>
-    /// <param name="from">Where to begin to search backwards.</param>
-    /// <param name="like">A motion whose plane and frame the contour has.</param>
+    /// <param name="from">The motion from which to search backwards.</param>
+    /// <param name="like">A motion with the plane and frame of the contour.</param>
     public int LastStartingAt(Point3 place, int from, int like)
     {
         if (from < 0 || !Belongs(from, like))
@@ -132,7 +128,7 @@ internal sealed class ContourSearch
         return next < _breaks.Length ? _breaks[next] - 1 : _motions.Length - 1;
     }
 
-    // The cell in the upper half of a key, the motion in the lower: those of one cell stand together, in the order of the path.
+    // A key has the cell in its upper half and the motion in its lower half, so motions of a cell are adjacent and in path order.
     private ulong[] Sort(Func<int, Point3> placeOf)
     {
         var keys = new ulong[_motions.Length];
@@ -185,7 +181,7 @@ internal sealed class ContourSearch
         return -1;
     }
 
-    // Far outside all machines, cells are one.
+    // Far outside any machine, all places share one cell.
     private static long Cell(double coordinate) => (long)Math.Clamp(Math.Floor((coordinate / CellMm) + 0.5), -1e18, 1e18);
 
     private static ulong Key(long x, long y, long z, int motion)

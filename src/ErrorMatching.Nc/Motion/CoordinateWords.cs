@@ -1,21 +1,17 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Finds the words behind the coordinates of a motion's end: where its own block has no word for an axis, the coordinate still stands from
-/// the last block before it, in the order in which blocks are executed, that has one.
-/// Asked motion after motion, the whole path costs one pass over its words.
-/// </summary>
+/// <summary>Finds the words that set the coordinates of a motion's end. If its own block has no word for an axis, the coordinate comes
+/// from the last executed block that has one. Asking for the motions in order costs one pass over the words of the path.</summary>
 /// <param name="path">The path.</param>
 public sealed class CoordinateWords(NcPath path)
 {
     private readonly CoordinateWord?[] _last = new CoordinateWord?[3];
     private int _next;
 
-    /// <summary>The word behind a coordinate of a motion's end; null where no motion so far had one.</summary>
-    /// <param name="motion">Position of the motion; not before one that was asked for earlier.</param>
+    /// <summary>The word that set a coordinate of a motion's end; null if no motion so far had one.</summary>
+    /// <param name="motion">Position of the motion; not before one requested earlier.</param>
     /// <param name="axis">X, Y or Z.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The motion lies before one that was asked for earlier,
-    /// or the axis is none of the three.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The motion is before one requested earlier, or the axis is not X, Y or Z.</exception>
     public CoordinateWord? Behind(int motion, char axis)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(motion, _next - 1);

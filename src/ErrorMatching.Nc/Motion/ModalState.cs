@@ -2,12 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What a control remembers from block to block.</summary>
+/// <summary>The state that a control keeps from block to block.</summary>
 internal struct ModalState
 {
     public MotionKind Mode;
 
-    /// <summary>A thread, a spline, an arc through a point, or a tangential arc, where the mode is one of these; else unknown.</summary>
+    /// <summary>The mode if it is a thread, a spline, an arc through a point, or a tangential arc; otherwise unknown.</summary>
     public NcMeaning Form;
 
     public CoordinatePlane Plane;
@@ -25,13 +25,13 @@ internal struct ModalState
     public double Feed;
     public double ModalRounding;
 
-    /// <summary>Where the tool is, in coordinates as programmed, and which of them are not known.</summary>
+    /// <summary>The tool's place in programmed coordinates, and which of them are unknown.</summary>
     public Point3 Position;
     public AxisSet Unknown;
 
     public Unsure Unsure;
 
-    /// <summary>What a motion keeps of the modes.</summary>
+    /// <summary>The modes that a motion stores.</summary>
     public readonly MotionFlags Flags =>
         (Inch ? MotionFlags.Inch : MotionFlags.None)
         | (Incremental ? MotionFlags.Incremental : MotionFlags.None)
@@ -39,7 +39,7 @@ internal struct ModalState
         | Compensation
         | (Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
-    /// <summary>True if everything is the same, to the last bit of where the tool is.</summary>
+    /// <summary>True if all of the state is equal, including the exact bits of the tool's place.</summary>
     public readonly bool SameAs(in ModalState other) =>
         Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
         && Incremental == other.Incremental
@@ -61,6 +61,6 @@ internal struct ModalState
 
     private static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 
-    /// <summary>The state a program starts in, as far as it does not say otherwise; each dialect states these assumptions.</summary>
+    /// <summary>The assumed state at the start of a program; each dialect states these assumptions.</summary>
     public static ModalState Initial => new() { Mode = MotionKind.Line, Unknown = AxisSet.All };
 }

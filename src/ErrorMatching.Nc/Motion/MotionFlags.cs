@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What else is true of a motion: the modes it was programmed in, and what stands in the way of changing it.</summary>
+/// <summary>Further properties of a motion: the modes in which it was programmed, and obstacles to changing it.</summary>
 [Flags]
 public enum MotionFlags
 {
@@ -19,10 +19,10 @@ public enum MotionFlags
     /// <summary>The arc is programmed by its radius.</summary>
     ByRadius = 1 << 3,
 
-    /// <summary>Cutter compensation left is active (G41): material lies to the right of the path.</summary>
+    /// <summary>Cutter compensation left is active (G41): material is to the right of the path.</summary>
     CompensationLeft = 1 << 4,
 
-    /// <summary>Cutter compensation right is active (G42): material lies to the left of the path.</summary>
+    /// <summary>Cutter compensation right is active (G42): material is to the left of the path.</summary>
     CompensationRight = 1 << 5,
 
     /// <summary>Cutter compensation is switched on or off in this block.</summary>
@@ -31,13 +31,13 @@ public enum MotionFlags
     /// <summary>Rotation, scaling, mirroring or polar coordinates are active.</summary>
     Transformed = 1 << 7,
 
-    /// <summary>A word of the block is computed by the control.</summary>
+    /// <summary>The control computes a word of the block.</summary>
     Expression = 1 << 8,
 
     /// <summary>A rotary or secondary axis moves in the block.</summary>
     OtherAxis = 1 << 9,
 
-    /// <summary>A mode that this motion depends on is not known, since something before could have changed it.</summary>
+    /// <summary>A mode that this motion depends on is unknown, because something before could have changed it.</summary>
     UnsureMode = 1 << 10,
 
     /// <summary>The block has a corner word (,R or ,C).</summary>
@@ -49,22 +49,22 @@ public enum MotionFlags
     /// <summary>The arc's words do not describe a circle within the control's tolerance.</summary>
     BadArc = 1 << 13,
 
-    /// <summary>The motion is one of those that a canned cycle is made of.</summary>
+    /// <summary>The motion is part of a canned cycle.</summary>
     Cycle = 1 << 14,
 
-    /// <summary>The motion goes by machine coordinates or a reference point, wherever the work is.</summary>
+    /// <summary>The motion uses machine coordinates or a reference point, independent of the workpiece.</summary>
     MachineMove = 1 << 15,
 
     /// <summary>The motion belongs to a program in another file, called in this block.</summary>
     Called = 1 << 16,
 
-    /// <summary>It begins elsewhere than the motion before it ended: an origin changed in between.</summary>
+    /// <summary>It begins at another place than the end of the motion before it: an origin changed in between.</summary>
     StartsElsewhere = 1 << 17,
 
-    /// <summary>The arc is given by an opening angle, a point on the way, or the direction before it.</summary>
+    /// <summary>The arc is given by an opening angle, an intermediate point, or the direction before it.</summary>
     OtherArcForm = 1 << 18,
 
-    /// <summary>A move to a place of the machine that says nothing of X: wherever it begins in X, it ends there as well.</summary>
+    /// <summary>A move to a machine position that does not name X: it ends in X where it begins.</summary>
     CarriesX = 1 << 19,
 
     /// <summary>The same in Y.</summary>

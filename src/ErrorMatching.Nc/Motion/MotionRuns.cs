@@ -1,9 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Some motions of a path, as runs without gap: what was named is mostly a few stretches, so that this takes little memory,
-/// and looking one up after the other little time.
-/// </summary>
+/// <summary>Some motions of a path, stored as runs without a gap. Named motions are mostly a few stretches, so this needs little memory
+/// and consecutive lookups are fast.</summary>
 internal sealed class MotionRuns
 {
     private readonly List<(int First, int Last, int Index)> _runs = [];
@@ -18,7 +16,7 @@ internal sealed class MotionRuns
     /// <summary>First and last motion of a run.</summary>
     public (int First, int Last) this[int run] => (_runs[run].First, _runs[run].Last);
 
-    /// <summary>Adds a motion behind all others.</summary>
+    /// <summary>Adds a motion after all others.</summary>
     public void Add(int motion)
     {
         if (_runs.Count > 0 && _runs[^1].Last + 1 == motion)
@@ -33,10 +31,10 @@ internal sealed class MotionRuns
         Motions++;
     }
 
-    /// <summary>True if a motion is among them.</summary>
+    /// <summary>True if it has a motion.</summary>
     public bool Contains(int motion) => IndexOf(motion) >= 0;
 
-    /// <summary>Position of a motion among them, -1 where it is not.</summary>
+    /// <summary>Position of a motion among them; -1 if it is not one of them.</summary>
     public int IndexOf(int motion)
     {
         if (_runs.Count == 0)
@@ -44,8 +42,8 @@ internal sealed class MotionRuns
             return -1;
         }
 
-        // Motions are mostly asked for in their order, by two cores in different places:
-        // what the other remembers must not change under this one's hands.
+        // Lookups are mostly in order, by two threads in different places. Use one copy of the cached run, since the other thread may
+        // change it.
         var recent = _recent;
         var run = _runs[recent];
         if (motion < run.First || motion > run.Last)
@@ -57,7 +55,7 @@ internal sealed class MotionRuns
         return motion >= run.First && motion <= run.Last ? run.Index + motion - run.First : -1;
     }
 
-    // The last run that begins at a motion or before it, or the first run of all.
+    // The last run that begins at or before a motion, or the first run of all.
     private int RunFrom(int motion, int recent)
     {
         if (recent + 1 < _runs.Count && _runs[recent].Last < motion && motion < _runs[recent + 1].First)

@@ -1,17 +1,14 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Reads a program as its control would and yields the motions. What it does not understand makes the state unknown until the program
-/// states it again, so that nothing is ever guessed silently.
-/// </summary>
+/// <summary>Reads a program as its control would and returns the motions. Anything that it does not understand makes the state unknown
+/// until the program states it again, so it never guesses silently.</summary>
 /// <remarks>
-/// It decides which block runs next: a block of plain words runs at once (<see cref="BlockExecutor"/>); one that computes, branches, calls
-/// or ends is given to <see cref="NcFlow"/> before and
-/// behind its words.
+/// It decides which block runs next. A block of plain words runs at once (<see cref="BlockExecutor"/>). A block that computes, branches,
+/// calls or ends goes to <see cref="NcFlow"/> before and after its words.
 /// </remarks>
 public sealed class NcInterpreter
 {
-    /// <summary>What runs ahead is looked at for an end that often, in blocks.</summary>
+    /// <summary>Number of blocks between checks whether to stop running ahead.</summary>
     private const int Watch = 1_024;
 
     private readonly ControlState _control;
@@ -42,31 +39,29 @@ public sealed class NcInterpreter
 
     internal bool HasProblems => _result.Problems.Count > 0;
 
-    /// <summary>Interprets a program that stands alone.</summary>
+    /// <summary>Interprets a program without a library of other programs.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
-    /// <param name="dialect">The control that it is for.</param>
+    /// <param name="dialect">The dialect of its control.</param>
     public static NcPath Run(NcProgram program, NcDialect dialect) => Run(program, dialect, null, CancellationToken.None);
 
     /// <summary>Interprets a program.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
-    /// <param name="dialect">The control that it is for.</param>
-    /// <param name="library">Finds a called program that is not in the file, by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>); null
-    /// where there is none. Null instead of it: no other program is known.</param>
-    /// <param name="cancellation">Ends a long run.</param>
+    /// <param name="dialect">The dialect of its control.</param>
+    /// <param name="library">Returns a called program that is not in the file by its name (<c>O1002</c>, <c>L10</c>, <c>POCKET</c>), or
+    /// null if there is none. If the function itself is null, no other program is known.</param>
+    /// <param name="cancellation">Stops a long run.</param>
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    /// <summary>
-    /// Interprets a program as another was that it is much like: motions that are the same take no memory of their own, and those in
-    /// stretches with the same bytes little time.
-    /// </summary>
+    /// <summary>Interprets a program that is similar to one already interpreted. Equal motions share memory, and stretches with equal
+    /// bytes take little time.</summary>
     internal static NcPath Run(NcProgram program, NcPath like)
     {
         program = program.In(like.Dialect.Syntax);
         var isSame = RunBorders.SameStretches(program, like);
 
-        // Where less than half of a long program is the same, two cores are faster.
+        // If less than half of a long program is equal, two threads are faster.
         var passes = program.BlockCount < SecondCore.Many || isSame.Count(s => s) > isSame.Length / 2;
         var interpreter = new NcInterpreter(program, like.Dialect, new(like.Motions, inPlace: passes), like.Library,
             CancellationToken.None);
@@ -74,7 +69,7 @@ public sealed class NcInterpreter
         return interpreter.Run();
     }
 
-    /// <summary>Runs blocks in a state up to one that could do more than move, which is not run.</summary>
+    /// <summary>Runs blocks from a given state until one that could do more than move; that one does not run.</summary>
     internal void RunCuts(in ModalState state, int from, int behind)
     {
         (_control.State, _run.At) = (state, from);
@@ -157,7 +152,7 @@ public sealed class NcInterpreter
         return leader;
     }
 
-    // Comes to a border in the program itself. True if the run goes on elsewhere.
+    // Reaches a border in the program itself. True if the run continues elsewhere.
     private bool CrossBorder(CancellationToken endOfAhead)
     {
         if (_borders.AreKnown)
@@ -174,7 +169,7 @@ public sealed class NcInterpreter
         return _run.At == _second.Seam && TryJoinAhead();
     }
 
-    // Goes on where the second core has come to, if it began as the program really arrives at the seam.
+    // Continues where the second thread stopped, if it began in the state in which the program actually reaches the seam.
     private bool TryJoinAhead()
     {
         if (_second.Meet(_borders, Motions) is not { } ahead)

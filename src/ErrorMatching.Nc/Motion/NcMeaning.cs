@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a G code means to the interpreter. The dialect's table says which code means what.</summary>
+/// <summary>The meaning of a G code for the interpreter. The dialect's table assigns meanings to codes.</summary>
 public enum NcMeaning : byte
 {
     /// <summary>Not in the table.</summary>
@@ -27,7 +27,7 @@ public enum NcMeaning : byte
     /// <summary>The motion of its block is a probing move (G31, MEAS).</summary>
     ProbeInBlock,
 
-    /// <summary>Moves nothing although it has axis words: a wait, whose X is a time, or limits of travel.</summary>
+    /// <summary>Moves nothing although it has axis words: a dwell, whose X is a time, or limits of travel.</summary>
     Dwell,
 
     /// <summary>Plane X Y.</summary>
@@ -42,7 +42,7 @@ public enum NcMeaning : byte
     /// <summary>Lengths in inches.</summary>
     Inch,
 
-    /// <summary>Lengths in millimetres.</summary>
+    /// <summary>Lengths in millimeters.</summary>
     Metric,
 
     /// <summary>Coordinates are positions.</summary>
@@ -69,16 +69,16 @@ public enum NcMeaning : byte
     /// <summary>Chooses a work offset.</summary>
     WorkOffset,
 
-    /// <summary>Says which coordinates the tool has where it stands (G92); its axis words are not a motion.</summary>
+    /// <summary>Sets the coordinates of the tool's current place (G92); its axis words are not a motion.</summary>
     SetPosition,
 
-    /// <summary>Takes such a shift back for good (G92.1).</summary>
+    /// <summary>Cancels such a shift permanently (G92.1).</summary>
     ClearPosition,
 
-    /// <summary>Takes such a shift back until it is restored (G92.2).</summary>
+    /// <summary>Suspends such a shift until it is restored (G92.2).</summary>
     SuspendPosition,
 
-    /// <summary>Brings a suspended shift back (G92.3).</summary>
+    /// <summary>Restores a suspended shift (G92.3).</summary>
     RestorePosition,
 
     /// <summary>Shifts the origin of the work offsets (G52).</summary>
@@ -87,28 +87,28 @@ public enum NcMeaning : byte
     /// <summary>Writes offsets (G10); its axis words are not a motion.</summary>
     SetOffset,
 
-    /// <summary>Return to a reference point over the place that the block names.</summary>
+    /// <summary>Return to a reference point through the place that the block names.</summary>
     ReferenceReturn,
 
-    /// <summary>Return to a reference point; axis words say which axes return, not where to (G74, G75 of Siemens).</summary>
+    /// <summary>Return to a reference point; axis words name the axes that return, not a place (Siemens G74, G75).</summary>
     ReferenceReturnOfAxes,
 
-    /// <summary>Stores where the tool stands for a later return (G28.1, G30.1).</summary>
+    /// <summary>Stores the tool's current place for a later return (G28.1, G30.1).</summary>
     StoreReference,
 
-    /// <summary>The block's coordinates are the machine's.</summary>
+    /// <summary>The block uses machine coordinates.</summary>
     MachineCoordinates,
 
-    /// <summary>Leaves out all offsets and frames in its block (G153, SUPA).</summary>
+    /// <summary>Suppresses all offsets and frames in its block (G153, SUPA).</summary>
     SuppressFrames,
 
-    /// <summary>Takes tool length into account, from the machine's table.</summary>
+    /// <summary>Applies tool length from the machine's table.</summary>
     LengthOffset,
 
-    /// <summary>Takes the tool length that the block's axis words state (G43.1); they are not a motion.</summary>
+    /// <summary>Applies the tool length that the block's axis words state (G43.1); they are not a motion.</summary>
     ToolLength,
 
-    /// <summary>Leaves tool length out of account.</summary>
+    /// <summary>Cancels tool length.</summary>
     LengthOffsetOff,
 
     /// <summary>Rotates the coordinates about a point in the plane (G68).</summary>
@@ -135,8 +135,8 @@ public enum NcMeaning : byte
     /// <summary>Ends polar coordinates.</summary>
     PolarOff,
 
-    /// <summary>A transformation that is not followed (cylinder, polar interpolation, tilted plane, tool center point): nothing is known of
-    /// the path, and nothing is changed.</summary>
+    /// <summary>A transformation that is not followed (cylinder, polar interpolation, tilted plane, tool center point): the path is
+    /// unknown, and nothing is changed.</summary>
     OpaqueTransform,
 
     /// <summary>Ends all such transformations.</summary>
@@ -181,10 +181,10 @@ public enum NcMeaning : byte
     /// <summary>Canned cycle: feed to depth and out (G84, G74, G85, G89).</summary>
     FeedOutCycle,
 
-    /// <summary>Canned cycle: feed to depth and out to where a cycle retracts to, not to its R plane first (LinuxCNC's G89).</summary>
+    /// <summary>Canned cycle: feed to depth and out to the cycle's retract plane, not first to its R plane (LinuxCNC's G89).</summary>
     FeedOutToClearCycle,
 
-    /// <summary>Tapping like that, in the plane XY only (LinuxCNC's G74, G84).</summary>
+    /// <summary>The same for tapping, in the XY plane only (LinuxCNC's G74, G84).</summary>
     TapCycle,
 
     /// <summary>Canned cycle: feed to depth, spindle stop, rapid out (G86).</summary>
@@ -202,7 +202,7 @@ public enum NcMeaning : byte
     /// <summary>Ends canned cycles.</summary>
     CycleOff,
 
-    /// <summary>Cycles retract to where the tool stood before (G98).</summary>
+    /// <summary>Cycles retract to the tool's initial level (G98).</summary>
     RetractToInitial,
 
     /// <summary>Cycles retract to their R plane (G99).</summary>
@@ -211,13 +211,13 @@ public enum NcMeaning : byte
     /// <summary>Calls a macro once (G65).</summary>
     Call,
 
-    /// <summary>Calls a macro behind every motion from here on (G66).</summary>
+    /// <summary>Calls a macro after every motion from here on (G66).</summary>
     ModalCall,
 
-    /// <summary>Ends such calls.</summary>
+    /// <summary>Ends modal macro calls.</summary>
     ModalCallOff,
 
-    /// <summary>Calls a program in a way that is not followed, or one that is looked for elsewhere (PCALL, G72.1): refused.</summary>
+    /// <summary>Calls a program in a way that is not followed, or from another place (PCALL, G72.1): refused.</summary>
     OpaqueCall,
 
     /// <summary>An arc through an intermediate point (CIP).</summary>
@@ -229,23 +229,23 @@ public enum NcMeaning : byte
     /// <summary>A straight cut in step with the spindle (G33); it is not displaced.</summary>
     ThreadCut,
 
-    /// <summary>A spline (G5, G5.1, G5.2): its end is known, its way is not followed.</summary>
+    /// <summary>A spline (G5, G5.1, G5.2): its end is known, but its path is not followed.</summary>
     Spline,
 
-    /// <summary>Feed is one over the time of a block (G93).</summary>
+    /// <summary>Feed is the inverse of the block's time (G93).</summary>
     InverseTimeFeed,
 
-    /// <summary>Feed is in length per minute.</summary>
+    /// <summary>Feed is length per minute.</summary>
     FeedPerMinute,
 
-    /// <summary>Feed is in length per revolution.</summary>
+    /// <summary>Feed is length per revolution.</summary>
     FeedPerRevolution,
 
-    /// <summary>The control smooths the path (G641, COMPCAD): it is as programmed only within the control's tolerance.
-    /// Worth a warning.</summary>
+    /// <summary>The control smooths the path (G641, COMPCAD), so it is as programmed only within the control's tolerance. Causes a
+    /// warning.</summary>
     Smoothing,
 
-    /// <summary>Calls a cycle or subprogram behind every motion from here on (MCALL); alone, ends that.</summary>
+    /// <summary>Calls a cycle or subprogram after every motion from here on (MCALL); without a name, ends this.</summary>
     ModalCycle,
 
     /// <summary>A machining or measuring cycle with its arguments in parentheses (CYCLE81).</summary>

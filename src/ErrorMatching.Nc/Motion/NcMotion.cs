@@ -2,22 +2,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// One motion of the programmed path (cutter compensation is never applied), in mm, in the work coordinates that are active.
-/// A block names the motion from the previous end to its own end.
-/// </summary>
+/// <summary>One motion of the programmed path, without cutter compensation, in mm, in the active work coordinates. A motion leads from
+/// the previous end to the end that its block names.</summary>
 /// <param name="Block">Position of its block in the program, from 0.</param>
 /// <param name="Kind">How the control moves.</param>
-/// <param name="Plane">The plane of arcs, and of compensation.</param>
+/// <param name="Plane">The plane of arcs and compensation.</param>
 /// <param name="Flags">Modes and obstacles.</param>
-/// <param name="Start">Where it begins.</param>
-/// <param name="End">Where it ends.</param>
+/// <param name="Start">Its start.</param>
+/// <param name="End">Its end.</param>
 /// <param name="Center">Center of an arc, in the plane's coordinates.</param>
-/// <param name="Turns">Full turns of an arc beyond the first, 0 for all but multi-turn helices.</param>
-/// <param name="Feed">Feed in mm/min as last programmed; 0 where none was.</param>
-/// <param name="Frame">Counts the changes of work offset or origin before it: motions of different frames cannot be compared.</param>
-/// <param name="UnknownStart">Axes whose start is not known from the program (its coordinate then reads as 0).</param>
-/// <param name="UnknownEnd">Axes whose end is not known from the program.</param>
+/// <param name="Turns">Full turns of an arc beyond the first; 0 for all but multi-turn helices.</param>
+/// <param name="Feed">The last programmed feed, mm/min; 0 if there was none.</param>
+/// <param name="Frame">Number of changes of work offset or origin before it: motions of different frames cannot be compared.</param>
+/// <param name="UnknownStart">Axes whose start the program does not determine (its coordinate then reads as 0).</param>
+/// <param name="UnknownEnd">Axes whose end the program does not determine.</param>
 public readonly record struct NcMotion(
     int Block,
     MotionKind Kind,
@@ -57,24 +55,24 @@ public readonly record struct NcMotion(
         }
     }
 
-    /// <summary>True if it moves in its plane, or may, since it begins at an unknown place. A full circle does;
-    /// a plunge or retract does not.</summary>
+    /// <summary>True if it moves in its plane, or may because it begins at an unknown place. A full circle does; a plunge or retract does
+    /// not.</summary>
     public bool MovesInPlane => IsArc || PlaneStart != PlaneEnd || (UnknownStart & Plane.Axes()) != (UnknownEnd & Plane.Axes());
 
-    /// <summary>True if the program says where in its plane it begins and ends.</summary>
+    /// <summary>True if the program determines its start and end in its plane.</summary>
     public bool IsKnownInPlane => ((UnknownStart | UnknownEnd) & Plane.Axes()) == AxisSet.None;
 
-    /// <summary>Unit direction of travel in the plane at a fraction of the way, 0 to 1.</summary>
+    /// <summary>Unit direction of travel in the plane at a fraction of the motion, 0 to 1.</summary>
     /// <exception cref="GeometryException">Its ends coincide in its plane.</exception>
     public Vector2 TangentAt(double fraction) => IsArc ? Arc.TangentAt(fraction) : (PlaneEnd - PlaneStart).Normalize();
 
-    /// <summary>The point in the plane at a fraction of the way, 0 to 1.</summary>
+    /// <summary>The point in the plane at a fraction of the motion, 0 to 1.</summary>
     public Point2 PlaneAt(double fraction) => IsArc ? Arc.At(fraction) : Segment.At(fraction);
 
     /// <summary>Length in the plane.</summary>
     public double PlaneLength => IsArc ? Arc.Length : Segment.Length;
 
-    /// <summary>Axes in which a move to a place of the machine ends where it begins, since it says nothing of them.</summary>
+    /// <summary>Axes in which a move to a machine position ends where it begins, because it does not name them.</summary>
     internal AxisSet CarriedAxes => (AxisSet)((int)Flags / (int)MotionFlags.CarriesX) & AxisSet.All;
 
     /// <summary>True if a flag is set.</summary>

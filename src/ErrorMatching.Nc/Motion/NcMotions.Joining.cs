@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Motions that were made elsewhere: on the second core, or by an earlier run of a much like program.</content>
+/// <content>Motions from elsewhere: from the second thread, or from an earlier run of a similar program.</content>
 public sealed partial class NcMotions
 {
-    /// <summary>Begins a list that may be joined to this one later. Its first motion only says where it begins.</summary>
+    /// <summary>Creates a list that may be joined to this one later. Its first motion only marks its start.</summary>
     /// <param name="lead">Motions that end there.</param>
     internal NcMotions Ahead(NcMotions lead)
     {
@@ -15,10 +15,10 @@ public sealed partial class NcMotions
         return motions;
     }
 
-    /// <summary>True if the last motion ends, to the last bit, where a list of <see cref="Ahead"/> begins.</summary>
+    /// <summary>True if the last motion ends exactly where a list of <see cref="Ahead"/> begins.</summary>
     internal bool EndsWhereBegins(NcMotions ahead) => Length > 0 && _motions[Length - 1].SameEnd(ahead._motions[0]);
 
-    /// <summary>Appends the motions of a list of <see cref="Ahead"/> but its first; it gets no more.</summary>
+    /// <summary>Appends the motions of a list of <see cref="Ahead"/> except its first; that list gets no more motions.</summary>
     internal void Join(NcMotions ahead)
     {
         if (ahead.Length == 1)
@@ -26,8 +26,8 @@ public sealed partial class NcMotions
             return;
         }
 
-        // The first of them can have the setting of the last one here; whether the others begin a new one does not depend on what was
-        // before.
+        // The first of them can have the setting of the last one here. Whether the others start a new setting does not depend on earlier
+        // motions.
         var first = Length;
         var setting = ahead._newSettings[1] ? 1 : 0;
         Share(ahead._settings[setting].Feed, ahead._settings[setting].Frame, ahead._areArcs[1]);
@@ -54,15 +54,15 @@ public sealed partial class NcMotions
         _ahead = ahead;
     }
 
-    /// <summary>True if what follows here would be stored as it is stored behind so many motions of the list that this one is like: as many
-    /// came before, and the last is the same in all that counts for the next.</summary>
+    /// <summary>True if the next motions would be stored as in the similar list after its first n motions: this list has n motions too,
+    /// and the last one is equal in all that affects the next.</summary>
     internal bool EndsAsAfter(int motions) =>
         Length == motions && motions > 0 && _motions[motions - 1].SameEnd(_like!._motions[motions - 1])
         && SettingAt(motions - 1).SameAs(_like.SettingAt(motions - 1))
             && _areArcs.CountTo(motions - 1) == _like._areArcs.CountTo(motions - 1);
 
-    /// <summary>Appends the motions that the list has which this one is like, up to one that is not appended. Here it must end as that one
-    /// after as many motions, and none of them may jump.</summary>
+    /// <summary>Appends the motions of the similar list up to, not including, a position. <see cref="EndsAsAfter"/> must be true here,
+    /// and none of the motions may jump.</summary>
     internal void TakeOver(int behind)
     {
         var (first, like) = (Length, _like!);

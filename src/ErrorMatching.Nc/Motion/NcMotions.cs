@@ -4,7 +4,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The motions of a program in the order in which they are executed, made from flat arrays when they are looked at.</summary>
+/// <summary>The motions of a program in execution order, created from flat arrays on access.</summary>
 public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 {
     private readonly Chunks<StoredMotion> _motions;
@@ -20,8 +20,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     private readonly NcMotions? _like;
     private NcMotions? _ahead;
 
-    /// <summary>An empty list.</summary>
-    /// <param name="like">A list whose memory is shared where motions are the same.</param>
+    /// <summary>Creates an empty list.</summary>
+    /// <param name="like">A list whose memory is shared for equal motions.</param>
     /// <param name="inPlace">True if motions can be taken over from it.</param>
     internal NcMotions(NcMotions? like = null, bool inPlace = false)
     {
@@ -35,13 +35,13 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 
     int IReadOnlyCollection<NcMotion>.Count => Length;
 
-    /// <summary>True if no motion belongs to an earlier block than the one before it: the program runs straight through.</summary>
+    /// <summary>True if no motion belongs to an earlier block than the motion before it: the program runs straight through.</summary>
     public bool FollowBlocks { get; private set; } = true;
 
-    /// <summary>True if a straight cut ends where it begins, or did in the list that motions were taken over from.</summary>
+    /// <summary>True if a straight cut ends where it begins, or did in the list from which motions were taken over.</summary>
     internal bool HasPoints { get; private set; }
 
-    /// <summary>Number of motions that begin elsewhere than the one before ends.</summary>
+    /// <summary>Number of motions that do not begin at the end of the one before.</summary>
     internal int Jumps => _starts.Count;
 
     /// <summary>The motion at a position, from 0.</summary>
@@ -55,7 +55,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             var arc = m.IsArc ? ArcAt(index) : default;
             if (index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
             {
-                // Nearly always: where the one before ends, and all of it is known.
+                // The usual case: it begins at the end of the one before, and all coordinates are known.
                 ref readonly var before = ref _motions[index - 1];
                 if ((before.UnknownEnd | m.UnknownEnd) == AxisSet.None)
                 {
@@ -92,13 +92,11 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         }
     }
 
-    /// <summary>The block of a motion, without the rest.</summary>
+    /// <summary>The block of a motion, without reading the rest.</summary>
     public int BlockOf(int index) => _motions[index].Block;
 
-    /// <summary>
-    /// Where a motion ends on a control that begins at the origin with all offsets zero: the same as <see cref="NcMotion.End"/> where the
-    /// program says it, a stand-in where only the machine knows.
-    /// </summary>
+    /// <summary>End of a motion on a control that begins at the origin with all offsets zero: equal to <see cref="NcMotion.End"/> if the
+    /// program determines it, a substitute if only the machine knows it.</summary>
     public Point3 AssumedEnd(int index) => _motions[index].End;
 
     /// <summary>True if a motion is an arc.</summary>
@@ -107,21 +105,21 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     /// <summary>True if cutter compensation begins or ends with a motion.</summary>
     internal bool SwitchesCompensation(int index) => (_motions[index].Flags & MotionFlags.CompensationSwitches) != MotionFlags.None;
 
-    /// <summary>Where a motion ends, without the rest. Coordinates that are not known read as zero.</summary>
+    /// <summary>End of a motion, without reading the rest. Unknown coordinates read as zero.</summary>
     internal Point3 EndOf(int index)
     {
         ref readonly var m = ref _motions[index];
         return m.UnknownEnd.KnownPartOf(m.End);
     }
 
-    /// <summary>Where a motion begins, without the rest. Coordinates that are not known read as zero.</summary>
+    /// <summary>Start of a motion, without reading the rest. Unknown coordinates read as zero.</summary>
     internal Point3 StartOf(int index)
     {
         var (place, unknown) = StartOf(index, _motions[index].Flags);
         return unknown.KnownPartOf(place);
     }
 
-    /// <summary>True if a motion is a cut that moves in its plane and switches no compensation, as all of a contour are.</summary>
+    /// <summary>True if a motion is a cut that moves in its plane and does not switch compensation, as all motions of a contour.</summary>
     internal bool IsContour(int index)
     {
         ref readonly var m = ref _motions[index];
@@ -130,7 +128,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             && MovesInPlane(index);
     }
 
-    /// <summary>The same as of the motion itself.</summary>
+    /// <summary>The same as <see cref="NcMotion.MovesInPlane"/> of the motion.</summary>
     internal bool MovesInPlane(int index)
     {
         ref readonly var m = ref _motions[index];
@@ -153,7 +151,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             || ((unknown ^ m.UnknownEnd) & m.Plane.Axes()) != AxisSet.None;
     }
 
-    /// <summary>True if two motions have one plane and one frame, so that their places can be compared.</summary>
+    /// <summary>True if two motions have the same plane and frame, so that their places can be compared.</summary>
     internal bool IsComparable(int index, int other)
     {
         ref readonly var a = ref _motions[index];
@@ -161,8 +159,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return a.Plane == b.Plane && (_lastFrame == 0 || SettingAt(index).Frame == SettingAt(other).Frame);
     }
 
-    /// <summary>True if a motion is the same in another list, to the last bit of each of its values,
-    /// but for the lines that were inserted before its block.</summary>
+    /// <summary>True if all values of a motion are bitwise equal in another list, apart from lines inserted before its block.</summary>
     internal bool SameAt(NcMotions other, int index, int linesBefore)
     {
         ref readonly var a = ref _motions[index];
@@ -182,7 +179,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             : index == 0 || _motions[index - 1].SameEnd(other._motions[index - 1]);
     }
 
-    /// <summary>Walks over all motions.</summary>
+    /// <summary>Enumerates all motions.</summary>
     public IEnumerator<NcMotion> GetEnumerator()
     {
         for (var i = 0; i < Length; i++)
@@ -193,10 +190,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
-    /// <summary>
-    /// Passes over straight cuts that have the modes of another one, move in the plane XY and do not end at a place: the first motion from
-    /// a position on for which that is not so. A walk along a contour has to look closely only there.
-    /// </summary>
+    /// <summary>Skips straight cuts in the XY plane that have the modes of a given motion and do not end at a place. Returns the first
+    /// motion, from a position on, that it cannot skip: a walk along a contour needs a closer look only there.</summary>
     internal int PassAhead(int from, int like, Point3 place, double tolerance)
     {
         ref readonly var model = ref _motions[like];
@@ -232,13 +227,13 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             && (before.X != m.X || before.Y != m.Y);
     }
 
-    /// <summary>The motions that differ from those at the same place of another list of the same length, in their order,
-    /// as <see cref="SameAt"/> says.</summary>
+    /// <summary>The motions that differ from those at the same position of another list of the same length, in order, by the rule of
+    /// <see cref="SameAt"/>.</summary>
     /// <param name="other">The other list.</param>
-    /// <param name="border">The first block before which a line was inserted in the other.</param>
+    /// <param name="border">The first block before which the other has an inserted line.</param>
     internal List<int> DifferencesFrom(NcMotions other, int border)
     {
-        // What lies in one piece of memory for both is the same, as long as no motion has something beside and no line was inserted.
+        // Motions in a memory piece that both lists share are equal, if none of them has separately stored values and no line was inserted.
         var mayPass = border == int.MaxValue && _starts.Count == 0 && other._starts.Count == 0 && _arcs.Count == 0 && other._arcs.Count == 0
             && _newSettings.SameAs(other._newSettings) && SameSettings(other);
         var different = new List<int>();
@@ -250,7 +245,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             }
             else if (mayPass)
             {
-                // The end of the one before is the start of the next, so that this one is the same stands for those behind it.
+                // The end of one motion is the start of the next, so equality here covers the shared motions after it.
                 i += Math.Max(0, _motions.SharedFrom(i, other._motions) - 1);
             }
         }
@@ -269,8 +264,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return same;
     }
 
-    /// <summary>Appends a motion. Coordinates that are not known are kept as they would be on a control that begins at the
-    /// origin.</summary>
+    /// <summary>Appends a motion. Unknown coordinates are stored as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
         Share(motion.Feed, motion.Frame, motion.IsArc);
@@ -294,7 +288,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd));
     }
 
-    /// <summary>Appends a straight move from where the tool is.</summary>
+    /// <summary>Appends a straight move from the tool's current place.</summary>
     internal void AddStraight(int block, in ModalState state, MotionFlags flags, in Point3 end, AxisSet unknownEnd)
     {
         if (Length == 0 || (state.Unknown | unknownEnd) != AxisSet.None || !StartsAtLast(state.Position))
@@ -329,14 +323,14 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return last.X == place.X && last.Y == place.Y && last.Z == place.Z && last.UnknownEnd == AxisSet.None;
     }
 
-    /// <summary>Moves the end of the motion that was added last; what follows begins there.</summary>
+    /// <summary>Moves the end of the last motion; the next begins there.</summary>
     internal void MoveLastEnd(Point3 end)
     {
         ref var last = ref _motions[Length - 1];
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
     }
 
-    // What the next motion shares with others.
+    // Stores the values that the next motion shares with others.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Share(double feed, int frame, bool isArc)
     {

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What must be known of how a program was read: what another machine could read differently, and what the control does that is
-/// not followed. Nothing is wrong with the program.</summary>
-/// <param name="Code">A stable word.</param>
-/// <param name="Block">Position of the first block that has it, from 0.</param>
-/// <param name="Count">How often it was met while the program ran.</param>
-/// <param name="Message">What was met and how it was read, in a sentence.</param>
+/// <summary>A note on how a program was read: something that another machine could read differently, or control behavior that is not
+/// followed. The program itself is not wrong.</summary>
+/// <param name="Code">A stable identifier.</param>
+/// <param name="Block">Position of the first block concerned, from 0.</param>
+/// <param name="Count">Number of occurrences while the program ran.</param>
+/// <param name="Message">What was found and how it was read, in a sentence.</param>
 public sealed record NcNote(string Code, int Block, long Count, string Message);

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a program does: its motions in order, and what stands in the way of trusting them.</summary>
+/// <summary>The result of interpreting a program: its motions in order, and reasons not to trust them.</summary>
 public sealed class NcPath
 {
-    /// <summary>How far ahead a motion is looked for near the last one, before all are searched.</summary>
+    /// <summary>Distance up to which a motion is searched near the last one, before all are searched.</summary>
     private const int Far = 64;
 
     private int[]? _byBlock;
@@ -34,42 +34,40 @@ public sealed class NcPath
     /// <summary>The program that was interpreted.</summary>
     public NcProgram Program { get; }
 
-    /// <summary>The dialect it was read in.</summary>
+    /// <summary>The dialect in which it was read.</summary>
     public NcDialect Dialect { get; }
 
-    /// <summary>All motions, in the order in which they are executed.</summary>
+    /// <summary>All motions, in execution order.</summary>
     public NcMotions Motions { get; }
 
-    /// <summary>The layers of offsets and transforms, in the order in which they came;
-    /// <see cref="NcMotion.Frame"/> is an index into them.</summary>
+    /// <summary>The layers of offsets and transformations, in execution order; <see cref="NcMotion.Frame"/> is an index into
+    /// them.</summary>
     public IReadOnlyList<NcFrame> Frames { get; }
 
-    /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in the order of the blocks.</summary>
+    /// <summary>Unknown words, arcs that do not close, unterminated comments and the like, in block order.</summary>
     public IReadOnlyList<NcProblem> Problems { get; }
 
-    /// <summary>How something was read that another machine could read differently. Every result of the program shows them.</summary>
+    /// <summary>Readings that another machine could make differently. Every result of the program shows them.</summary>
     public IReadOnlyList<NcNote> Notes { get; }
 
-    /// <summary>Why the program could not be followed to its end: a program that is missing, a loop without end, a branch on what only the
-    /// machine knows. Null where it was.</summary>
+    /// <summary>The reason why the program could not be followed to its end: a missing program, an infinite loop, a branch on a value
+    /// that only the machine knows. Null if it was followed to its end.</summary>
     public NcRefusal? Refusal { get; }
 
-    /// <summary>How the program was reached at some of its blocks.</summary>
+    /// <summary>The state in which the run reached some of the program's blocks.</summary>
     internal IReadOnlyList<RunBorder> Borders { get; init; } = [];
 
-    /// <summary>Where called programs were looked for that are not in the file.</summary>
+    /// <summary>Returns called programs that are not in the file.</summary>
     internal Func<string, NcProgram?>? Library { get; }
 
-    /// <summary>
-    /// Blocks whose effect can depend on where the tool stands although they move nothing themselves (what sets an origin,
-    /// calls a program that is not known), each with the joint of the path at which the tool stands.
-    /// </summary>
+    /// <summary>Blocks that move nothing themselves but whose effect can depend on the tool's place (they set an origin or call an
+    /// unknown program), each with the joint of the path at which the tool is.</summary>
     internal IReadOnlyList<(int Block, int Joint)> PlaceDependents { get; }
 
-    /// <summary>Joints of the path at which the tool was changed (M6), ascending.</summary>
+    /// <summary>Joints of the path with a tool change (M6), ascending.</summary>
     internal IReadOnlyList<int> ToolChanges { get; init; } = [];
 
-    /// <summary>True if the tool was changed at one of some joints.</summary>
+    /// <summary>True if the tool was changed at one of the joints.</summary>
     internal bool ChangesTool(int firstJoint, int lastJoint)
     {
         var (low, high) = (0, ToolChanges.Count);
@@ -82,8 +80,7 @@ public sealed class NcPath
         return low < ToolChanges.Count && ToolChanges[low] <= lastJoint;
     }
 
-    /// <summary>All motions of a block, in the order in which they are executed:
-    /// several where it runs several times, or is a canned cycle.</summary>
+    /// <summary>All motions of a block, in execution order: several if it runs several times or is a canned cycle.</summary>
     public ReadOnlySpan<int> MotionsOf(int block)
     {
         if (Motions.FollowBlocks)
@@ -115,16 +112,16 @@ public sealed class NcPath
         return order.AsSpan(from, to - from);
     }
 
-    /// <summary>Position of a block's first motion, or -1 where it has none.</summary>
+    /// <summary>Position of a block's first motion; -1 if it has none.</summary>
     public int MotionOf(int block) => RunOf(block, 0);
 
-    /// <summary>One of the motions of a block, by its place among them; -1 behind the last.</summary>
+    /// <summary>The n-th motion of a block; -1 after the last.</summary>
     internal int RunOf(int block, int run) => RunOf(block, run, ref _recent);
 
-    /// <summary>The same for one of several who ask for blocks in different places.</summary>
+    /// <summary>The same for concurrent callers, each with its own cached position.</summary>
     /// <param name="block">The block.</param>
     /// <param name="run">Which of its motions, from 0.</param>
-    /// <param name="recent">Where the asker found the last one, 0 at first.</param>
+    /// <param name="recent">Position where the caller found the last one; 0 at first.</param>
     internal int RunOf(int block, int run, ref int recent)
     {
         var order = Motions.FollowBlocks ? null : _byBlock ??= OrderByBlock();
@@ -141,13 +138,12 @@ public sealed class NcPath
             (blocks[i], order[i]) = (Motions.BlockOf(i), i);
         }
 
-        // Motions of one block stay in their order: the index decides between equal blocks.
+        // Motions of one block stay in order: the index decides between equal blocks.
         Array.Sort(order, (a, b) => blocks[a] != blocks[b] ? blocks[a].CompareTo(blocks[b]) : a.CompareTo(b));
         return order;
     }
 
-    // The first motion of a block or of a later one, in the order of the blocks (null: the path's own).
-    // It is mostly near the one that was asked for last.
+    // The first motion of a block or of a later one, in block order (null: the path's own). It is mostly near the last one found.
     private int FirstFrom(int[]? order, int block, ref int recent)
     {
         var (low, high) = (0, Motions.Length);

@@ -2,10 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// An affine map from coordinates as programmed to work coordinates: rotation, scale, mirror and shift as one matrix.
-/// Null stands for "as programmed".
-/// </summary>
+/// <summary>An affine map from programmed to work coordinates: rotation, scaling, mirroring and shift as one matrix. Null means "as
+/// programmed".</summary>
 internal sealed class ProgramFrame
 {
     private readonly Vector3 _x;
@@ -15,17 +13,17 @@ internal sealed class ProgramFrame
 
     private ProgramFrame(Vector3 x, Vector3 y, Vector3 z, Vector3 shift) => (_x, _y, _z, _shift) = (x, y, z, shift);
 
-    /// <summary>Keeps everything.</summary>
+    /// <summary>Changes nothing.</summary>
     public static ProgramFrame Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), Vector3.Zero);
 
-    /// <summary>True if places stay where they are.</summary>
+    /// <summary>True if it moves no place.</summary>
     public bool IsIdentity =>
         _shift.Length < 1e-12
             && (_x - Identity._x).Length < 1e-12
             && (_y - Identity._y).Length < 1e-12
             && (_z - Identity._z).Length < 1e-12;
 
-    /// <summary>The shift, if that is all that the map does; else null.</summary>
+    /// <summary>The shift, if the map is only a shift; otherwise null.</summary>
     public Vector3? ShiftOnly => _x == Identity._x && _y == Identity._y && _z == Identity._z ? _shift : null;
 
     /// <summary>True if each axis stays parallel to itself, so that an unknown coordinate leaves the others known.</summary>
@@ -50,16 +48,16 @@ internal sealed class ProgramFrame
         });
     }
 
-    /// <summary>First another map, then this one.</summary>
+    /// <summary>Applies another map first, then this one.</summary>
     public ProgramFrame After(ProgramFrame first) => new(Turn(first._x), Turn(first._y), Turn(first._z), Turn(first._shift) + _shift);
 
-    /// <summary>Where a programmed place is.</summary>
+    /// <summary>Maps a programmed place.</summary>
     public Point3 Apply(Point3 p) => default(Point3) + Turn(p - default(Point3)) + _shift;
 
-    /// <summary>A programmed direction.</summary>
+    /// <summary>Maps a programmed direction.</summary>
     public Vector3 Turn(Vector3 v) => (_x * v.X) + (_y * v.Y) + (_z * v.Z);
 
-    /// <summary>The map back.</summary>
+    /// <summary>The inverse map.</summary>
     /// <returns>Null if a factor is zero.</returns>
     public ProgramFrame? Inverse()
     {
@@ -78,9 +76,7 @@ internal sealed class ProgramFrame
         return new(inverse._x, inverse._y, inverse._z, inverse.Turn(_shift) * -1);
     }
 
-    /// <summary>
-    /// What the map does to circles of a plane: whether they stay circles of that plane, and whether they turn the other way.
-    /// </summary>
+    /// <summary>Whether circles of a plane remain circles in that plane, and whether their direction reverses.</summary>
     public (bool StayCircles, bool TurnOver) OnCircles(CoordinatePlane plane)
     {
         var (first, second) = plane switch { CoordinatePlane.ZX => (_z, _x), CoordinatePlane.YZ => (_y, _z), _ => (_x, _y) };
@@ -90,7 +86,7 @@ internal sealed class ProgramFrame
         return (round, u.Cross(v) < 0);
     }
 
-    /// <summary>By how much lengths along the first axis of a plane grow.</summary>
+    /// <summary>Factor by which lengths along the first axis of a plane grow.</summary>
     public double FactorIn(CoordinatePlane plane) => (plane switch { CoordinatePlane.ZX => _z, CoordinatePlane.YZ => _y, _ => _x }).Length;
 
     private static ProgramFrame About(Point3 center, ProgramFrame map)
@@ -99,7 +95,7 @@ internal sealed class ProgramFrame
         return new(map._x, map._y, map._z, c - map.Turn(c));
     }
 
-    // Quarter turns come out exact.
+    // Quarter turns give exact values.
     private static (double Sin, double Cos) Exact(double degrees)
     {
         var turned = Math.IEEERemainder(degrees, 360);

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>One bit for each of many positions, and how many are set before each:
-/// a fifth of a byte a position instead of an index of four.</summary>
+/// <summary>One bit per position, and the number of bits set before each: a fifth of a byte per position instead of a four-byte
+/// index.</summary>
 internal sealed class RankedBits
 {
     private ulong[] _bits = new ulong[16];
@@ -25,10 +25,10 @@ internal sealed class RankedBits
         _count++;
     }
 
-    /// <summary>Appends the bits of another list from a position on up to one that is not appended.</summary>
+    /// <summary>Appends the bits of another list from a position up to, not including, another.</summary>
     public void AddFrom(RankedBits other, int position, int behind)
     {
-        // Up to a border of the other's words, then word by word, each in two parts.
+        // Bit by bit up to a word boundary of the other list, then word by word, each in two parts.
         for (; (position & 63) != 0 && position < behind; position++)
         {
             Add(other[position]);
@@ -68,12 +68,12 @@ internal sealed class RankedBits
     /// <summary>The bit at a position.</summary>
     public bool this[int position] => (_bits[position >> 6] >> (position & 63) & 1) != 0;
 
-    /// <summary>True if the other has the same bits.</summary>
+    /// <summary>True if both have the same bits.</summary>
     public bool SameAs(RankedBits other) => _count == other._count && Words.SequenceEqual(other.Words);
 
     private ReadOnlySpan<ulong> Words => _bits.AsSpan(0, (_count + 63) >> 6);
 
-    /// <summary>How many bits are set up to a position, its own included.</summary>
+    /// <summary>Number of bits set up to and including a position.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int CountTo(int position) =>
         _before[position >> 6] + BitOperations.PopCount(_bits[position >> 6] & (ulong.MaxValue >> (63 - (position & 63))));

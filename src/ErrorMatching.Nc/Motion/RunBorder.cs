@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>How a run came to a block: all that decides what plain cuts from there on are.</summary>
-/// <param name="Motions">How many motions came before.</param>
-/// <param name="State">What the control remembers.</param>
-/// <param name="Integers">How many coordinates without a point came before.</param>
-/// <param name="EndsCuts">True if all that ran since the border before are blocks between the two, each once, that do no more than move,
-/// without a problem.</param>
+/// <summary>The state in which a run reached a block: all that determines the plain cuts from there on.</summary>
+/// <param name="Motions">Number of motions so far.</param>
+/// <param name="State">The modal state of the control.</param>
+/// <param name="Integers">Number of coordinates without a decimal point so far.</param>
+/// <param name="EndsCuts">True if, since the previous border, exactly the blocks between the two ran, each once, only moved, and had no
+/// problem.</param>
 internal readonly record struct RunBorder(int Motions, ModalState State, long Integers, bool EndsCuts);

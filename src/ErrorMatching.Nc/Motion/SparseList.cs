@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Values for some of many positions: pages of memory where there are values, and one bit for every position.</summary>
+/// <summary>Values for some of many positions: memory pages only where there are values, and one bit per position.</summary>
 internal sealed class SparseList<T>
     where T : struct
 {
@@ -12,7 +12,7 @@ internal sealed class SparseList<T>
     private readonly T[]?[] _pages;
     private readonly ulong[] _isSet;
 
-    /// <summary>An empty list.</summary>
+    /// <summary>Creates an empty list.</summary>
     /// <param name="length">Number of positions.</param>
     public SparseList(int length)
     {
@@ -23,7 +23,7 @@ internal sealed class SparseList<T>
     /// <summary>Number of positions with a value.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The value at a position; the default of its type where it has none.</summary>
+    /// <summary>The value at a position; the type's default if it has none.</summary>
     public T this[int position]
     {
         get => _pages[position >> Shift] is { } page ? page[position & (Size - 1)] : default;

@@ -2,5 +2,5 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What only arcs have.</summary>
+/// <summary>Values that only arcs have.</summary>
 internal readonly record struct StoredArc(Point2 Center, int Turns);

@@ -3,10 +3,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A motion in 32 bytes: where it ends. Its start is the end of the one before, unless it says otherwise;
-/// what many motions share, and what only arcs have, is kept beside.
-/// </summary>
+/// <summary>A motion in 32 bytes, stored as its end. It begins at the end of the one before unless a start is stored. Values that many
+/// motions share, or that only arcs have, are stored separately.</summary>
 internal struct StoredMotion
 {
     private const int KindShift = 24;
@@ -39,21 +37,21 @@ internal struct StoredMotion
 
     public readonly AxisSet UnknownEnd => (AxisSet)(_packed >> UnknownShift);
 
-    /// <summary>True for a straight cut in the plane XY that begins where the one before ends,
-    /// ends at a known place and switches no compensation.</summary>
+    /// <summary>True for a straight cut in the XY plane that begins at the end of the one before, ends at a known place and does not
+    /// switch compensation.</summary>
     public readonly bool IsPlainCut =>
         Kind == MotionKind.Line
             && Plane == CoordinatePlane.XY
             && UnknownEnd == AxisSet.None
             && (Flags & (MotionFlags.StartsElsewhere | MotionFlags.CompensationSwitches)) == MotionFlags.None;
 
-    /// <summary>True if both have the same kind, plane and flags, and the same axes are known of their ends.</summary>
+    /// <summary>True if both have the same kind, plane and flags, and the same axes of their ends are known.</summary>
     public readonly bool SameModes(in StoredMotion other) => _packed == other._packed;
 
-    /// <summary>True if everything that is stored here itself is the same, to the last bit; not the block.</summary>
+    /// <summary>True if all values stored here, except the block, are bitwise equal.</summary>
     public readonly bool SameAs(in StoredMotion other) => _packed == other._packed && SamePlace(other);
 
-    /// <summary>True if both end at the same place, to the last bit, and know as much of it.</summary>
+    /// <summary>True if both end at bitwise the same place and the same axes of it are known.</summary>
     public readonly bool SameEnd(in StoredMotion other) => UnknownEnd == other.UnknownEnd && SamePlace(other);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

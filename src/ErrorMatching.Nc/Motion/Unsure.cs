@@ -1,7 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Modes that something could have changed unseen (a called program, an unknown code) and that have not been stated again
-/// since.</summary>
+/// <summary>Modes that something unseen (a called program, an unknown code) could have changed and that were not stated again.</summary>
 [Flags]
 internal enum Unsure : byte
 {

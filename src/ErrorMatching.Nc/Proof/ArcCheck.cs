@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What must be true of an arc that moved: a control accepts it, and its middle went with its ends.</summary>
+/// <summary>Checks a moved arc: a control accepts it, and its middle moved with its ends.</summary>
 internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
 {
-    /// <summary>How far the radii at both ends of an arc may differ on every control, mm.</summary>
+    /// <summary>Difference of the radii at both ends of an arc that every control accepts, mm.</summary>
     private const double AcceptedMismatch = 0.001;
 
     public void CheckWords(in NcMotion was, in NcMotion now)
@@ -27,7 +27,8 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
         }
     }
 
-    // An arc whose ends moved alike moved as a whole; another runs through its old middle moved by half of what its ends moved.
+    // If both ends moved alike, the whole arc moved. Otherwise it passes through its old middle, moved by the mean of both ends'
+    // displacements.
     public void CheckFollowing(in NcMotion was, in NcMotion now)
     {
         if (!was.IsArc)
@@ -49,7 +50,7 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
         }
     }
 
-    // Near half a turn a radius that is right to an increment leaves the middle of the arc wherever the rounding puts it.
+    // Near half a turn, a radius that is right to an increment leaves the middle of the arc wherever the rounding puts it.
     private bool HasFittingRadius(in NcMotion was, in NcMotion now, Point2 middle)
     {
         if (Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6
@@ -62,7 +63,7 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
             && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * task.Increment) + 1e-6;
     }
 
-    // Null for points on one line: no circle is right.
+    // Null for points on one line, which have no circle.
     public static Circle2? CircleThrough(Point2 start, Point2 middle, Point2 end)
     {
         try

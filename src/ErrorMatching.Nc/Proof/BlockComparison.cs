@@ -3,10 +3,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Compares two programs byte by byte: runs of bytes that are the same are passed over at once, and a block that differs is held against
-/// what the new place of its motion can change in it. One comparison serves block after block.
-/// </summary>
+/// <summary>Compares two programs byte by byte. Skips equal runs of bytes at once. Checks each block that differs against what its
+/// motion's new place can change. Reusable for many blocks.</summary>
 internal sealed class BlockComparison(NcPath before, NcPath after)
 {
     private const uint AxisWords = (1u << ('X' - 'A')) | (1u << ('Y' - 'A')) | (1u << ('Z' - 'A'));
@@ -15,11 +13,10 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
     private readonly BlockRemainder _original = new(before.Program);
     private readonly BlockRemainder _result = new(after.Program);
 
-    /// <summary>The first block from one on whose bytes, its line end included, are not those of the result;
-    /// the end of the range where there is none.</summary>
-    /// <param name="first">Block of the original to begin with.</param>
+    /// <summary>The first block whose bytes, including the line end, differ from the result; the end of the range if none.</summary>
+    /// <param name="first">First block of the original to compare.</param>
     /// <param name="behind">End of the range.</param>
-    /// <param name="linesBefore">How many lines further down the blocks stand in the result.</param>
+    /// <param name="linesBefore">Number of lines by which the blocks are further down in the result.</param>
     public int NextDifference(int first, int behind, int linesBefore)
     {
         var (was, now) = (before.Program, after.Program);
@@ -33,7 +30,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
                 return behind;
             }
 
-            // Where a line ends can hang on the byte behind its end, so the block of the last byte that is the same is still in doubt.
+            // The end of a line can depend on the byte after it, so the block of the last equal byte is still in doubt.
             first = same <= was[first].FullLength ? first : was.BlockAt(was[first].Start + same - 1);
             if (!Bytes(was, first).SequenceEqual(Bytes(now, first + linesBefore)))
             {
@@ -46,8 +43,8 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         return behind;
     }
 
-    /// <summary>True if nothing differs between two blocks but the values of words that the new place of a motion changes,
-    /// and words that it needs or no longer needs.</summary>
+    /// <summary>True if two blocks differ only in the values of words that the motion's new place changes, and in words that it now needs
+    /// or no longer needs.</summary>
     /// <param name="motion">The motion, in both paths.</param>
     /// <param name="block">Its block in the original.</param>
     /// <param name="blockInResult">Its block in the result.</param>
@@ -90,7 +87,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             : AxisWords | RadiusWords | motion.Plane switch { CoordinatePlane.ZX => K | I, CoordinatePlane.YZ => J | K, _ => I | J };
     }
 
-    // A word is inserted only where the axis moves now although it did not before, or for a center.
+    // A word may be inserted only if its axis moves now, or for a center.
     private static bool IsNeeded(byte letter, NcNumber value, in NcMotion now, bool isRadiusReplaced) => letter switch
     {
         (byte)'X' => Math.Abs(now.End.X - now.Start.X) > 1e-9,

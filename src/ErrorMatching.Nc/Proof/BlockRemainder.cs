@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A block of a program, and what is left of it without the words that may differ. One serves block after block.</summary>
+/// <summary>A block of a program, and its bytes without the words that may differ. Reusable for many blocks.</summary>
 internal sealed class BlockRemainder(NcProgram program)
 {
-    /// <summary>Stands for a value that changed; no program has this byte in a word.</summary>
+    /// <summary>Marks a changed value; no program has this byte in a word.</summary>
     private const byte ChangedValue = 0xFF;
 
     private readonly NcNumber[] _numbers = new NcNumber[32];
@@ -12,13 +12,13 @@ internal sealed class BlockRemainder(NcProgram program)
     private NcBlock _block;
     private int _count;
 
-    /// <summary>Letters that have a word with a plain number, one bit each, A first.</summary>
+    /// <summary>Letters that have a word with a plain number, one bit each; bit 0 is A.</summary>
     public uint Letters { get; private set; }
 
-    /// <summary>The number of a letter that has one, of its last word.</summary>
+    /// <summary>The number of the last word with a letter.</summary>
     public NcNumber Number(int letter) => _numbers[letter];
 
-    /// <summary>Takes a block.</summary>
+    /// <summary>Reads a block.</summary>
     public void Read(int block)
     {
         _block = program[block];
@@ -39,13 +39,13 @@ internal sealed class BlockRemainder(NcProgram program)
         }
     }
 
-    /// <summary>The block with the changed values masked, and words that only one program has left out together with the one space that
-    /// separates them.</summary>
+    /// <summary>The block with changed values masked. Omits words that only one program has, each with the one space that separates
+    /// it.</summary>
     /// <param name="changed">Letters whose value changed.</param>
     /// <param name="leftOut">Letters whose words the other program does not have.</param>
     public ReadOnlySpan<byte> Without(uint changed, uint leftOut)
     {
-        // A value that changed is one byte at least, and so is the mask.
+        // A changed value has at least one byte, and the mask has one.
         if (_rest.Length < _block.FullLength)
         {
             _rest = new byte[_block.FullLength];

@@ -1,12 +1,12 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Every byte outside the values of words that had to change must be the original's.</summary>
+/// <summary>Checks that every byte is the original's, except in the values of words that had to change.</summary>
 internal sealed class ByteCheck(ProofTask task, List<int> different)
 {
-    /// <summary>From so many changed motions on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of changed motions for a second thread to pay off.</summary>
     private const int Many = 10_000;
 
-    /// <summary>Blocks that are compared in one go where many differ: whoever has nothing else to do takes the next.</summary>
+    /// <summary>Number of blocks in a chunk if many differ; idle threads take the next chunk.</summary>
     private const int PartOfMany = 16_384;
 
     public List<Task<(bool Identical, List<NcRefusal> Failures)>> Compare(int markerBlock)
@@ -29,7 +29,7 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
         }
     }
 
-    // Blocks of the original that stand a number of lines further down in the result.
+    // Compares blocks that are a number of lines further down in the result.
     private (bool Identical, List<NcRefusal> Failures) ComparePart(int first, int behind, int linesBefore)
     {
         var compared = new BlockComparison(task.Before, task.After);

@@ -2,16 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Joints that are one place of the piece because a contour closes there: a later cut ends where a run begins, an earlier one begins
-/// where a run ends, or a ring inside a run comes back to its own joint.
-/// </summary>
+/// <summary>Joints that are the same place of the piece because a contour closes there. A later cut ends where a run begins, an earlier
+/// cut begins where a run ends, or a ring inside a run returns to its own joint.</summary>
 internal sealed class ClosedContours
 {
-    /// <summary>
-    /// How far the directions before and behind a joint lie apart from which it is a corner, as the length between their unit vectors: a
-    /// turn of 5.7 degrees. A turn back is 2.
-    /// </summary>
+    /// <summary>Smallest distance between the unit directions before and after a joint that makes it a corner: a turn of 5.7 degrees. A
+    /// full reversal is 2.</summary>
     private const double CornerTurn = 0.0996;
 
     private readonly ProofTask _task;
@@ -44,14 +40,14 @@ internal sealed class ClosedContours
         }
     }
 
-    /// <summary>All joints of which one closes another.</summary>
+    /// <summary>All joints that share their place with another.</summary>
     public IReadOnlyCollection<int> Joints => _otherEnds.Values;
 
-    /// <summary>The joint that is the same place of the piece; -1 where there is none.</summary>
+    /// <summary>The other joint at the same place of the piece; -1 if there is none.</summary>
     public int OtherEnd(int joint) => _otherEnds.TryGetValue(joint, out var other) ? other : -1;
 
-    // Places of a run, without its ends, to which it comes back, and where it turns at least once or makes a full circle: two paths that
-    // cross each other smoothly need not go on doing so.
+    // Inner joints of a run to which it returns, and where it turns at least once or makes a full circle. Two paths that cross smoothly
+    // need not keep crossing.
     private void AddRings(int first, int last)
     {
         var motions = _task.Before.Motions;

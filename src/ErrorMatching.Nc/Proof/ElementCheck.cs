@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Each named element against what was asked of it, measured on the piece: distances from the wished line or circle.</summary>
+/// <summary>Checks each named element against its wish: measures distances from the wished line or circle on the piece.</summary>
 internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCheck arcs, FilletCheck fillets, JointCheck joints)
 {
     public void Check(ElementWish element, in NcMotion was, in NcMotion now)
@@ -28,7 +28,8 @@ internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCh
         }
         else if (WantedCircle(was, element) is { } wanted)
         {
-            // Where it cuts, and at quarters of its first turn: the center of a full circle that went aside shows only there.
+            // Measures it where it cuts, at the quarters of its first turn: only these show that the center of a full circle moved
+            // sideways.
             for (var quarter = 0; quarter <= 4; quarter++)
             {
                 var place = now.PlaneAt(quarter / (4.0 * (now.Turns + 1)));
@@ -47,8 +48,8 @@ internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCh
         joints.Check(was, element.Motion, element.Motion + 1, element.End);
     }
 
-    // An arc that is offset alike keeps its center; another runs through its displaced start, middle and end. A full circle has its
-    // displaced start and middle as a diameter.
+    // An arc whose ends and middle have the same offset keeps its center. Any other passes through its displaced start, middle and end.
+    // For a full circle, the displaced start and middle are the ends of a diameter.
     private static Circle2? WantedCircle(in NcMotion was, ElementWish wish)
     {
         if (was.PlaneStart == was.Center || was.PlaneEnd == was.Center)
@@ -71,7 +72,7 @@ internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCh
         bool IsOutward(Point2 at, Vector2 by) => Math.Abs((at - arc.Center).Normalize().Dot(by) - outward) < ProofTask.SamePlace;
     }
 
-    // A vertex may run along its element to meet the neighbor, but not away.
+    // A vertex may move along its element to meet the neighbor, but only within reach.
     private void CheckReach(in NcMotion was, Vector2 moved)
     {
         if (moved.Length > task.Reach)

@@ -2,9 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Moved end points: the named ones by the vector, or each by its own; retracts behind them in the plane only, arcs with their ends.
-/// </summary>
+/// <summary>Checks moved end points: all move by one vector, or each by its own. Retracts after them move in the plane only, and arcs
+/// move with their ends.</summary>
 internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayCheck ways, ArcCheck arcs)
 {
     public void Check(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)

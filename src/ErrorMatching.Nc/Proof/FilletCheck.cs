@@ -2,32 +2,29 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Rounded corners: one or more arcs of one circle that touch a named line on either side, and must go on doing so. Whether a circle
-/// touches a line shows in the foot of its center; where it must lie shows from the corner of both lines, by the length of a tangent. The
-/// rewriter goes by directions and by parallel lines, so that one error does not blind both.
-/// </summary>
+/// <summary>Checks rounded corners: one or more arcs of one circle that touch a named line on either side and must stay tangent. The foot
+/// of the center on a line shows whether the circle touches it. The corner of both lines and the tangent length show where the circle
+/// must be. The rewriter uses directions and parallel lines instead, so one error does not blind both.</summary>
 internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
 {
-    /// <summary>How far the foot of the center on a line may lie beside the joint, in radii: as the sine of 2.9 degrees.</summary>
+    /// <summary>Allowed distance of the center's foot on a line from the joint, in radii: the sine of 2.9 degrees.</summary>
     private const double FootShare = 0.05;
 
-    /// <summary>How far the centers and radii of arcs of one fillet may differ, mm.</summary>
+    /// <summary>Allowed difference of the centers and radii of arcs of one fillet, mm.</summary>
     private const double SameCircle = 0.01;
 
-    /// <summary>A joint between two arcs of a fillet is rounded, and so is the center that it is seen from.</summary>
+    /// <summary>A joint between two arcs of a fillet is rounded, and so is the center that its direction is measured from.</summary>
     private double JointTolerance => (5 * task.Increment) + 1e-6;
 
-    /// <summary>True for an arc that joins two named lines tangentially: one that was not named, or that was named as a fillet.</summary>
+    /// <summary>True for an arc that joins two named lines tangentially and is either not named or named as a fillet.</summary>
     public bool Is(int motion) => (task.Elements.IndexOf(motion) is var element && (element < 0 || task.Wish.Elements[element].IsFillet))
         && Around(motion) is var (first, last) && task.Flank(first - 1) is not null && task.Flank(last + 1) is not null;
 
-    /// <summary>True if some motions are all arcs of one such fillet.</summary>
+    /// <summary>True if the motions are all arcs of one such fillet.</summary>
     public bool IsWhole(int first, int last) => Is(first) && Around(first) == (first, last);
 
-    /// <summary>
-    /// It is measured where it cuts, and ends where it touches; a joint between two of its arcs keeps its direction from the center.
-    /// </summary>
+    /// <summary>Measures the arc where it cuts and checks that it ends where it touches. A joint between two of its arcs keeps its
+    /// direction from the center.</summary>
     public void Check(int motion, in NcMotion was, in NcMotion now)
     {
         var (first, last) = Around(motion)!.Value;
@@ -50,10 +47,8 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
         }
     }
 
-    /// <summary>
-    /// The circle that touches both wished lines, and where. Its radius changed by the mean of what the two were offset by. Lines that
-    /// turn by an angle a are touched at r tan(a / 2) before and behind their corner.
-    /// </summary>
+    /// <summary>The circle that touches both wished lines, and the points where it touches. Its radius changed by the mean offset of the
+    /// two lines. Lines that turn by an angle a are touched at r tan(a / 2) before and after their corner.</summary>
     private (Circle2 Circle, Point2 First, Point2 Last)? Wanted(int first, int last)
     {
         var (before, behind) = (task.Flank(first - 1)!.Value, task.Flank(last + 1)!.Value);
@@ -73,7 +68,7 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
 
     private ElementWish WishOf(int motion) => task.Wish.Elements[task.Elements.IndexOf(motion)];
 
-    // The first and last arc of the fillet that a motion belongs to, or null where it belongs to none.
+    // The first and last arc of a motion's fillet; null if it is not part of one.
     private (int First, int Last)? Around(int motion)
     {
         var motions = task.Before.Motions;
@@ -101,7 +96,7 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
         && other.Center.DistanceTo(arc.Center) < SameCircle
         && Math.Abs(other.PlaneStart.DistanceTo(other.Center) - arc.PlaneStart.DistanceTo(arc.Center)) < SameCircle;
 
-    // The foot of the center is the joint, and the center lies on the side to which the arc turns.
+    // The foot of the center is the joint, and the center is on the side to which the arc turns.
     private static bool Touches(in NcMotion line, in NcMotion arc, Point2 joint)
     {
         if (line.Kind != MotionKind.Line || line.Plane != arc.Plane || line.PlaneStart == line.PlaneEnd)

@@ -2,25 +2,21 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The joints of the path: joint i is where motion i begins and motion i - 1 ends. Distances from wished lines and circles say nothing
-/// about how far an end went along them, so every joint of a named element must be held by something else as well.
-/// </summary>
+/// <summary>Checks the joints of the path: joint i is the start of motion i and the end of motion i - 1. Distances from wished lines and
+/// circles do not show how far an end moved along them. So something else must fix each joint of a named element too.</summary>
 internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayCheck ways, ClosedContours closures, FilletCheck fillets)
 {
-    /// <summary>Sine of the angle below which two elements run into each other tangentially, so that one does not hold the other.</summary>
+    /// <summary>Sine of the angle below which two elements are tangent, so that one does not fix the end of the other.</summary>
     private const double TangentSine = 0.099;
 
-    /// <summary>Sine of the smallest angle at which two elements with different displacements hold each other.</summary>
+    /// <summary>Sine of the smallest angle at which two elements with different displacements fix each other's ends.</summary>
     private const double SmallestCornerSine = 0.0089;
 
-    /// <summary>Displacements that differ by no more are one, mm.</summary>
+    /// <summary>Displacements that differ by no more count as equal, mm.</summary>
     private const double TangentStep = 0.0004;
 
-    /// <summary>
-    /// Joints that may move: those of named motions, those inside a fillet between them, those that positioning shares with them, and
-    /// the other end of a closed contour.
-    /// </summary>
+    /// <summary>Joints that may move: those of named motions, those inside a fillet between named motions, those that positioning shares
+    /// with them, and the other end of a closed contour.</summary>
     public bool[] Allowed()
     {
         var allowed = new bool[task.Before.Motions.Length + 1];
@@ -55,10 +51,8 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
         return allowed;
     }
 
-    /// <summary>
-    /// One end of a named element: it took the wish itself, or it lies on the line or circle of another motion that meets the element
-    /// there at an angle, or it is the tangent point of a fillet.
-    /// </summary>
+    /// <summary>Checks one end of a named element. It moved by its wish, or it is on the line or circle of another motion that meets the
+    /// element there at an angle, or it is the tangent point of a fillet.</summary>
     public void Check(in NcMotion was, int motion, int joint, Vector2 wished)
     {
         var plane = was.Plane;
@@ -95,7 +89,7 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
         }
     }
 
-    // The cuts that meet at a joint; pieces that shrank to it are passed over.
+    // The cuts that meet at a joint, skipping pieces that shrank to it.
     private IEnumerable<(int Motion, bool AtStart)> MotionsAt(int joint)
     {
         var behind = joint;
@@ -137,7 +131,7 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
         {
             var element = task.Wish.Elements[index];
 
-            // It is measured itself; two that run into each other meet where their common normal says.
+            // The neighbor is measured as well. Two tangent elements meet on their common normal.
             var (leaving, arriving) = (elementStarts ? tangent : -tangent, atStart ? -other : other);
             var isReversal = leaving.Dot(arriving) < 0;
             var otherWished = atStart ? element.Start : element.End;

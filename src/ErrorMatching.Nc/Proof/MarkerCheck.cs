@@ -2,10 +2,10 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The one comment line that was inserted, as it must be: a line of its own that does nothing.</summary>
+/// <summary>Checks the inserted comment line: a line of its own that does nothing.</summary>
 internal sealed class MarkerCheck(ProofTask task, ProofFindings findings, string? marker)
 {
-    // The line that holds the marker in the result, or -1 where none was asked for.
+    // The line of the marker in the result; -1 if no marker was requested or found.
     public int Find()
     {
         var extra = task.After.Program.BlockCount - task.Before.Program.BlockCount;
@@ -32,7 +32,7 @@ internal sealed class MarkerCheck(ProofTask task, ProofFindings findings, string
         return -1;
     }
 
-    // The first line that is a text and nothing else, or -1.
+    // The first line that consists of the text alone; -1 if there is none.
     private static int LineOf(NcProgram program, ReadOnlySpan<byte> text)
     {
         var bytes = program.Bytes.Span;
@@ -48,7 +48,7 @@ internal sealed class MarkerCheck(ProofTask task, ProofFindings findings, string
         return -1;
     }
 
-    // The marker does nothing and ends as the lines beside it end.
+    // The marker is a comment only and has the same line end as its neighbor line.
     private void CheckMarker(int line)
     {
         var program = task.After.Program;

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Motions that were not named but moved along, as they may: beside a named one, and on the ways between.</summary>
+/// <summary>Checks unnamed motions that moved along: those next to a named one, and those between cuts.</summary>
 internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayCheck ways, ArcCheck arcs, FilletCheck fillets)
 {
     public void Check(int motion, in NcMotion was, in NcMotion now, bool startMoved, bool endMoved)
@@ -71,7 +71,7 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
 
         if (was.PlaneStart == was.PlaneEnd)
         {
-            // It begins or ends where the program does not say, so nothing shows along which line.
+            // Its start or end is unknown, so its line is unknown too.
             return false;
         }
 

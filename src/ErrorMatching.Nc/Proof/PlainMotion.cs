@@ -1,9 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Says whether a block's words alone tell where its motion goes. It names what may be, where the rewriter names what may not: what
-/// neither of them thought of is no plain motion.
-/// </summary>
+/// <summary>Tells whether a block's words alone determine where its motion goes. It lists what is allowed, while the rewriter lists what
+/// is not: a case that neither foresees is not a plain motion.</summary>
 internal static class PlainMotion
 {
     private const MotionFlags Plain = MotionFlags.Inch | MotionFlags.Incremental | MotionFlags.AbsoluteCenter | MotionFlags.ByRadius

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What a proof found: failures, motions that moved along, and the largest distance from where something was wanted.</summary>
+/// <summary>Findings of a proof: failures, motions that moved along, and the largest distance from a wished place.</summary>
 internal sealed class ProofFindings(NcPath before)
 {
     private readonly List<NcRefusal> _failures = [];
@@ -35,7 +35,7 @@ internal sealed class ProofFindings(NcPath before)
         }
     }
 
-    // A block that runs several times is one neighbor, named with the furthest that it moved.
+    // A block that runs several times is one neighbor with its largest displacement.
     public void Note(in NcMotion was, NeighborRole role, Vector2 moved)
     {
         if (_noted.TryAdd((was.Block, role), _neighbors.Count))

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A motion beside the named ones that moved along, as it may.</summary>
-/// <param name="Block">Its block as the setter knows it.</param>
+/// <summary>An unnamed motion that moved along with the named ones, as allowed.</summary>
+/// <param name="Block">Name of its block, as the setter knows it.</param>
 /// <param name="Line">Its line in the original, from 1.</param>
 /// <param name="Role">How it follows.</param>
-/// <param name="DisplacementMm">How far its moved end went.</param>
+/// <param name="DisplacementMm">Displacement of its moved end, mm.</param>
 public sealed record ProofNeighbor(string Block, int Line, NeighborRole Role, double DisplacementMm);

@@ -2,13 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What is proved: two programs, interpreted, and the wish that led from the one to the other.</summary>
+/// <summary>Input of a proof: two interpreted programs and the wish that led from one to the other.</summary>
 internal sealed class ProofTask
 {
-    /// <summary>Places closer than this are one, mm.</summary>
+    /// <summary>Places closer than this are the same, mm.</summary>
     public const double SamePlace = 1e-9;
 
-    /// <summary>How far a vertex may go, in multiples of the largest displacement asked for: a corner of 10 degrees needs 11.5.</summary>
+    /// <summary>Allowed displacement of a vertex, in multiples of the largest wished displacement: a corner of 10 degrees needs
+    /// 11.5.</summary>
     private const double FurthestCorner = 13;
 
     public ProofTask(NcPath before, NcPath after, DisplacementWish wish, double increment)
@@ -38,13 +39,13 @@ internal sealed class ProofTask
     /// <summary>Increment to which new coordinates were rounded, mm.</summary>
     public double Increment { get; }
 
-    /// <summary>The named elements; the position of one among them is that of its wish.</summary>
+    /// <summary>The named elements, in the order of their wishes.</summary>
     public MotionRuns Elements { get; } = new();
 
     /// <summary>The motions whose ends are named.</summary>
     public MotionRuns EndPoints { get; } = new();
 
-    /// <summary>How far an end may go, mm.</summary>
+    /// <summary>Allowed displacement of an end, mm.</summary>
     public double Reach { get; }
 
     /// <summary>Both coordinates of an end are rounded by up to half an increment.</summary>
@@ -59,7 +60,7 @@ internal sealed class ProofTask
 
     public static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
 
-    /// <summary>The line where a named straight element was wanted; null for anything else.</summary>
+    /// <summary>The wished line of a named straight element; null for any other motion.</summary>
     public Line2? Flank(int motion) => Elements.IndexOf(motion) is >= 0 and var index && Before.Motions[motion] is { IsArc: false } m
         ? Line2.Through(m.PlaneStart + Wish.Elements[index].Start, m.PlaneEnd + Wish.Elements[index].End)
         : null;
@@ -67,10 +68,8 @@ internal sealed class ProofTask
     public bool IsCutInPlane(int motion) =>
         motion >= 0 && motion < Before.Motions.Length && Before.Motions[motion] is { IsCut: true, MovesInPlane: true };
 
-    /// <summary>
-    /// True for a named line that was cut off by the displacement of a corner and shrank to it: what it was measured by are the elements
-    /// on both sides.
-    /// </summary>
+    /// <summary>True for a named line that shrank to a point because a displaced corner cut it off. The elements on both sides are
+    /// measured instead.</summary>
     public bool IsShrunk(int motion, in NcMotion was) => !After.Motions.MovesInPlane(motion) && Elements.Contains(motion)
         && was is { Kind: MotionKind.Line, MovesInPlane: true } && was.PlaneLength <= Reach;
 }

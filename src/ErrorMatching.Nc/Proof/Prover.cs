@@ -1,9 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Proves what a rewriting did: reads the result again, interprets it, and compares it with the original motion by motion and byte by
-/// byte. It knows the wish, never the edits.
-/// </summary>
+/// <summary>Proves a rewriting: reads the result again, interprets it, and compares it with the original motion by motion and byte by
+/// byte. It knows the wish but not the edits.</summary>
 public sealed class Prover
 {
     private readonly ProofTask _task;
@@ -15,9 +13,9 @@ public sealed class Prover
     /// <summary>Compares a displaced program with its original.</summary>
     /// <param name="before">The original, interpreted.</param>
     /// <param name="result">The displaced program.</param>
-    /// <param name="wish">What was to be displaced; positions of motions are those of the original.</param>
+    /// <param name="wish">The wished displacements; positions of motions are those of the original.</param>
     /// <param name="leastIncrementMm">Increment to which new coordinates were rounded.</param>
-    /// <param name="marker">Text of the one comment line that was inserted, or null.</param>
+    /// <param name="marker">Text of the inserted comment line; null if there is none.</param>
     public static NcProof Check(NcPath before, NcProgram result, DisplacementWish wish, double leastIncrementMm, string? marker = null) =>
         new Prover(new(before, NcInterpreter.Run(result, before), wish, leastIncrementMm), marker).Run();
 
@@ -33,7 +31,7 @@ public sealed class Prover
 
         if (_findings.Failures.Count == 0 && DifferentMotions(markerBlock) is { } different)
         {
-            // The two look at different things and need nothing of each other, so a long program has them beside each other.
+            // The two checks are independent, so for a long program they run concurrently.
             var parts = new ByteCheck(_task, different).Compare(markerBlock);
             moved = CompareMotions(different);
             bytesIdentical = true;
@@ -60,7 +58,7 @@ public sealed class Prover
             failed);
     }
 
-    // The motions that differ in anything, in the order of the path; null if they differ in more than their places.
+    // The motions that differ in anything, in path order; null if they differ in more than their places.
     private List<int>? DifferentMotions(int markerBlock)
     {
         var (before, after) = (_task.Before.Motions, _task.After.Motions);
@@ -128,12 +126,12 @@ public sealed class Prover
         return moved;
     }
 
-    // What is set or called where the tool stands must find it where it was.
+    // An origin that is set, or a program that is called, at the tool's current place must find the tool where it was.
     private void CheckPlaceDependents()
     {
         foreach (var (block, joint) in _task.Before.PlaceDependents)
         {
-            // What follows may count from a new origin, so the end before it is compared.
+            // The next motion may use a new origin, so the end before it is compared.
             var motion = joint - 1;
             if (motion >= 0 && !ProofTask.Same(_task.Before.Motions[motion].End, _task.After.Motions[motion].End))
             {
@@ -142,7 +140,7 @@ public sealed class Prover
         }
     }
 
-    // A motion that is the same in both has moved nowhere, so only the named ones are looked at besides those that differ.
+    // An equal motion did not move, so only the different and the named motions are compared.
     private IEnumerable<int> ToCompare(List<int> different)
     {
         var next = 0;

@@ -2,14 +2,12 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// What is between one cut and the next: steps in depth at a corner, the ways along the tool axis on which the tool is lifted, and moves to
-/// places of the machine. What a moved joint takes along, and what must stay.
-/// </summary>
+/// <summary>Checks motions between cuts: steps in depth at a corner, moves along the tool axis that lift the tool, and moves to machine
+/// positions. Finds what moves with a joint and what must stay.</summary>
 internal sealed class WayCheck(ProofTask task, ProofFindings findings)
 {
-    // Joints that positioning shares with those that are allowed already: what one reaches, the next would reach as well, so each way is
-    // gone once. A cut at the end of the way shares its joint only where the tool was not lifted on it.
+    // Allows joints that positioning shares with allowed joints. The loop passes newly allowed joints too, so one pass is enough. A cut
+    // at the end of the positioning shares its joint only if the tool was not lifted before it.
     public void AllowPositioning(bool[] allowed)
     {
         var motions = task.Before.Motions;
@@ -27,7 +25,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
     }
 
-    // The cut that begins at a joint, and was not named, was reached along the tool axis and not by feeds of one tool alone.
+    // An unnamed cut begins at the joint, and it was reached along the tool axis, not by feeds of one tool alone.
     private bool IsLiftedBefore(int joint)
     {
         var motions = task.Before.Motions;
@@ -45,7 +43,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         return isLifted;
     }
 
-    // The cut that ends at a joint was left along the tool axis and not by feeds of one tool alone.
+    // The cut that ends at the joint was left along the tool axis, not by feeds of one tool alone.
     private bool IsLiftedBehind(int joint)
     {
         var motions = task.Before.Motions;
@@ -63,15 +61,13 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         return isLifted;
     }
 
-    // The joint of a cut that nobody named, at which the tool was changed.
+    // The joint of an unnamed cut, with a tool change at that joint.
     public bool IsOtherTools(int motion, int joint) =>
         task.Before.ChangesTool(joint, joint) && task.IsCutInPlane(motion)
         && !task.Elements.Contains(motion) && !task.EndPoints.Contains(motion);
 
-    /// <summary>
-    /// True for the rapid that leads from the place of one cut to that of another which was the same and no longer is: the tool was lifted
-    /// or changed before it, and nothing else on the way from the one to the other goes anywhere in the plane.
-    /// </summary>
+    /// <summary>True for a rapid between two cuts that shared a place in the plane and no longer do. The tool was lifted or changed
+    /// before it, and no other motion between the cuts moves in the plane.</summary>
     public bool LeadsAcross(int rapid)
     {
         var was = task.Before.Motions[rapid];
@@ -111,7 +107,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(was.Start)) > ProofTask.SamePlace
         || Math.Abs(was.Plane.Height(now.End) - was.Plane.Height(was.End)) > ProofTask.SamePlace;
 
-    // It ends in each axis where it did: at the place of the machine, or as much elsewhere as it began, where it says nothing of the axis.
+    // In each axis it ends where it did (at the machine position), or moved by as much as its start if it does not name the axis.
     public void CheckMachineMove(in NcMotion was, in NcMotion now)
     {
         var (start, end) = (now.Start - was.Start, now.End - was.End);
@@ -127,14 +123,14 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
     private static bool StaysOrGoesAlong(double start, double end) =>
         Math.Abs(end) <= ProofTask.SamePlace || Math.Abs(end - start) <= ProofTask.SamePlace;
 
-    // Motions that go nowhere in the plane and do not part the cuts on both sides of them.
+    // Motions that do not move in the plane and do not separate the cuts on either side.
     public bool IsPassed(int motion) => IsNowhere(motion) || IsStep(motion);
 
-    // A straight cut whose end is its start to the last bit.
+    // A straight cut whose end equals its start exactly.
     private bool IsNowhere(int motion) =>
         task.Before.Motions[motion] is { Kind: MotionKind.Line } m && m.End - m.Start == Vector3.Zero;
 
-    // A feed along the tool axis from one named element to the next: a step in depth at their corner.
+    // A feed along the tool axis between two named elements: a step in depth at their corner.
     private bool IsStep(int motion)
     {
         var (before, behind) = (motion, motion);
@@ -156,8 +152,8 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         !task.Before.Motions.MovesInPlane(motion)
         && task.Before.Motions[motion] is { Kind: MotionKind.Line } m && !m.Has(MotionFlags.MachineMove);
 
-    // An end that was asked to go a way that happens to lie along the circle of an arc is not one that slid: something along the tool axis
-    // is between the named element and the arc.
+    // The wished displacement of an end may happen to follow the circle of an arc. The arc did not slide if a move along the tool axis
+    // separates it from the named element.
     public bool TookWish(int motion, Vector2 moved, bool atEnd)
     {
         var beside = atEnd ? motion + 1 : motion - 1;

@@ -1,7 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Changes and inserts words of one block, in the style in which the block is written.
-/// One edit serves block after block.</summary>
+/// <summary>Changes and inserts words of one block in the block's own style. Reusable for many blocks.</summary>
 internal sealed class BlockEdit
 {
     private readonly NcProgram _program;
@@ -16,10 +15,10 @@ internal sealed class BlockEdit
     private bool _spaced;
     private bool _lowerCase;
 
-    /// <summary>An edit of a program's blocks.</summary>
+    /// <summary>Creates an edit for a program's blocks.</summary>
     /// <param name="program">The program.</param>
     /// <param name="programIsFixed">True if the program pads its numbers with zeros.</param>
-    /// <param name="incrementDecimals">Decimals of what a number without a point counts; -1 where it counts whole units.</param>
+    /// <param name="incrementDecimals">Decimals of the unit of a number without a point; -1 if it counts whole units.</param>
     public BlockEdit(NcProgram program, bool programIsFixed, int incrementDecimals)
     {
         _program = program;
@@ -27,14 +26,14 @@ internal sealed class BlockEdit
         _incrementDecimals = incrementDecimals;
     }
 
-    /// <summary>An edit of other blocks of the same program.</summary>
+    /// <summary>Creates an edit for other blocks of the same program.</summary>
     public BlockEdit(BlockEdit other)
         : this(other._program, other._programIsFixed, other._incrementDecimals)
     {
     }
 
-    /// <summary>Most decimals, up to six, of the coordinates and centers of all blocks that were opened,
-    /// and whether any of them was padded with zeros.</summary>
+    /// <summary>Most decimals, up to six, of the coordinates and centers of all opened blocks, and whether any of them was padded with
+    /// zeros.</summary>
     public (int Decimals, bool IsFixed) Spelling { get; private set; }
 
     /// <summary>Patches of the block, in ascending order.</summary>
@@ -52,7 +51,7 @@ internal sealed class BlockEdit
         }
     }
 
-    /// <summary>Begins with another block.</summary>
+    /// <summary>Starts another block.</summary>
     public void Open(NcBlock block)
     {
         _patches.Clear();
@@ -72,15 +71,15 @@ internal sealed class BlockEdit
             }
         }
 
-        // A block of a single word does not show how it separates words; a space is always read.
+        // A block of one word does not show how it separates words; a space is always valid.
         _spaced |= _wordCount < 2;
     }
 
-    /// <summary>Counts the blocks that another edit opened as well.</summary>
+    /// <summary>Adds the spelling of blocks that another edit opened.</summary>
     public void Join(BlockEdit other) =>
         Spelling = (Math.Max(Spelling.Decimals, other.Spelling.Decimals), Spelling.IsFixed | other.Spelling.IsFixed);
 
-    /// <summary>How coordinates and centers are spelled when a token is one more of them.</summary>
+    /// <summary>The spelling of coordinates and centers after one more token.</summary>
     public static (int Decimals, bool IsFixed) SpellingWith((int Decimals, bool IsFixed) others, in NcToken token) =>
         token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z' or >= (byte)'I' and <= (byte)'K' }
             ? (
@@ -88,7 +87,7 @@ internal sealed class BlockEdit
                 others.IsFixed | (token.Number.Decimals > 1 && token.Number.Digits % 10 == 0))
             : others;
 
-    // The first word of a letter is found by its place, from 1.
+    // Stores the place of the first word of each letter, counted from 1.
     private void Add(in NcToken token)
     {
         if (_wordCount == _words.Length)
@@ -104,10 +103,10 @@ internal sealed class BlockEdit
         }
     }
 
-    /// <summary>The value of a letter's word, or null where it has none.</summary>
+    /// <summary>The value of a letter's word; null if there is none.</summary>
     public NcNumber? Number(byte letter) => PlaceOf(letter) is >= 0 and var place ? ValueOf(_words[place]) : null;
 
-    /// <summary>How a word counts whose value the control computes; null where the letter has no such word.</summary>
+    /// <summary>Whether a word that the control computes is a position or an increment; null if the letter has no such word.</summary>
     public WordDistance? Computed(byte letter)
     {
         foreach (ref readonly var word in _words.AsSpan(0, _wordCount))
@@ -121,11 +120,11 @@ internal sealed class BlockEdit
         return null;
     }
 
-    /// <summary>What a letter's word itself says about how it counts.</summary>
+    /// <summary>Whether a letter's word itself says that it is a position or an increment.</summary>
     public WordDistance Distance(byte letter) => PlaceOf(letter) is >= 0 and var place ? _words[place].Distance : WordDistance.Modal;
 
-    /// <summary>Gives a letter a new value: changes its word, or inserts one.
-    /// A word that has the value already stays as it is spelled.</summary>
+    /// <summary>Gives a letter a new value: changes its word, or inserts one. Keeps the spelling of a word that already has the
+    /// value.</summary>
     public void Set(byte letter, NcNumber value)
     {
         var place = PlaceOf(letter);
@@ -143,7 +142,7 @@ internal sealed class BlockEdit
         }
     }
 
-    /// <summary>Replaces a letter's word by two others.</summary>
+    /// <summary>Replaces a letter's word with two others.</summary>
     public void Replace(byte letter, (byte Letter, NcNumber Value) first, (byte Letter, NcNumber Value) second)
     {
         var token = _words[PlaceOf(letter)];
@@ -167,7 +166,7 @@ internal sealed class BlockEdit
             && token.Number.Decimals == 0
             && !_program.Bytes.Span.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.');
 
-    // A number that counts increments goes on doing so; if it cannot, it gets a point.
+    // A number that counts increments stays one if it can; otherwise it gets a point.
     private int Format(in NcToken like, NcNumber value, Span<byte> text)
     {
         var style = NumberStyle.Of(_program.Bytes.Span.Slice(like.ValueStart, like.ValueLength), _programIsFixed);
@@ -200,7 +199,7 @@ internal sealed class BlockEdit
         return 1;
     }
 
-    // Behind the block number, the codes and the axes that come first by custom (X Y Z, then I J K, then R).
+    // Inserts after the block number, the codes and the axes that customarily come first (X Y Z, then I J K, then R).
     private void Insert(byte letter, NcNumber value)
     {
         var order = Order(letter);

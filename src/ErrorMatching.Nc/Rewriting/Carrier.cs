@@ -2,18 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>The endless line or the full circle that carries a motion in its plane.</summary>
+/// <summary>The infinite line or full circle that carries a motion in its plane.</summary>
 internal readonly record struct Carrier(Line2? Line, Circle2? Circle)
 {
-    /// <summary>The carrier of a motion as it stands.</summary>
+    /// <summary>The carrier of a motion before any displacement.</summary>
     public static Carrier Of(in NcMotion motion) => motion.IsArc ? new(null, motion.Arc.Circle) : new(motion.Segment.Line, null);
 
-    /// <summary>
-    /// The carrier displaced as wished. A line runs through its displaced ends.
-    /// A circle runs through its displaced start, middle and end, which for an equal displacement along the normals keeps the center; a
-    /// full circle has its displaced start and middle as a diameter.
-    /// </summary>
-    /// <returns>The displaced carrier, or null where the element vanishes or turns inside out.</returns>
+    /// <summary>The carrier after the wished displacement. A line passes through its displaced ends. A circle passes through its
+    /// displaced start, middle and end, so an equal displacement along the normals keeps the center. For a full circle, the displaced
+    /// start and middle are the ends of a diameter.</summary>
+    /// <returns>The displaced carrier; null if the element vanishes or turns inside out.</returns>
     public static Carrier? Displaced(in NcMotion motion, in ElementWish wish)
     {
         var (start, end) = (motion.PlaneStart + wish.Start, motion.PlaneEnd + wish.End);
@@ -47,12 +45,12 @@ internal readonly record struct Carrier(Line2? Line, Circle2? Circle)
         }
     }
 
-    /// <summary>The parallel line or the circle about the same center that runs through a place.</summary>
+    /// <summary>The parallel line or concentric circle through a place.</summary>
     public Carrier Through(Point2 place) => Line is { } line
         ? new(line.Offset(line.SignedDistance(place)), null)
         : new(null, new(Circle!.Value.Center, Circle.Value.Center.DistanceTo(place)));
 
-    /// <summary>Where two carriers meet, nearest to a place; null where they do not.</summary>
+    /// <summary>The intersection of two carriers that is nearest to a place; null if they do not intersect.</summary>
     public Point2? Meet(Carrier other, Point2 near) => (this, other) switch
     {
         ({ Line: { } a }, { Line: { } b }) => Intersect.Lines(a, b).Nearest(near),

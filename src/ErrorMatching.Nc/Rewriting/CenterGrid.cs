@@ -2,27 +2,25 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Chooses the center words of an arc among the grid points around the exact center:
-/// both radii must agree, and the arc's middle must lie where it is wanted. Rounding each word for itself would leave the radii up to 1.4
-/// increments apart, which some controls refuse.
-/// </summary>
+/// <summary>Chooses the center words of an arc from the grid points around the exact center. Both radii must agree, and the arc's middle
+/// must be in its wished place. Rounding each word separately would let the radii differ by up to 1.4 increments, which some controls
+/// refuse.</summary>
 internal static class CenterGrid
 {
-    /// <summary>Largest difference of the two radii that is written where any grid point allows it, mm.</summary>
+    /// <summary>Largest difference of the two radii that is written if any grid point allows it, mm.</summary>
     public const double WantedMismatchMm = 0.001;
 
     private const int Reach = 2;
 
     /// <summary>Finds the center words.</summary>
-    /// <param name="origin">Where center words count from: the start, or the plane's origin.</param>
+    /// <param name="origin">Origin of the center words: the start, or the plane's origin.</param>
     /// <param name="start">Rounded start.</param>
     /// <param name="end">Rounded end.</param>
     /// <param name="wanted">The exact arc.</param>
-    /// <param name="was">The center words before, mm; null where there were none. They stay where they serve.</param>
+    /// <param name="was">The center words before, mm; null if there were none. They stay if they are good enough.</param>
     /// <param name="increment">Least increment, mm.</param>
-    /// <returns>Steps of the least increment; null for a word that stays.</returns>
-    /// <exception cref="NcException">The center is further away than a number can say.</exception>
+    /// <returns>Center words in steps of the least increment; null for a word that stays.</returns>
+    /// <exception cref="NcException">The center is too far away for a number.</exception>
     public static (long? First, long? Second) Choose(Point2 origin, Point2 start, Point2 end, Arc2 wanted, Vector2? was, double increment)
     {
         var exact = wanted.Center - origin;
@@ -31,7 +29,8 @@ internal static class CenterGrid
         var best = Cheapest(free);
         if (MiddleError(origin + new Vector2(best.First * increment, best.Second * increment), start, end, wanted) > increment)
         {
-            // Beyond half a turn an arc's middle goes further than its center does: better radii that differ a little, as controls accept.
+            // Beyond half a turn, an arc's middle moves further than its center. Prefer radii that differ slightly, within what controls
+            // accept.
             free = WantedMismatchMm;
             best = Cheapest(free);
         }
@@ -63,11 +62,11 @@ internal static class CenterGrid
     private static double MiddleError(Point2 center, Point2 start, Point2 end, Arc2 wanted) =>
         Math.Abs(wanted.Middle.DistanceTo(center) - ((start.DistanceTo(center) + end.DistanceTo(center)) / 2));
 
-    // Radii may differ by half an increment, or by what the arc brings along beyond its rounding: a fine grid can do no more about that.
+    // Radii may differ by half an increment, or by the arc's own mismatch beyond its rounding, which a fine grid cannot reduce.
     private static double FreeMismatch(Point2 start, Point2 end, Arc2 wanted, double increment) =>
         Math.Min(WantedMismatchMm / 2, Math.Max(increment / 2, ArcCenter.Mismatch(start, end, wanted.Center) - (1.5 * increment)));
 
-    // The middle counts most; then radii that agree; then the exact center, which an offset must keep.
+    // Excess mismatch of the radii has the most weight, then the middle, then the exact center, which an offset must keep.
     private static double Cost(Point2 center, Point2 start, Point2 end, Arc2 wanted, double freeMismatch)
     {
         var mismatch = ArcCenter.Mismatch(start, end, center);

@@ -2,17 +2,15 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Entries and exits of cutter compensation beside a displaced contour.
-/// A control takes the tool to the compensated path on a straight move, and treats an inside corner there differently from an outside one:
-/// what was straight and on one side must stay so, or the tool cuts in, or the control stops with an alarm.
-/// </summary>
+/// <summary>Checks entries and exits of cutter compensation next to a displaced contour. A control moves the tool to the compensated path
+/// on a straight move, and treats an inside corner there differently from an outside one. A straight transition must stay straight, and a
+/// turn must keep its side. Otherwise the tool gouges the piece or the control stops with an alarm.</summary>
 internal static class CompensationEntry
 {
-    /// <summary>How much shorter an entry or exit may get.</summary>
+    /// <summary>Smallest allowed length of an entry or exit, as a fraction of its old length.</summary>
     private const double ShortestFraction = 0.5;
 
-    /// <summary>The reason why a change would spoil an entry or exit, or null.</summary>
+    /// <summary>The reason why a change would spoil an entry or exit; null if it does not.</summary>
     public static NcRefusal? Of(PathChange change)
     {
         var motions = change.Path.Motions;
@@ -67,8 +65,8 @@ internal static class CompensationEntry
         return motion.PlaneEnd + change.PlaneMoveOf(i + 1, motion.Plane) - (motion.PlaneStart + change.PlaneMoveOf(i, motion.Plane));
     }
 
-    // Sine of the turn between an entry and the contour behind it, or the contour and the exit behind it;
-    // null where it is none to speak of.
+    // Sine of the turn between an entry and the contour after it, or the contour and the exit after it; null if it is below 0.001 or there
+    // is no contour.
     private static double? Turn(PathChange change, int entry, int neighbor, bool displaced)
     {
         var motions = change.Path.Motions;

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What shall be displaced, and by how much: the only thing that the rewriter and the proof both know.</summary>
+/// <summary>Names what to displace and by how much: the only input that the rewriter and the proof share.</summary>
 public sealed class DisplacementWish
 {
     private readonly Vector3[]? _byEach;
@@ -15,25 +15,24 @@ public sealed class DisplacementWish
         _byEach = byEach;
     }
 
-    /// <summary>Displaced elements, in the order of the path; empty where end points move.</summary>
+    /// <summary>Displaced elements, in path order; empty if end points move.</summary>
     public IReadOnlyList<ElementWish> Elements { get; }
 
-    /// <summary>Motions whose end points move, in the order of the path; empty where elements are displaced.</summary>
+    /// <summary>Motions whose end points move, in path order; empty if elements are displaced.</summary>
     public IReadOnlyList<int> EndPoints { get; }
 
-    /// <summary>The vector by which the end points move, mm; zero where each has its own.</summary>
+    /// <summary>The vector by which the end points move, mm; zero if each has its own.</summary>
     public Vector3 By { get; }
 
-    /// <summary>True if each end point has a vector of its own. Then no other end moves:
-    /// nothing retracts along, and no arc follows.</summary>
+    /// <summary>True if each end point has its own vector. Then no other end moves: no retract moves along, and no arc follows.</summary>
     public bool IsPointByPoint => _byEach is not null;
 
     /// <summary>The vector by which one of the end points moves, mm.</summary>
     /// <param name="index">Its position in <see cref="EndPoints"/>.</param>
     public Vector3 ByOf(int index) => _byEach is null ? By : _byEach[index];
 
-    /// <summary>A wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
-    /// <param name="elements">One wish a motion, in any order.</param>
+    /// <summary>Creates a wish for elements: lines stay lines, arcs stay arcs, corners stay corners.</summary>
+    /// <param name="elements">One wish per motion, in any order.</param>
     /// <exception cref="ArgumentException">Two wishes name the same motion.</exception>
     public static DisplacementWish OfElements(IReadOnlyList<ElementWish> elements)
     {
@@ -44,14 +43,14 @@ public sealed class DisplacementWish
             : throw new ArgumentException("A motion has two wishes.", nameof(elements));
     }
 
-    /// <summary>A wish for end points: the ends of the named motions move by one vector.</summary>
+    /// <summary>Creates a wish for end points: the ends of the named motions move by one vector.</summary>
     /// <param name="motions">The motions, in any order.</param>
     /// <param name="by">The vector, mm.</param>
     public static DisplacementWish OfEndPoints(IReadOnlyList<int> motions, Vector3 by) =>
         new([], InOrder(motions) ? [.. motions] : [.. motions.Distinct().Order()], by);
 
-    /// <summary>A wish for end points, each by a vector of its own: a path that follows a surface.</summary>
-    /// <param name="points">One wish a motion, in any order.</param>
+    /// <summary>Creates a wish for end points, each with its own vector: a path that follows a surface.</summary>
+    /// <param name="points">One wish per motion, in any order.</param>
     /// <exception cref="ArgumentException">Two wishes name the same motion.</exception>
     public static DisplacementWish OfPoints(IReadOnlyList<PointWish> points)
     {
@@ -68,14 +67,15 @@ public sealed class DisplacementWish
         return new([], Array.ConvertAll(sorted, p => p.Motion), Vector3.Zero, Array.ConvertAll(sorted, p => p.By));
     }
 
-    /// <summary>True if nothing is to move.</summary>
+    /// <summary>True if nothing moves.</summary>
     internal bool IsZero =>
         By == Vector3.Zero
             && (_byEach is null || _byEach.AsSpan().IndexOfAnyExcept(Vector3.Zero) < 0)
             && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
 
-    /// <summary>The wish to displace all cutting motions of some blocks by one distance to the left of travel (negative: right).</summary>
-    /// <returns>The wish, or a refusal where the blocks hold no cutting motion, or one that begins at an unknown place.</returns>
+    /// <summary>Creates a wish to displace all cutting motions of some blocks by one distance to the left of travel (negative:
+    /// right).</summary>
+    /// <returns>The wish, or a refusal if the blocks have no cutting motion or have one that begins at an unknown place.</returns>
     public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
         var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
@@ -96,7 +96,7 @@ public sealed class DisplacementWish
             : OfElements(elements);
     }
 
-    // The wishes for some of the blocks; the list has room for those of all blocks behind them.
+    // The wishes for some of the blocks; the list has capacity for the blocks after them too.
     private static (List<ElementWish> Elements, NcRefusal? Refusal) WishesOf(
         NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
     {
@@ -124,13 +124,13 @@ public sealed class DisplacementWish
         return (elements, null);
     }
 
-    // Between unknown places a motion does not show that it moves; its words do.
+    // The coordinates do not show whether a motion between unknown places moves; its words do.
     private static bool MayMoveInPlane(NcPath path, int motion, in NcMotion m) => m.MovesInPlane
         || (!m.IsKnownInPlane && (m.Has(MotionFlags.Expression | MotionFlags.UnknownWord)
             || (motion > 0 && m.Plane.Project(path.Motions.AssumedEnd(motion)) != m.Plane.Project(path.Motions.AssumedEnd(motion - 1)))));
 
-    /// <summary>The wish to move the end points of all motions of some blocks by one vector.</summary>
-    /// <returns>The wish, or a refusal where the blocks hold no motion.</returns>
+    /// <summary>Creates a wish to move the end points of all motions of some blocks by one vector.</summary>
+    /// <returns>The wish, or a refusal if the blocks have no motion.</returns>
     public static NcOutcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
     {
         var motions = new List<int>(blocks.Count);

@@ -3,20 +3,20 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// The ends of a run. The border joint is the intersection of the displaced element with its neighbor's own, undisplaced carrier:
-/// the neighbor's end slides along itself. Where the neighbor is no plain cut, or does not meet the element nearby,
-/// the joint takes the displacement, and positioning follows. A closed contour has its neighbor at its other end.
+/// The ends of a run. The border joint is the intersection of the displaced element with its neighbor's undisplaced carrier: the
+/// neighbor's end slides along itself. If the neighbor is not a plain cut, or does not meet the element nearby, the joint moves by the
+/// displacement, and positioning follows. In a closed contour, the neighbor is at the other end.
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    // Where a named motion closes the contour, both ends are set already.
+    // If a named motion closes the contour, both ends are already set.
     private int Unnamed(int motion) => motion >= 0 && _named.Contains(motion) ? -1 : motion;
 
     private NcRefusal? Borders(int first, int last, int closing, int opening) =>
         Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
             ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
 
-    // The contour closes at a joint that was decided for another element already: it must suit this one as well.
+    // The contour closes at a joint that another element already set; it must fit this element too.
     private NcRefusal? Suit(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         var plane = _path.Motions[element].Plane;
@@ -37,10 +37,10 @@ internal sealed partial class ElementDisplacer
 
     /// <summary>Decides one border joint.</summary>
     /// <param name="element">The displaced element.</param>
-    /// <param name="neighbor">The motion that it meets there.</param>
+    /// <param name="neighbor">The motion that meets it there.</param>
     /// <param name="joint">The joint of the element.</param>
     /// <param name="atStart">True if the joint is the element's start.</param>
-    /// <param name="otherJoint">The joint of the neighbor where a closed contour makes that another one, else -1.</param>
+    /// <param name="otherJoint">The neighbor's joint if a closed contour gives it another one; otherwise -1.</param>
     private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (_change.IsSet(joint))
@@ -68,7 +68,7 @@ internal sealed partial class ElementDisplacer
             return null;
         }
 
-        // A third element that is named may begin or end there as well.
+        // A third named element may begin or end there too.
         var third = atStart ? otherJoint : otherJoint - 1;
         if ((uint)third < (uint)_path.Motions.Length && _named.Contains(third) && !IsOnCarrier(third, atStart ? 0 : 1, move))
         {
@@ -93,7 +93,7 @@ internal sealed partial class ElementDisplacer
         _borders.Add(joint);
     }
 
-    // Not before all joints of named motions are set: what lies between two of them goes from the place of one to that of the other.
+    // Runs after all joints of named motions are set: positioning between two of them leads from one's place to the other's.
     private NcRefusal? CarryPositioning()
     {
         foreach (var joint in _borders)
@@ -108,8 +108,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    /// <summary>Where a displaced element meets its neighbor's own carrier, and which element that is after short ones were cut off; null
-    /// if the neighbor cannot slide.</summary>
+    /// <summary>Where a displaced element meets its neighbor's carrier, and which element remains there after short ones were cut off;
+    /// null if the neighbor cannot slide.</summary>
     private (Point2 Point, int Element)? Slide(int element, int neighbor, bool atStart)
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
@@ -137,8 +137,7 @@ internal sealed partial class ElementDisplacer
         {
             if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
             {
-                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overrun the
-                // other.
+                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overlap.
                 return null;
             }
 

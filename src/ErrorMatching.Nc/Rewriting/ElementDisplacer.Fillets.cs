@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Fillets: arcs that join two displaced lines tangentially, and go on doing so.</content>
+/// <content>Fillets: arcs that join two displaced lines tangentially and must stay tangent.</content>
 internal sealed partial class ElementDisplacer
 {
-    // A fillet that the wish leaves out although both its flanks are displaced must stay tangent to both, or the tool would leave a mark.
+    // An unnamed fillet between two displaced flanks must stay tangent to both, or the tool would leave a mark.
     private IEnumerable<ElementWish> WithNeighborFillets(IReadOnlyList<ElementWish> elements)
     {
         for (var i = 0; i < elements.Count; i++)
@@ -29,8 +29,8 @@ internal sealed partial class ElementDisplacer
         }
     }
 
-    // Both flanks offset by the new radius meet in the new center; its feet on them are the new tangent points. Joints between arcs of the
-    // fillet keep their direction from the center.
+    // Both flanks, offset by the new radius, meet in the new center; its feet on them are the new tangent points. Joints between arcs of
+    // the fillet keep their direction from the center.
     private NcRefusal? Round(ElementWish element)
     {
         if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet

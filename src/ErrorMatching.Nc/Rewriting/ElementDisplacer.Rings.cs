@@ -3,16 +3,17 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// Closed contours whose first and last element are named: a ring begins and ends in one place, where these two meet. A lead-in or lead-out
-/// that is named with its ring must run through that place as well; one that is not named simply follows.
+/// Closed contours whose first and last element are named. A ring begins and ends in one place, where these two meet. A named lead-in or
+/// lead-out must pass through that place too; an unnamed one follows.
 /// </content>
 internal sealed partial class ElementDisplacer
 {
-    /// <summary>How far a displaced lead may miss the place where its ring closes, mm: the proof allows little beside rounding.</summary>
+    /// <summary>Allowed distance of a displaced lead from the place where its ring closes, mm: the proof allows little besides
+    /// rounding.</summary>
     private const double LeadMiss = 4e-6;
 
-    // A cut of the same contour that ends where a run begins, and one that begins where it ends: the contour closes there. -1 where there
-    // is none. A full circle closes by itself.
+    // A cut of the same contour that ends where a run begins, and one that begins where it ends: the contour closes there. -1 if there is
+    // none. A full circle needs no other cut to close.
     private (int Closing, int Opening) Closures(int first, int last, ContourSearch contours)
     {
         var isRun = first < last;
@@ -35,9 +36,9 @@ internal sealed partial class ElementDisplacer
             ?? (opening >= 0 && _named.Contains(opening) ? Close(opening, last) : null);
     }
 
-    /// <summary>Puts both ends of a ring where its last element meets its first.</summary>
-    /// <param name="first">Its first motion; what is before it in the same run leads in.</param>
-    /// <param name="last">Its last motion; what is behind it in the same run leads out.</param>
+    /// <summary>Moves both ends of a ring to where its last element meets its first.</summary>
+    /// <param name="first">Its first motion; earlier motions of the same run lead in.</param>
+    /// <param name="last">Its last motion; later motions of the same run lead out.</param>
     private NcRefusal? Close(int first, int last)
     {
         var motion = _path.Motions[first];
@@ -56,7 +57,7 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // A joint that is a tangent point of a fillet stays where that is.
+    // A joint that is a tangent point of a fillet stays there.
     private Vector2? Closing(int first, int last)
     {
         var plane = _path.Motions[first].Plane;
@@ -72,7 +73,7 @@ internal sealed partial class ElementDisplacer
         return Smooth(last, first) ?? (Meet(last, first, first, amount) is { } point ? point - _path.Motions[first].PlaneStart : null);
     }
 
-    // The refusal of a named motion beside a ring that, displaced, does not run through the place where the ring closes.
+    // Refuses a named lead of a ring if, once displaced, it does not pass through the place where the ring closes.
     private NcRefusal? Lead(int lead, string does, int first, int last, Vector2 move)
     {
         if (!_named.Contains(lead) || CarrierOf(lead).Distance(_path.Motions[first].PlaneStart + move) is var miss && miss <= LeadMiss)

@@ -3,29 +3,27 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Displaces elements: every named line or arc becomes its displaced line or arc, and the joints become their intersections.
-/// What happens at the ends of a run of named motions is in <c>ElementDisplacer.Borders</c>.
-/// </summary>
+/// <summary>Displaces elements: displaces each named line or arc, and moves the joints to the intersections.
+/// <c>ElementDisplacer.Borders</c> handles the ends of a run of named motions.</summary>
 internal sealed partial class ElementDisplacer
 {
-    /// <summary>Sine of the angle below which two elements are taken to run into each other tangentially: 5.7 degrees.</summary>
+    /// <summary>Sine of the angle below which two elements count as tangent: 5.7 degrees.</summary>
     private const double TangentSine = 0.1;
 
-    /// <summary>Sine of the angle below which it makes no difference to a joint that its elements are round.</summary>
+    /// <summary>Sine of the angle below which the curvature of its elements does not affect a joint.</summary>
     private const double RoundSine = 0.001;
 
-    /// <summary>How different the displacements of two elements may be where they meet tangentially, mm:
-    /// less than half a least increment.</summary>
+    /// <summary>Largest difference of the displacements of two elements that meet tangentially, mm: less than half a least
+    /// increment.</summary>
     private const double TangentStep = 0.0004;
 
-    /// <summary>Sine of the smallest angle at which two elements with different displacements are taken to meet: half a degree.</summary>
+    /// <summary>Sine of the smallest angle at which two elements with different displacements count as meeting: half a degree.</summary>
     private const double SmallestCornerSine = 0.009;
 
     /// <summary>An intersection further from the joint than this multiple of the displacement is not nearby.</summary>
     private const double Nearby = 12;
 
-    /// <summary>Places closer than this are one, mm.</summary>
+    /// <summary>Places closer than this are the same, mm.</summary>
     private const double SamePlace = 1e-6;
 
     private readonly NcPath _path;
@@ -33,14 +31,15 @@ internal sealed partial class ElementDisplacer
     private readonly IReadOnlyList<ElementWish> _wishes;
     private readonly MotionRuns _asked = new();
 
-    // What was asked for and the fillets that go along; their wishes, and those that had to be made exact.
+    // The named elements and the fillets that move with them; the wishes of those fillets, and of full circles with both ends made exactly
+    // alike; the new circles of fillets.
     private readonly MotionRuns _named = new();
     private readonly Dictionary<int, ElementWish> _otherWishes = [];
     private readonly Dictionary<int, Carrier> _rounded = [];
     private readonly HashSet<int> _shrunk = [];
     private readonly BitArray _smoothJoints;
 
-    // The joints at the ends of runs, in the order in which they were decided.
+    // The joints at the ends of runs, in the order in which they were set.
     private readonly List<int> _borders = [];
 
     private ElementDisplacer(NcPath path, IReadOnlyList<ElementWish> wishes)
@@ -94,7 +93,7 @@ internal sealed partial class ElementDisplacer
             }
         }
 
-        // What is between two runs is decided once both are.
+        // What is between two runs is set once both runs are.
         for (var run = 0; run < _named.Count; run++)
         {
             var (first, last) = _named[run];
@@ -129,7 +128,7 @@ internal sealed partial class ElementDisplacer
                 "displaced as asked, this element would vanish or turn round. The displacement is larger than the element can take.");
         }
 
-        // Both ends of a full circle are one place, to the last bit.
+        // Both ends of a full circle are exactly one place.
         var isClosed = motion.PlaneStart.DistanceTo(motion.PlaneEnd) < 1e-9 && (element.End - element.Start).Length < 1e-9;
         _named.Add(element.Motion);
         if (isClosed)
@@ -149,7 +148,7 @@ internal sealed partial class ElementDisplacer
 
     private NcRefusal? SmoothJoints(int first, int last)
     {
-        // Not a number where a joint is not smooth.
+        // NaN if a joint is not smooth.
         var moves = new Vector2[last - first];
         if (Halves.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
         {
@@ -182,8 +181,7 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    // The displacements of joints of the run that begins with a motion, as far as they are smooth and not yet set;
-    // looks only, so that two cores can do it.
+    // The displacements of the joints inside a run, if smooth and not yet set. Changes nothing, so two threads can run it.
     private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
     {
         var begin = _path.Motions[first];
@@ -209,8 +207,8 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    /// <summary>The displacement of a joint at which both elements agree: a vertex of a polyline, or a tangential transition.
-    /// Null at a corner.</summary>
+    /// <summary>The displacement of a joint on which both elements agree: a vertex of a polyline, or a tangential transition. Null at a
+    /// corner.</summary>
     private Vector2? Smooth(int before, int behind)
     {
         var (moveA, moveB) = (WishOf(before).End, WishOf(behind).Start);
@@ -234,8 +232,8 @@ internal sealed partial class ElementDisplacer
             : move;
     }
 
-    // Where one of them is round, the tangents at the old joint meet beside it: what meets are the displaced circles through the displaced
-    // joint, whatever their own radius, for the ends of an arc with rounded words miss its circle.
+    // If one element is round, the tangents at the old joint meet away from the new joint. So the concentric circles through the displaced
+    // joint are intersected, not the displaced circles: the ends of an arc with rounded words miss its circle.
     private Vector2 RoundMove(int before, int behind, Vector2 moveA, Vector2 moveB, Vector2 guess)
     {
         var place = _path.Motions[before].PlaneEnd;
@@ -243,10 +241,8 @@ internal sealed partial class ElementDisplacer
         return a.Meet(b, place + guess) is { } point && (point - place - guess).Length < TangentSine * guess.Length ? point - place : guess;
     }
 
-    /// <summary>
-    /// A corner is where both displaced elements meet. Where one of them is a short piece of a polyline that ends before,
-    /// the next piece is tried: what lies between has been cut off by the displacement and shrinks to the corner.
-    /// </summary>
+    /// <summary>Moves a corner to the intersection of both displaced elements. If one of them is a short piece of a polyline that ends
+    /// before the intersection, tries the next piece: the displacement cut off the pieces between, and they shrink to the corner.</summary>
     private NcRefusal? Corner(int joint, int first, int last)
     {
         var (before, behind) = (joint - 1, joint);
@@ -272,7 +268,7 @@ internal sealed partial class ElementDisplacer
         var (left, right) = (WishOf(joint - 1).End.Dot(a.TangentAt(1).Left), WishOf(joint).Start.Dot(b.TangentAt(0).Left));
         var (name, other) = (_path.Program.NameOf(_path.Program[b.Block]), _path.Program.NameOf(_path.Program[a.Block]));
 
-        // What is not named between two lines that move stays tangent to both: an arc as a corner, not as a piece of one of them.
+        // An unnamed arc between two moving lines stays tangent to both: it is a corner, not a piece of one of them.
         var advice = IsTangent(a.TangentAt(1), b.TangentAt(0)) && a.IsArc != b.IsArc
             ? $"Where the arc {(a.IsArc ? other : name)} rounds a corner, do not name it: it then stays tangent to both of its neighbors. "
                 + "Else displace both alike."
@@ -301,8 +297,7 @@ internal sealed partial class ElementDisplacer
         return CarrierOf(before).Meet(CarrierOf(behind), guess) is { } point && IsNear(point, place, amount) ? point : null;
     }
 
-    // True if a displaced line of a polyline lies wholly on the wrong side of a corner,
-    // and a neighbor in the same polyline can take its place.
+    // True if a displaced line of a polyline is wholly on the wrong side of a corner and a neighbor in the same polyline can replace it.
     private bool EndsBefore(int element, Point2 corner, bool atStart)
     {
         var motion = _path.Motions[element];
@@ -317,7 +312,7 @@ internal sealed partial class ElementDisplacer
         return atStart ? beyond <= 0 : beyond >= 0;
     }
 
-    // All joints from one to another go to one point; the lines between them have no length any more.
+    // Moves all joints from one to another to one point; the lines between them get length zero.
     private void Shrink(int firstJoint, int lastJoint, Point2 point)
     {
         var plane = _path.Motions[Math.Min(firstJoint, _path.Motions.Length - 1)].Plane;
@@ -333,13 +328,13 @@ internal sealed partial class ElementDisplacer
         }
     }
 
-    // The displacement with given components along two normals.
+    // The displacement with the given components along two normals.
     private static Vector2 CornerMove(Vector2 normalA, double a, Vector2 normalB, double b) =>
         ((normalB.Left * -a) + (normalA.Left * b)) / normalA.Cross(normalB);
 
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
-    // Arcs that were not named and whose ends left their circle: a lead-in that is an arc, or an arc beside a run that it does not meet.
+    // Unnamed arcs whose ends left their circle: a lead-in arc, or an arc next to a run that it does not meet.
     private NcRefusal? FollowWithArcs()
     {
         var motions = _path.Motions;
@@ -366,12 +361,12 @@ internal sealed partial class ElementDisplacer
         return IsAlong(arc.PlaneStart, _change.PlaneMoveOf(motion, arc.Plane))
             && IsAlong(arc.PlaneEnd, _change.PlaneMoveOf(motion + 1, arc.Plane));
 
-        // An end whose radius differs from the start's, as far as a control accepts that, is on the circle all the same.
+        // An end whose radius differs from the start's within the control's tolerance still counts as on the circle.
         bool IsAlong(Point2 end, Vector2 move) =>
             Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
     }
 
-    // No element may turn round: that is a loop in the path, and a mark on the piece.
+    // No element may reverse: that is a loop in the path, and a mark on the piece.
     private NcRefusal? CheckSense()
     {
         var affected = _change.Affected();

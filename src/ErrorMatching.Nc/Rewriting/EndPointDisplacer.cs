@@ -2,11 +2,9 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Moves the end points of named motions by a vector: rapids and plunges too. The motion before stays;
-/// behind, what only moves along the tool axis keeps the moved place, and the first motion in the plane ends where it did. Where each end
-/// has a vector of its own, no other end moves.
-/// </summary>
+/// <summary>Moves the end points of named motions by a vector, including rapids and plunges. The motion before stays. After it, moves
+/// along the tool axis keep the moved place, and the first motion in the plane ends where it did. If each end has its own vector, no
+/// other end moves.</summary>
 internal static class EndPointDisplacer
 {
     public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)

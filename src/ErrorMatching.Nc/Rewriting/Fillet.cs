@@ -3,14 +3,14 @@ namespace ErrorMatching.Nc;
 /// <summary>Finds rounded corners: one or more arcs of one circle that join two straight cuts tangentially.</summary>
 internal static class Fillet
 {
-    /// <summary>Sine of the angle up to which an arc runs tangentially into a line:
-    /// 2.9 degrees, far above the rounding of a program's coordinates.</summary>
+    /// <summary>Sine of the largest angle at which an arc counts as tangent to a line: 2.9 degrees, far above the rounding of a program's
+    /// coordinates.</summary>
     private const double TangentSine = 0.05;
 
-    /// <summary>How far the centers and radii of arcs of one fillet may differ, mm.</summary>
+    /// <summary>Allowed difference of the centers and radii of arcs of one fillet, mm.</summary>
     private const double SameCircle = 0.01;
 
-    /// <summary>The first and last arc of the fillet that a motion belongs to, or null where it belongs to none.</summary>
+    /// <summary>The first and last arc of a motion's fillet; null if it is not part of one.</summary>
     public static (int First, int Last)? Around(NcPath path, int motion)
     {
         var motions = path.Motions;

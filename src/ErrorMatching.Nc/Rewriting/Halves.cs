@@ -1,16 +1,17 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Long work that falls into independent parts, on two cores.</summary>
+/// <summary>Runs long work on independent parts on two threads.</summary>
 internal static class Halves
 {
-    /// <summary>From so many parts on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of parts for a second thread to pay off.</summary>
     public const int Many = 20_000;
 
-    /// <summary>Does work on the first half of some parts and beside it on the second.</summary>
+    /// <summary>Runs work on both halves of a range concurrently.</summary>
     /// <param name="from">The first part.</param>
-    /// <param name="behind">The part behind the last.</param>
-    /// <param name="work">Does the parts from one to another, which is not done; it must change nothing that both halves see.</param>
-    /// <returns>What came of both halves; the same as of one after the other.</returns>
+    /// <param name="behind">The part after the last.</param>
+    /// <param name="work">Processes the parts from its first argument up to, not including, its second; must not change state that the
+    /// other half sees.</param>
+    /// <returns>The results of both halves, the same as if run one after the other.</returns>
     public static (T First, T Second) Of<T>(int from, int behind, Func<int, int, T> work)
     {
         var half = from + ((behind - from) / 2);
@@ -19,7 +20,7 @@ internal static class Halves
         return (first, second.GetAwaiter().GetResult());
     }
 
-    /// <summary>The first refusal of some work on many parts, on two cores where they are many enough.</summary>
+    /// <summary>The first refusal of work on many parts, on two threads if there are enough parts.</summary>
     public static NcRefusal? Refusal(int from, int behind, Func<int, int, NcRefusal?> work)
     {
         if (behind - from < Many)

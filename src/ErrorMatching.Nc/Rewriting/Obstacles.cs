@@ -2,30 +2,28 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Says why a motion's words cannot be changed, if so.</summary>
+/// <summary>Reports why a motion's words cannot be changed.</summary>
 internal static class Obstacles
 {
-    /// <summary>The reason why one motion cannot be changed, or null.</summary>
+    /// <summary>The reason why a motion cannot be changed; null if it can.</summary>
     public static NcRefusal? Of(NcPath path, int motion) => Of(path, path.Motions[motion]);
 
-    /// <summary>The same for a motion that is at hand.</summary>
+    /// <summary>The same for a motion that the caller has already read.</summary>
     public static NcRefusal? Of(NcPath path, in NcMotion motion)
     {
         var (code, why) = Reason(motion);
         return code is null ? null : NcRefusal.At(path.Program, motion.Block, code, why!);
     }
 
-    /// <summary>The refusal of a motion whose place the program does not say.</summary>
+    /// <summary>The refusal of a motion whose place the program does not state.</summary>
     public static NcRefusal UnknownPlace(NcPath path, int motion) => NcRefusal.At(
         path.Program,
         path.Motions[motion].Block,
         NcRefusalCodes.UnknownState,
         "the program does not say where this motion begins. State X, Y and Z before it.");
 
-    /// <summary>
-    /// The reason why the joints of a change must not move, or null: an origin that is set, or a program that is called, where the tool
-    /// stands; a rounding or chamfer that the control inserts beside a motion that changes.
-    /// </summary>
+    /// <summary>The reason why the joints of a change must not move, or null: an origin is set or a program is called at the tool's
+    /// current place, or the control inserts a rounding or chamfer next to a motion that changes.</summary>
     public static NcRefusal? Of(PathChange change)
     {
         var path = change.Path;
@@ -71,7 +69,7 @@ internal static class Obstacles
     private static bool IsInserted(NcMotions motions, int motion) => motion > 0 && motion < motions.Length
         && motions.BlockOf(motion) == motions.BlockOf(motion - 1) && motions[motion].Has(MotionFlags.CornerWord);
 
-    // A corner stays to the last digit where the line beside it gets longer or shorter along an axis; rounding turns an oblique one.
+    // A corner stays exact if the adjacent line gets longer or shorter along an axis; rounding would turn an oblique line.
     private static bool KeepsLine(PathChange change, int motion)
     {
         var m = change.Path.Motions[motion];

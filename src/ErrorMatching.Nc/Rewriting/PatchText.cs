@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Keeps the new texts of many patches in few pieces of memory.</summary>
+/// <summary>Stores the new texts of many patches in few memory blocks.</summary>
 internal sealed class PatchText
 {
     private const int PieceSize = 1 << 16;
@@ -8,7 +8,7 @@ internal sealed class PatchText
     private byte[] _piece = [];
     private int _used;
 
-    /// <summary>Copies a text and returns where it is kept.</summary>
+    /// <summary>Copies a text and returns the stored copy.</summary>
     public ReadOnlyMemory<byte> Keep(ReadOnlySpan<byte> text)
     {
         if (_used + text.Length > _piece.Length)

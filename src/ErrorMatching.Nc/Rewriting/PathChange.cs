@@ -2,10 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// New places for the joints of a path: joint i is where motion i begins and motion i - 1 ends.
-/// Arcs whose circle changes have a new center.
-/// </summary>
+/// <summary>New places for the joints of a path: joint i is the start of motion i and the end of motion i - 1. Arcs whose circle changes
+/// have a new center.</summary>
 internal sealed class PathChange
 {
     private readonly SparseList<Vector3> _moves;
@@ -21,11 +19,11 @@ internal sealed class PathChange
 
     public NcPath Path { get; }
 
-    /// <summary>Arcs with a new exact center in their plane, in the order of the path.</summary>
+    /// <summary>Arcs with a new exact center in their plane, in path order.</summary>
     public IEnumerable<int> ArcsWithCenter() => _centers.Positions();
 
-    /// <summary>Motions that begin or end at a joint with a new place, or have a new center, in the order of the path: the cost of a change
-    /// grows with them, not with the program. The list is kept; do not change it.</summary>
+    /// <summary>Motions with a moved end or a new center, in path order. The cost of a change grows with their number, not with the
+    /// program. The list is cached; do not change it.</summary>
     public List<int> Affected() => _affected ??= FindAffected();
 
     private List<int> FindAffected()
@@ -59,7 +57,7 @@ internal sealed class PathChange
     /// <summary>True if an arc has a new center.</summary>
     public bool HasCenter(int motion) => _centers.Has(motion);
 
-    /// <summary>The center of an arc in its plane: the new one if it has one.</summary>
+    /// <summary>The center of an arc in its plane: the new one, or the old one if it has none.</summary>
     public Point2 CenterOf(int motion, in NcMotion arc) => _centers.Has(motion) ? _centers[motion] : arc.Center;
 
     public void Move(int joint, Vector3 by) => (_moves[joint], _affected) = (by, null);
@@ -71,7 +69,7 @@ internal sealed class PathChange
     /// <summary>A joint's displacement in a plane.</summary>
     public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + MoveOf(joint)) - Point2.Origin;
 
-    /// <summary>False if an element would turn round: that is a loop in the path, and a mark on the piece.</summary>
+    /// <summary>False if an element would reverse: that is a loop in the path, and a mark on the piece.</summary>
     public bool KeepsSense(int motion)
     {
         var was = Path.Motions[motion];
@@ -88,10 +86,8 @@ internal sealed class PathChange
         return Math.Abs((now - before).Radians) < Math.PI / 2;
     }
 
-    /// <summary>
-    /// Lets an arc follow its ends: one whose ends move alike moves as a whole, another takes the circle through its new ends and its old
-    /// middle moved by half of what they move together.
-    /// </summary>
+    /// <summary>Lets an arc follow its ends. If both ends move alike, the whole arc moves. Otherwise it becomes the circle through its
+    /// new ends and its old middle, moved by the mean of both ends' displacements.</summary>
     /// <returns>The reason why it cannot, or null.</returns>
     public NcRefusal? FollowWithArc(int motion)
     {

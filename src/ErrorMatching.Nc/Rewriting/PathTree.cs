@@ -2,10 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Boxes around motions, boxes around pairs of boxes and so on up to one, so that what lies near a place is found without looking at all.
-/// Pairs are neighbors of the path, which lie beside each other on the piece as well.
-/// </summary>
+/// <summary>Bounding boxes around motions, boxes around pairs of boxes, and so on up to one, to find what is near a place without
+/// visiting all motions. Pairs are neighbors on the path, so they are also close on the piece.</summary>
 internal sealed class PathTree
 {
     /// <summary>Far more than boxes and feet differ by rounding, mm.</summary>
@@ -16,7 +14,7 @@ internal sealed class PathTree
     private readonly (Point2 Low, Point2 High)[] _boxes;
     private readonly int _leaves;
 
-    /// <summary>A tree over some motions.</summary>
+    /// <summary>Builds a tree over some motions.</summary>
     /// <param name="path">The path.</param>
     /// <param name="motions">Cutting motions that move in the XY plane.</param>
     public PathTree(NcPath path, int[] motions)
@@ -43,7 +41,7 @@ internal sealed class PathTree
         }
     }
 
-    /// <summary>The motion nearest to a place, the first of several.</summary>
+    /// <summary>The motion nearest to a place; the first if several are equally near.</summary>
     public PathFoot NearestTo(Point2 place)
     {
         var best = new PathFoot(double.PositiveInfinity, _motions[0], 0);
@@ -51,7 +49,7 @@ internal sealed class PathTree
         return best;
     }
 
-    /// <summary>All motions that come as near to a place as a distance, in the order of the path.</summary>
+    /// <summary>Collects all motions within a distance of a place, in path order.</summary>
     public void Collect(Point2 place, double distance, List<PathFoot> feet)
     {
         feet.Clear();
@@ -110,7 +108,7 @@ internal sealed class PathTree
         return Math.Sqrt((x * x) + (y * y));
     }
 
-    // An arc lies within its circle, and its ends may lie a little outside of it.
+    // An arc is inside its circle's box, but its ends may be slightly outside.
     private static (Point2 Low, Point2 High) BoxOf(in NcMotion motion)
     {
         var (a, b) = (motion.PlaneStart, motion.PlaneEnd);

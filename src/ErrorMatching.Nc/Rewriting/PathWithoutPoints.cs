@@ -1,10 +1,8 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A path without its straight cuts of no length, which a corner that cut off a short piece leaves behind, and without feeds along the
-/// tool axis from one displaced element to the next, a step in depth at a corner. Elements on both sides are neighbors all the same, so
-/// they are displaced on this path and the result is taken back to the program's own.
-/// </summary>
+/// <summary>A path without straight cuts of length zero, which remain when a corner cuts off a short piece, and without steps in depth at
+/// a corner: feeds along the tool axis between two displaced elements. Elements on both sides are neighbors, so they are displaced on
+/// this path and the result is mapped back to the program's own.</summary>
 internal sealed class PathWithoutPoints
 {
     private readonly NcPath _original;
@@ -21,7 +19,7 @@ internal sealed class PathWithoutPoints
     /// <summary>True for a straight cut that ends where it begins.</summary>
     public static bool IsPoint(in NcMotion motion) => motion.Kind == MotionKind.Line && motion.Start == motion.End;
 
-    /// <summary>The path without points and steps, or null where it has none.</summary>
+    /// <summary>The path without points and steps; null if it has none.</summary>
     public static PathWithoutPoints? Of(NcPath path, DisplacementWish wish)
     {
         var steps = Steps(path.Motions, wish.Elements);
@@ -54,7 +52,7 @@ internal sealed class PathWithoutPoints
         return new(path, reduced, [.. kept]);
     }
 
-    /// <summary>Displaces elements. A wish for a point is a wish for nothing and is left out.</summary>
+    /// <summary>Displaces elements. Ignores a wish for a point.</summary>
     public NcOutcome<PathChange> Displace(DisplacementWish wish)
     {
         var elements = new List<ElementWish>(wish.Elements.Count);
@@ -71,7 +69,7 @@ internal sealed class PathWithoutPoints
         return change.IsUsable ? Restore(change.Value) : change;
     }
 
-    // Feeds along the tool axis between one element and the next, with nothing else between.
+    // Feeds along the tool axis directly between two elements.
     private static MotionRuns Steps(NcMotions motions, IReadOnlyList<ElementWish> elements)
     {
         var steps = new MotionRuns();

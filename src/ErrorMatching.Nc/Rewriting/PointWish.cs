@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What is asked of the end of one motion.</summary>
+/// <summary>Wish for the end of one motion.</summary>
 /// <param name="Motion">Position of the motion in the path.</param>
 /// <param name="By">The displacement of its end, mm.</param>
 public readonly record struct PointWish(int Motion, Vector3 By);

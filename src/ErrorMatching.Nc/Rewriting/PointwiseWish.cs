@@ -3,24 +3,21 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A wish made of displaced points: between the feet of two points the displacement changes linearly over the length along the run,
-/// beyond the first and the last it stays.
-/// </summary>
+/// <summary>A wish made of displaced points. Between the feet of two points, the displacement changes linearly with the length along the
+/// run; before the first and after the last it is constant.</summary>
 /// <param name="Wish">What to displace.</param>
-/// <param name="LargestMisfitMm">By how much, at most, an element misses what was asked at a point, mm:
-/// a line cannot bend between its ends, an arc is no free curve.</param>
-/// <param name="Worst">The point where it does.</param>
+/// <param name="LargestMisfitMm">Largest deviation of an element from the wish at a point, mm: a line cannot bend between its ends, and
+/// an arc is not a free curve.</param>
+/// <param name="Worst">The point with that deviation.</param>
 public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm, DisplacedPoint Worst)
 {
-    /// <summary>How far a point may lie from the named blocks' path, mm.</summary>
+    /// <summary>Allowed distance of a point from the path of the named blocks, mm.</summary>
     public const double FurthestMm = 0.5;
 
     /// <summary>Makes the wish.</summary>
     /// <param name="path">The program, interpreted.</param>
-    /// <param name="blocks">Positions of the named blocks. Their cutting motions make runs,
-    /// each of motions that follow one another without a gap.</param>
-    /// <param name="points">At least one point, in any order. Each counts for every run that passes within
+    /// <param name="blocks">Positions of the named blocks. Their cutting motions form runs of consecutive motions without a gap.</param>
+    /// <param name="points">At least one point, in any order. Each applies to every run that passes within
     /// <see cref="FurthestMm"/>.</param>
     /// <returns>
     /// The wish, or a refusal: no cutting motion, a plane other than XY, a point off every run (<see cref="NcRefusalCodes.PointOffPath"/>),
@@ -35,7 +32,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
             throw new ArgumentException("No points are given.", nameof(points));
         }
 
-        // A wish for no displacement names the same motions, and is refused for the same reasons.
+        // A wish for zero displacement names the same motions and is refused for the same reasons.
         var named = DisplacementWish.Normal(path, [.. blocks.Distinct().Order()], 0);
         if (!named.IsUsable)
         {
@@ -80,7 +77,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
         return Combine(runs, points);
     }
 
-    // A point belongs to every run that it lies on, at the nearest motion of each.
+    // A point belongs to every run that it is on, at the nearest motion of each.
     private static void Share(DisplacedPoint point, List<PathFoot> feet, List<WishedRun> runs)
     {
         var (run, best) = (-1, default(PathFoot));

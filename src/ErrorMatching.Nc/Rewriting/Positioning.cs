@@ -2,18 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Positioning that only goes along the tool axis stays over the joint that moved: plunges before a contour, retracts behind it. A cut at
-/// its other end shares the joint only where the tool went on cutting. Where it was lifted or changed between, the cut stays, and a rapid
-/// with coordinates of its own leads from one place to the other.
-/// </summary>
+/// <summary>Moves positioning along the tool axis with a moved joint: plunges before a contour, retracts after it. A cut at the other end
+/// shares the joint only if the tool kept cutting. If the tool was lifted or changed in between, the cut stays, and a rapid with its own
+/// coordinates leads from one place to the other.</summary>
 internal static class Positioning
 {
-    /// <summary>Takes along what follows a moved joint, up to the first motion in the plane.</summary>
+    /// <summary>Moves what follows a moved joint, up to the first motion in the plane.</summary>
     /// <param name="change">The change; the joints of named motions are set.</param>
     /// <param name="joint">The joint.</param>
-    /// <param name="isNamed">Whether a motion is named, and may begin or end elsewhere.</param>
-    /// <returns>The reason why it cannot be, or null.</returns>
+    /// <param name="isNamed">Whether a motion is named and so may begin or end elsewhere.</param>
+    /// <returns>The reason why it cannot move, or null.</returns>
     public static NcRefusal? CarryAhead(PathChange change, int joint, Func<int, bool> isNamed)
     {
         var motions = change.Path.Motions;
@@ -60,8 +58,8 @@ internal static class Positioning
         }
     }
 
-    /// <summary>Takes along what leads to a moved joint, back to the last motion in the plane.</summary>
-    /// <returns>The reason why it cannot be, or null.</returns>
+    /// <summary>Moves what leads to a moved joint, back to the last motion in the plane.</summary>
+    /// <returns>The reason why it cannot move, or null.</returns>
     public static NcRefusal? CarryBack(PathChange change, int joint, Func<int, bool> isNamed)
     {
         var motions = change.Path.Motions;
@@ -88,7 +86,7 @@ internal static class Positioning
         return null;
     }
 
-    // Between two joints whose places are decided: one rapid leads from the place of one to that of the other, unless they moved alike.
+    // Between two joints that are set, one rapid leads from one place to the other, unless both moved alike.
     private static NcRefusal? Join(PathChange change, int first, int last, int moved)
     {
         var (from, to) = (LevelMove(change, first), LevelMove(change, last));
@@ -130,7 +128,7 @@ internal static class Positioning
         }
     }
 
-    // Behind an end that was asked to move along the tool axis as well, the tool goes to the height that the program says.
+    // After an end that also moves along the tool axis, the tool goes to the programmed height.
     private static Vector3 LevelMove(PathChange change, int joint)
     {
         var motions = change.Path.Motions;
@@ -138,14 +136,14 @@ internal static class Positioning
         return plane.Lift(plane.Project(default(Point3) + change.MoveOf(joint)), 0) - default(Point3);
     }
 
-    // A return of the tool axis to a place of the machine leaves the other axes where they are.
+    // A return of the tool axis to a machine position leaves the other axes in place.
     private static bool IsAlongAxis(in NcMotion motion) =>
         motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference }
         && (!motion.Has(MotionFlags.MachineMove) || (motion.CarriedAxes & motion.Plane.Axes()) == motion.Plane.Axes());
 
     private static bool IsCut(in NcMotion motion) => motion is { IsCut: true, MovesInPlane: true } && !motion.Has(MotionFlags.MachineMove);
 
-    // A way from cut to cut on which the tool did not go on cutting.
+    // A stretch between cuts on which the tool did not keep cutting.
     private static bool IsLifted(NcPath path, int from, int behind)
     {
         var isLifted = path.ChangesTool(from, behind);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Displaces elements or end points of a program and changes only the words that this takes.</summary>
+/// <summary>Displaces elements or end points of a program and changes only the words that this requires.</summary>
 public static class Rewriter
 {
     /// <summary>Rewrites a program.</summary>

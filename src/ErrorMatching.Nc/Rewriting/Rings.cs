@@ -2,16 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Finds closed contours inside a run of cuts: a ring between its lead-in and lead-out comes back to a joint of the run.</summary>
+/// <summary>Finds closed contours inside a run of cuts: a ring between its lead-in and lead-out returns to a joint of the run.</summary>
 internal static class Rings
 {
-    /// <summary>Sine of the angle from which a joint is a corner: 5.7 degrees.</summary>
+    /// <summary>Sine of the smallest angle of a corner: 5.7 degrees.</summary>
     private const double CornerSine = 0.0995;
 
-    /// <summary>
-    /// Pairs of joints of a run, without its ends, that are one place and of which at least one is a corner, or that are both ends of a
-    /// full circle. Where both are smooth, two paths cross each other: they need not go on doing so in one joint.
-    /// </summary>
+    /// <summary>Pairs of inner joints of a run at one place. At least one of them is a corner, or they are both ends of a full circle. If
+    /// both are smooth, two paths cross, and they need not keep crossing in one joint.</summary>
     /// <param name="motions">The path.</param>
     /// <param name="first">First motion of the run.</param>
     /// <param name="last">Last motion of the run.</param>

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Cutting motions that follow one another, measured by length, with the displacements wished at places along them.</summary>
+/// <summary>Consecutive cutting motions, measured by length, with the wished displacements at places along them.</summary>
 internal sealed class WishedRun
 {
     private readonly NcPath _path;
@@ -11,7 +11,7 @@ internal sealed class WishedRun
     private readonly double[] _starts;
     private readonly List<(double Along, int Motion, double Fraction, DisplacedPoint Point)> _feet = [];
 
-    /// <summary>A run.</summary>
+    /// <summary>Creates a run.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="first">Its first motion.</param>
     /// <param name="last">Its last motion.</param>
@@ -28,13 +28,13 @@ internal sealed class WishedRun
     /// <summary>Its first motion.</summary>
     public int First => _first;
 
-    /// <summary>Takes a point that lies on the run.</summary>
+    /// <summary>Adds a point on the run.</summary>
     public void Add(DisplacedPoint point, PathFoot foot) =>
         _feet.Add(
             (_starts[foot.Motion - _first] + (foot.Fraction * _path.Motions[foot.Motion].PlaneLength), foot.Motion, foot.Fraction, point));
 
-    /// <summary>Puts the points in their order along the run.</summary>
-    /// <returns>A refusal where there are none, or where two of them disagree.</returns>
+    /// <summary>Sorts the points along the run.</summary>
+    /// <returns>A refusal if there are none, or if two of them disagree.</returns>
     public NcRefusal? Sort()
     {
         _feet.Sort((a, b) => a.Along.CompareTo(b.Along));
@@ -60,7 +60,7 @@ internal sealed class WishedRun
                 "the named blocks from here on, up to the next gap between them, have no point. Give one, or leave the blocks out.");
     }
 
-    /// <summary>What is asked of each motion.</summary>
+    /// <summary>The wish for each motion.</summary>
     public IEnumerable<ElementWish> Elements()
     {
         for (var i = 0; i + 1 < _starts.Length; i++)
@@ -69,8 +69,7 @@ internal sealed class WishedRun
         }
     }
 
-    /// <summary>By how much each point's motion, displaced as asked at its start, middle and end,
-    /// misses what was asked at the point itself.</summary>
+    /// <summary>For each point, how far its motion, displaced at its start, middle and end, misses the wish at the point itself.</summary>
     public IEnumerable<(DisplacedPoint Point, double Millimeters)> Misfits()
     {
         foreach (var (_, motion, f, point) in _feet)

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>The words of arcs: centers on the grid of increments, radii as long as they can hold the arc.</content>
+/// <content>The words of arcs: centers on the grid of increments, and radii as long as they can describe the arc.</content>
 internal sealed partial class WordEditor
 {
     private void SetCircle(int index, in NcMotion motion)
@@ -22,7 +22,7 @@ internal sealed partial class WordEditor
             motion.Kind == MotionKind.ArcCounterClockwise);
         if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < _increment)
         {
-            // What was asked is less than the control can do.
+            // The control cannot resolve so small a wish.
             return;
         }
 
@@ -40,7 +40,7 @@ internal sealed partial class WordEditor
         SetCenterWord(second, j);
     }
 
-    // Where center words count from: the start, or where the program's own coordinates begin.
+    // Origin of the center words: the start, or the origin of the program's coordinates.
     private Point2 CenterOrigin(in NcMotion motion, Point2 start, byte first, byte second)
     {
         var zero = motion.Plane.Project(default(Point3) + _path.Frames[motion.Frame].ProgramShift);
@@ -55,7 +55,7 @@ internal sealed partial class WordEditor
             _ => motion.Has(MotionFlags.AbsoluteCenter)
         };
 
-    // An arc that moves as a whole keeps its words, even if its radii agreed badly before; absolute center words move along.
+    // An arc that moves as a whole keeps its words, even if its radii already disagreed; absolute center words move along.
     private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
         (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
             && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
@@ -85,8 +85,8 @@ internal sealed partial class WordEditor
         }
     }
 
-    // A radius keeps its word while it can: near half a turn the arc's height hangs on the radius by a square root,
-    // and a center says it better.
+    // A radius keeps its word while it can. Near half a turn, the arc's height depends on the radius by a square root, so a center is
+    // more accurate.
     private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
     {
         var letter = _edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
@@ -105,7 +105,7 @@ internal sealed partial class WordEditor
             return;
         }
 
-        // Moved end points take the radius rounded up, so that it surely reaches; elements take the nearest.
+        // For moved end points the radius is rounded up, so that it surely reaches; for elements it is rounded to nearest.
         var exactSteps = wanted.Radius / _increment;
         var steps = NcNumber.Round(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
         sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;

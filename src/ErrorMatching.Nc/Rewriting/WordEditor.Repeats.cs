@@ -3,7 +3,7 @@ using System.Globalization;
 namespace ErrorMatching.Nc;
 
 /// <content>
-/// Blocks that run several times (loops, subprograms): every run must ask for the same new words, since the block can be changed only once.
+/// Blocks that run several times (loops, subprograms): every run must need the same new words, since the block can change only once.
 /// </content>
 internal sealed partial class WordEditor
 {

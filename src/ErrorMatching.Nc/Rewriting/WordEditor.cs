@@ -2,16 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Turns new joints and centers into the fewest changed words. Displacements are rounded to the least increment once, per joint,
-/// and added to the exact decimals of the original, so increments keep their sum however long the chain is.
-/// </summary>
+/// <summary>Turns new joints and centers into the fewest changed words. Rounds displacements to the least increment once per joint and
+/// adds them to the exact decimals of the original, so a chain of increments keeps its sum, however long.</summary>
 internal sealed partial class WordEditor
 {
-    /// <summary>From so many blocks on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of blocks for a second thread to pay off.</summary>
     private const int Many = 10_000;
 
-    /// <summary>So many blocks are taken to show how all are spelled.</summary>
+    /// <summary>Number of blocks that are sampled for the spelling of all.</summary>
     private const int First = 100;
 
     private readonly PathChange _change;
@@ -31,10 +29,10 @@ internal sealed partial class WordEditor
         _keepRadii = keepRadii;
         _path = change.Path;
 
-        // A motion mostly changes two words; room for both halves of them from the start, so that it is not copied.
+        // Most motions change two words. Reserve room for both halves now, so that the list is not copied later.
         (_patches, _changedBlocks) = (new(2 * affected.Count), new(affected.Count));
 
-        // The control's least increment, or finer where the program itself is written finer.
+        // The control's least increment, or a finer one if the program itself is finer.
         var dialect = _path.Dialect;
         _inch = _path.Motions[affected.Find(i => change.IsSet(i + 1))].Has(MotionFlags.Inch);
         var least = _inch ? dialect.InchDecimals : dialect.MetricDecimals;
@@ -43,7 +41,7 @@ internal sealed partial class WordEditor
         _edit = new(_path.Program, _programIsFixed, dialect.IntegersAreIncrements ? least : -1);
     }
 
-    // One that edits other blocks of the same change.
+    // An editor for other blocks of the same change.
     private WordEditor(WordEditor other)
     {
         (_change, _keepRadii, _path, _inch, _decimals, _programIsFixed, _increment) = (
@@ -55,7 +53,7 @@ internal sealed partial class WordEditor
 
     /// <summary>Rewrites the words of a change.</summary>
     /// <param name="change">New joints and centers.</param>
-    /// <param name="keepRadii">True if a radius word stays as long as it nearly fits.</param>
+    /// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
     public static NcOutcome<Rewrite> Run(PathChange change, bool keepRadii)
     {
         var affected = change.Affected();
@@ -64,14 +62,14 @@ internal sealed partial class WordEditor
             return Rewrite.None(change.Path);
         }
 
-        // Many blocks are mostly spelled like the first of them: then they need not be read once before to know that.
+        // Many blocks are mostly spelled like the first of them. Then there is no need to read them all beforehand.
         return affected.Count >= Many
             && new WordEditor(change, keepRadii, affected, spelledLike: First).RunIfSpelledAlike(affected) is { } rewrite
             ? rewrite
             : new WordEditor(change, keepRadii, affected, affected.Count).Run(affected);
     }
 
-    // Null where a block is spelled otherwise than was taken for granted, or cannot be edited.
+    // Null if a block does not match the sampled style or cannot be edited.
     private Rewrite? RunIfSpelledAlike(List<int> affected)
     {
         if (!_path.Motions.FollowBlocks || RunAgain(affected) || EditMany(affected) is not null)
@@ -106,7 +104,7 @@ internal sealed partial class WordEditor
         return new Rewrite(program, _patches, _changedBlocks, _patches.Count, _increment);
     }
 
-    // A loop around a single motion follows its blocks, and runs one of them several times.
+    // A loop around a single motion is in block order, but runs one block several times.
     private bool RunAgain(List<int> affected)
     {
         foreach (var motion in affected)
@@ -136,7 +134,7 @@ internal sealed partial class WordEditor
         return spelling;
     }
 
-    // Blocks are edited each for itself, so that two halves beside each other give what one after the other would.
+    // Each block is edited independently, so two concurrent halves give the same result as a sequential run.
     private NcRefusal? EditMany(List<int> affected)
     {
         var half = affected.Count / 2;
@@ -174,7 +172,7 @@ internal sealed partial class WordEditor
         return null;
     }
 
-    // Exact decimals end at 18 digits: where a program's own number leaves no room, nothing else is written instead.
+    // Exact decimals end at 18 digits. If a program's own number leaves no room, the edit is refused.
     private NcRefusal? Edit(int index)
     {
         try
@@ -193,7 +191,7 @@ internal sealed partial class WordEditor
         _edit.Open(_path.Program[motion.Block]);
         if (motion.Has(MotionFlags.MachineMove))
         {
-            // It ends at a place of the machine, wherever it begins, or in other axes where it begins.
+            // It ends at a machine position regardless of its start, or in other axes where it begins.
             var known = ~motion.UnknownEnd;
             var carried = Positioning.Only(known & motion.CarriedAxes, _change.MoveOf(index));
             return Positioning.Only(known, _change.MoveOf(index + 1)) == carried ? null : Obstacles.Of(_path, motion);
@@ -242,7 +240,7 @@ internal sealed partial class WordEditor
             var steps = incremental ? to - from : to;
             if (steps != 0 && incremental && motion.Has(MotionFlags.StartsElsewhere) && (motion.UnknownStart & Axis(axis)) != AxisSet.None)
             {
-                // Something unseen lies between the place that moved and this increment.
+                // Something unknown is between the moved place and this increment.
                 return Obstacles.UnknownPlace(_path, index);
             }
 
@@ -255,7 +253,7 @@ internal sealed partial class WordEditor
             }
             else if (from != to && _edit.Computed(axis) is { } distance)
             {
-                // A computed position stays; a computed increment, or a position that would move, cannot be written.
+                // A computed position stays. A computed increment, or a position that would move, cannot be written.
                 if (to != 0
                     || distance == WordDistance.Incremental
                     || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))

@@ -2,21 +2,20 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Finds words that name blocks of a program: what <see cref="BlockSelector"/> reads, the other way round.</summary>
+/// <summary>Finds selectors that name given blocks of a program: the inverse of <see cref="BlockSelector"/>.</summary>
 public static class BlockNames
 {
-    /// <summary>Most blocks at each end of a range that are named by their text, since they have no number of their own.</summary>
+    /// <summary>Maximum number of blocks at each end of a range that are named by their text, because they have no number of their
+    /// own.</summary>
     public const int MostByText = 32;
 
-    /// <summary>Longest block that is named by its text.</summary>
+    /// <summary>Maximum length of a block that is named by its text.</summary>
     public const int LongestText = 500;
 
-    /// <summary>
-    /// Selectors that name the blocks from one to another, both included, and no others: <c>N130</c>, <c>N130..N160</c>; blocks at the ends
-    /// without a number of their own by their whole text (<c>/^G1\ X5\.$/</c>).
-    /// </summary>
-    /// <returns>The selectors, or a refusal where the blocks cannot be told from others.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There are no such blocks.</exception>
+    /// <summary>Selectors that name exactly the blocks from one to another, both included: <c>N130</c>, <c>N130..N160</c>. Blocks at the
+    /// ends without a number of their own are named by their whole text (<c>/^G1\ X5\.$/</c>).</summary>
+    /// <returns>The selectors, or a refusal if the blocks cannot be distinguished from others.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The blocks do not exist.</exception>
     public static NcOutcome<string[]> Of(NcProgram program, int first, int last)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(first);
@@ -26,7 +25,7 @@ public static class BlockNames
         var from = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1)).FirstOrDefault(known.Contains, -1);
         if (from < 0)
         {
-            // No block has a number: each is named by its text.
+            // No block has a number, so each is named by its text.
             from = last + 1;
         }
 
@@ -56,7 +55,7 @@ public static class BlockNames
                 from == to ? program.NumberOf(program[from]) : $"{program.NumberOf(program[from])}..{program.NumberOf(program[to])}");
         }
 
-        // Whether they name these and no others is for the reader to say.
+        // The selector itself decides whether they name exactly these blocks.
         var selected = BlockSelector.Select(program, [.. words.Select(BlockSelector.Parse)]);
         if (!selected.IsUsable)
         {
@@ -74,7 +73,7 @@ public static class BlockNames
                     + $"numbers.");
     }
 
-    // Blocks near both ends of a range that have a number which no other block of the program has.
+    // Blocks near both ends of a range whose number is unique in the program.
     private static HashSet<int> Candidates(NcProgram program, int first, int last)
     {
         var near = Enumerable.Range(first, Math.Min(last - first + 1, MostByText + 1))

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>The bytes of a block up to its end, and what all spellings have in common.</summary>
+/// <summary>The bytes of a block up to its end, and the rules common to all spellings.</summary>
 /// <param name="bytes">The program's bytes.</param>
-/// <param name="end">Behind the block's last one.</param>
-/// <param name="syntax">How the block is spelled.</param>
+/// <param name="end">The position after the block's last byte.</param>
+/// <param name="syntax">Syntax of the block.</param>
 internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcSyntax syntax)
 {
     public readonly ReadOnlySpan<byte> Bytes = bytes;
@@ -12,7 +12,7 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
 
     public int SkipSpaces(int at) => SyntaxBytes.SkipSpaces(Bytes, at, End);
 
-    /// <summary>Sign, digits, point, digits. More digits than are exact make the word invalid rather than wrong.</summary>
+    /// <summary>Reads sign, digits, point, digits. A number with more digits than are exact makes the word invalid, not wrong.</summary>
     public bool ReadNumber(int at, out int next, out NcNumber number)
     {
         next = at;
@@ -73,10 +73,10 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
         return at;
     }
 
-    /// <summary>True at a sign that assigns.</summary>
+    /// <summary>True at an equals sign that assigns.</summary>
     public bool IsEquals(int at) => at < End && Bytes[at] == '=' && !(at + 1 < End && Bytes[at + 1] == '=');
 
-    /// <summary>The parenthesis that closes one; -1 where none does.</summary>
+    /// <summary>The closing parenthesis of an open one; -1 if there is none.</summary>
     public int PartnerOf(int open)
     {
         var depth = 0;
@@ -92,7 +92,7 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
         return -1;
     }
 
-    /// <summary>Behind a value that begins with an equals sign.</summary>
+    /// <summary>The position after a value that begins with an equals sign.</summary>
     public int BehindEquals(int at)
     {
         var depth = 0;
@@ -114,7 +114,7 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
         return length < 0 ? End : at + length;
     }
 
-    /// <summary>Named variables and O words: #&lt;depth&gt;, o&lt;pocket&gt;.</summary>
+    /// <summary>The position after the name of a variable or O word: #&lt;depth&gt;, o&lt;pocket&gt;.</summary>
     public int BehindName(int at)
     {
         var close = Bytes[at..End].IndexOf((byte)'>');
@@ -129,6 +129,6 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
     public static NcToken Valued(NcTokenKind kind, byte letter, int at, int value, int next, NcNumber number = default) =>
         new(kind, letter, at, next - at, value, next - value, number, WordDistance.Modal);
 
-    // LinuxCNC reads spaces inside numbers as if they were not there.
+    // LinuxCNC ignores spaces inside numbers.
     private int Inside(int at) => Syntax == NcSyntax.LinuxCnc ? SkipSpaces(at) : at;
 }

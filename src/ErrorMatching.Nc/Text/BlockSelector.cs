@@ -5,21 +5,19 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Names blocks of a program: a number (<c>N110</c>), a range of numbers (<c>N110..N130</c>), or a regular expression between slashes
-/// that is tried on each block's text (<c>/^N8[0-9]{3}\b/</c>).
-/// </summary>
+/// <summary>Selects blocks of a program by a number (<c>N110</c>), a range of numbers (<c>N110..N130</c>), or a regular expression
+/// between slashes that is matched against each block's text (<c>/^N8[0-9]{3}\b/</c>).</summary>
 /// <remarks>
-/// Numbers are compared by value, so N0110 is N110. An expression runs on the engine that never backtracks: its time grows with the length
-/// of the program and nothing else, so it needs no limit by the clock, and the answer does not depend on how busy the computer is. That
-/// engine has no look-around and no back references, so an expression has neither.
+/// Numbers are compared by value, so N0110 is N110. Expressions run on the non-backtracking engine: its time depends only on the length
+/// of the program, so it needs no timeout, and the result does not depend on the computer's load. That engine has no lookaround and no
+/// backreferences, so expressions cannot use them.
 /// </remarks>
 public sealed class BlockSelector
 {
-    /// <summary>The most characters of an expression.</summary>
+    /// <summary>Maximum number of characters of an expression.</summary>
     public const int LongestPattern = 1000;
 
-    /// <summary>From so many blocks on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of blocks for a second thread to pay off.</summary>
     private const int Many = 100_000;
 
     private readonly NcNumber? _first;
@@ -38,7 +36,7 @@ public sealed class BlockSelector
     public string Text { get; }
 
     /// <summary>Reads a selector.</summary>
-    /// <exception cref="NcException">It is neither a number, a range nor a valid expression
+    /// <exception cref="NcException">It is not a number, a range or a valid expression
     /// (<see cref="NcErrorCode.BadSelector"/>).</exception>
     public static BlockSelector Parse(string text)
     {
@@ -94,17 +92,17 @@ public sealed class BlockSelector
         return blocks.ToArray();
     }
 
-    /// <summary>Finds all blocks that have one of some numbers.</summary>
+    /// <summary>Finds all blocks with one of several numbers.</summary>
     internal static void Find(NcProgram program, Dictionary<NcNumber, List<int>> wanted)
     {
-        // Most numbers are told from the wanted ones by their last bits alone.
+        // For most numbers, the low bits alone show that they are not wanted.
         var bits = 0UL;
         foreach (var number in wanted.Keys)
         {
             bits |= 1UL << (int)(number.Digits & 63);
         }
 
-        // A long program is searched in two halves beside each other.
+        // The two halves of a long program are searched concurrently.
         var (before, behind) = program.BlockCount < Many
             ? (Find(program, 0, program.BlockCount, wanted, bits), [])
             : Halves.Of(0, program.BlockCount, (from, end) => Find(program, from, end, wanted, bits));
@@ -125,7 +123,7 @@ public sealed class BlockSelector
         }
     }
 
-    // The blocks between two places that have one of the wanted numbers.
+    // The blocks in a range that have one of the wanted numbers.
     private static List<int> Find(NcProgram program, int first, int behind, Dictionary<NcNumber, List<int>> wanted, ulong bits)
     {
         var found = new List<int>();

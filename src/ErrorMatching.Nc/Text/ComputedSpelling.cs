@@ -3,7 +3,7 @@ namespace ErrorMatching.Nc;
 /// <summary>Values that the control computes, and words of several letters, in ISO and LinuxCNC spelling.</summary>
 internal static class ComputedSpelling
 {
-    /// <summary>The end of a computed value (#100, -#[1], [#1+2], =R1+5, sin[30]), or 0 where none begins.</summary>
+    /// <summary>The end of a computed value (#100, -#[1], [#1+2], =R1+5, sin[30]); 0 if none begins here.</summary>
     public static int ComputedEnd(this in BlockScanner text, int at)
     {
         if (text.Bytes[at] == '=')
@@ -50,7 +50,7 @@ internal static class ComputedSpelling
         return at;
     }
 
-    // LinuxCNC takes functions without brackets around them: X sin[30], Z atan[1]/[2].
+    // LinuxCNC allows functions without enclosing brackets: X sin[30], Z atan[1]/[2].
     private static int FunctionEnd(this in BlockScanner text, int at)
     {
         var name = at;
@@ -95,7 +95,7 @@ internal static class ComputedSpelling
         return false;
     }
 
-    /// <summary>The end of an assignment. LinuxCNC allows words behind it: #1=5 X#1.</summary>
+    /// <summary>The end of an assignment. LinuxCNC allows words after it: #1=5 X#1.</summary>
     public static int AssignmentEnd(this in BlockScanner text, int at)
     {
         var variable = text.ComputedEnd(at);

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes of the addresses of several letters that describe a motion; they stand where a word has its letter.</summary>
+/// <summary>Codes of multi-letter addresses that describe a motion, used in place of a word's letter.</summary>
 public static class NcAddress
 {
     /// <summary>Radius of an arc, <c>CR=</c>.</summary>
@@ -21,7 +21,7 @@ public static class NcAddress
     /// <summary>Z of an intermediate point, <c>K1=</c>.</summary>
     public const byte ThroughZ = (byte)'Z' + 6;
 
-    /// <summary>The address as a program writes it, without the equals sign.</summary>
+    /// <summary>The address as written in a program, without the equals sign.</summary>
     public static string NameOf(byte letter) => letter switch
     {
         CircleRadius => "CR",
@@ -33,7 +33,7 @@ public static class NcAddress
         _ => ((char)letter).ToString(),
     };
 
-    /// <summary>The code of an address of several letters, upper or lower case; 0 where it is none.</summary>
+    /// <summary>The code of a multi-letter address, upper or lower case; 0 if it is not one.</summary>
     internal static byte Of(ReadOnlySpan<byte> name) => name.Length switch
     {
         2 when Is(name, "CR"u8) => CircleRadius,
@@ -45,8 +45,8 @@ public static class NcAddress
         _ => 0,
     };
 
-    /// <summary>The letter of the corner word that a name stands for: R rounding, C chamfer by its legs, F chamfer by its width, M modal
-    /// rounding; 0 where it is none.</summary>
+    /// <summary>The letter of the corner word for a name: R rounding, C chamfer by its legs, F chamfer by its width, M modal rounding; 0
+    /// if it is not one.</summary>
     internal static byte CornerOf(ReadOnlySpan<byte> name) => name.Length switch
     {
         3 when Is(name, "RND"u8) => (byte)'R',

@@ -2,10 +2,10 @@ using System.Buffers;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>What a program is made of, and whether copying it piece by piece, as a rewriting does, gives the same bytes.</summary>
+/// <summary>Counts of a program's parts, and whether copying it piece by piece, as a rewriting does, gives the same bytes.</summary>
 /// <param name="Blocks">Number of blocks (lines).</param>
 /// <param name="Words">Number of words: letters with a number or an expression, comma words, and words of several letters.</param>
-/// <param name="RoundTrips">True if the tokens and line ends of all blocks, copied one after the other, are the program's bytes.</param>
+/// <param name="RoundTrips">True if the tokens and line ends of all blocks, copied in order, are the program's bytes.</param>
 public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
 {
     /// <summary>Counts and copies a program.</summary>

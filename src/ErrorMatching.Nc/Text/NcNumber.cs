@@ -2,22 +2,20 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// The exact decimal value of a word: <see cref="Digits"/> / 10^<see cref="Decimals"/>. Up to 18 digits, no rounding anywhere.
-/// </summary>
+/// <summary>The exact decimal value of a word: <see cref="Digits"/> / 10^<see cref="Decimals"/>. Up to 18 digits, never rounded.</summary>
 /// <param name="Digits">All digits as one signed integer.</param>
-/// <param name="Decimals">How many of them stand behind the point, 0 to 18.</param>
+/// <param name="Decimals">Number of digits after the point, 0 to 18.</param>
 public readonly record struct NcNumber(long Digits, int Decimals)
 {
-    /// <summary>Longest number that is represented exactly.</summary>
+    /// <summary>Maximum number of digits that is represented exactly.</summary>
     public const int MaxDigits = 18;
 
     private static readonly long[] Powers = MakePowers();
 
-    /// <summary>The nearest double: exactly the decimal's correctly rounded value for up to 15 digits.</summary>
+    /// <summary>The nearest double: the correctly rounded decimal for up to 15 digits.</summary>
     public double Value => Decimals == 0 ? Digits : Digits / (double)Powers[Decimals];
 
-    /// <summary>The decimal nearest to a double at a number of decimals; halves away from zero.</summary>
+    /// <summary>The decimal with a number of decimals that is nearest to a double; halves round away from zero.</summary>
     /// <exception cref="NcException">The value does not fit into 18 digits, or is not finite.</exception>
     public static NcNumber Round(double value, int decimals)
     {
@@ -29,7 +27,7 @@ public readonly record struct NcNumber(long Digits, int Decimals)
                 $"The value {value.ToString("R", CultureInfo.InvariantCulture)} does not fit into {MaxDigits} digits.");
     }
 
-    /// <summary>The same value with at least a number of decimals.</summary>
+    /// <summary>The same value with at least the given number of decimals.</summary>
     /// <exception cref="NcException">The value does not fit into 18 digits.</exception>
     public NcNumber WithDecimals(int decimals)
     {
@@ -44,7 +42,7 @@ public readonly record struct NcNumber(long Digits, int Decimals)
             : throw new NcException(NcErrorCode.NumberTooLong, $"The number {this} has no room for {decimals} decimals.");
     }
 
-    /// <summary>The same value without zeros at the end.</summary>
+    /// <summary>The same value without trailing zeros.</summary>
     public NcNumber Trim()
     {
         var (digits, decimals) = (Digits, Decimals);
@@ -57,7 +55,7 @@ public readonly record struct NcNumber(long Digits, int Decimals)
         return new(digits, decimals);
     }
 
-    /// <summary>True if both are the same value, however many decimals each has.</summary>
+    /// <summary>True if both have the same value, regardless of their decimals.</summary>
     public bool SameValue(NcNumber other) => Trim() == other.Trim();
 
     /// <summary>The exact sum.</summary>

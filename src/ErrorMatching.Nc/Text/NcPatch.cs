@@ -2,10 +2,10 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>New bytes for a range of a program. Everything outside patches is copied, not printed.</summary>
-/// <param name="Start">First byte that is replaced.</param>
-/// <param name="Length">Number of bytes that are replaced; 0 inserts.</param>
-/// <param name="Bytes">What stands there instead.</param>
+/// <summary>New bytes for a range of a program. Everything outside patches is copied, not printed again.</summary>
+/// <param name="Start">First replaced byte.</param>
+/// <param name="Length">Number of replaced bytes; 0 inserts.</param>
+/// <param name="Bytes">The replacement.</param>
 public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte> Bytes)
 {
     /// <summary>Applies patches to a program's bytes.</summary>
@@ -25,10 +25,10 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
         return result;
     }
 
-    /// <summary>Applies patches to the bytes of a long program, to the two halves of it beside each other.</summary>
+    /// <summary>Applies patches to the bytes of a long program, to both halves concurrently.</summary>
     internal static byte[] ApplyInHalves(ReadOnlyMemory<byte> bytes, List<NcPatch> patches)
     {
-        // The border lies in the middle, or behind the patch that spans it.
+        // The border is in the middle, or after the patch that spans it.
         var (border, first, shift, growth) = (bytes.Length / 2, 0, 0, 0);
         foreach (ref readonly var patch in CollectionsMarshal.AsSpan(patches))
         {
@@ -46,7 +46,7 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
         return result;
     }
 
-    // What stands from a place on, patched.
+    // Copies the bytes from a position on, patched.
     private static void Copy(ReadOnlySpan<byte> bytes, int from, ReadOnlySpan<NcPatch> patches, Span<byte> result)
     {
         foreach (ref readonly var patch in patches)

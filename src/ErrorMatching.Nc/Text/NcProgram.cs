@@ -2,18 +2,15 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A program as it is: its bytes, and where its blocks begin. Nothing is decoded, normalized or dropped,
-/// so the bytes are always the whole truth.
-/// </summary>
-/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized when they are looked at;
-/// memory is the file and 4 bytes a block.</remarks>
+/// <summary>A program as it is: its bytes and the starts of its blocks. Nothing is decoded, normalized or dropped, so the bytes are
+/// always complete.</summary>
+/// <remarks>Line ends are CR LF, LF or CR, also mixed. Blocks are tokenized on access; memory is the file plus 4 bytes per block.</remarks>
 public sealed class NcProgram
 {
-    /// <summary>Largest program that is read, in bytes.</summary>
+    /// <summary>Maximum size of a program, in bytes.</summary>
     public const int MaxBytes = 1 << 30;
 
-    /// <summary>From so many bytes on, a second core is worth its start.</summary>
+    /// <summary>Minimum number of bytes for a second thread to pay off.</summary>
     private const int Many = 4_000_000;
 
     private readonly int[] _starts;
@@ -30,7 +27,7 @@ public sealed class NcProgram
     /// <summary>The program's bytes.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
 
-    /// <summary>How it is spelled.</summary>
+    /// <summary>Its syntax.</summary>
     public NcSyntax Syntax { get; }
 
     /// <summary>Number of blocks (lines). A line end at the very end of the file does not begin another block.</summary>
@@ -60,16 +57,16 @@ public sealed class NcProgram
         }
     }
 
-    /// <summary>The block that a byte belongs to.</summary>
+    /// <summary>The block that contains a byte.</summary>
     internal int BlockAt(int position)
     {
         var at = Array.BinarySearch(_starts, 0, _count, position);
         return at >= 0 ? at : ~at - 1;
     }
 
-    /// <summary>Finds the blocks of a program. The bytes are kept, not copied: do not change them afterwards.</summary>
+    /// <summary>Finds the blocks of a program. The bytes are not copied: do not change them afterwards.</summary>
     /// <param name="bytes">The program's bytes.</param>
-    /// <param name="syntax">How it is spelled; <see cref="NcDialect.Syntax"/> of its dialect.</param>
+    /// <param name="syntax">Its syntax; <see cref="NcDialect.Syntax"/> of its dialect.</param>
     /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
     public static NcProgram Read(ReadOnlyMemory<byte> bytes, NcSyntax syntax = NcSyntax.Iso)
     {
@@ -78,7 +75,7 @@ public sealed class NcProgram
             throw new NcException(NcErrorCode.ProgramTooLarge, $"The program has {bytes.Length} bytes; at most {MaxBytes} are read.");
         }
 
-        // A long program is searched in two halves beside each other; behind any line feed a block begins.
+        // The two halves of a long program are searched concurrently; a block begins after any line feed.
         var half = bytes.Length < Many ? -1 : bytes.Span[(bytes.Length / 2)..].IndexOf((byte)'\n');
         if (half < 0)
         {
@@ -99,7 +96,7 @@ public sealed class NcProgram
         return new(bytes, all, before + more, syntax);
     }
 
-    // Where the blocks begin between two places, the first of which begins one; and how many they are.
+    // The starts of the blocks in a range that begins with a block, and their number.
     private static (int[] Starts, int Count) BlocksOf(ReadOnlyMemory<byte> bytes, int position, int end, int expected)
     {
         var span = bytes.Span[..end];
@@ -126,34 +123,34 @@ public sealed class NcProgram
         return (starts, count);
     }
 
-    /// <summary>The same bytes in another spelling; where blocks begin does not depend on it.</summary>
+    /// <summary>The same bytes in another syntax; the starts of blocks do not depend on it.</summary>
     public NcProgram In(NcSyntax syntax) => syntax == Syntax ? this : new(Bytes, _starts, _count, syntax);
 
-    /// <summary>A program from text; for tests and examples. The text is written as UTF-8 without a mark.</summary>
+    /// <summary>Creates a program from text, for tests and examples. The text is encoded as UTF-8 without a byte order mark.</summary>
     public static NcProgram FromText(string text, NcSyntax syntax = NcSyntax.Iso) => Read(Encoding.UTF8.GetBytes(text), syntax);
 
     /// <summary>The block's bytes without its line end.</summary>
     public ReadOnlySpan<byte> BytesOf(NcBlock block) => Bytes.Span.Slice(block.Start, block.Length);
 
-    /// <summary>The block's text without its line end and the file's UTF-8 mark, for people and patterns:
-    /// UTF-8 where it is valid, else Latin-1.</summary>
+    /// <summary>The block's text without its line end and the file's byte order mark, for people and patterns: UTF-8 if valid, otherwise
+    /// Latin-1.</summary>
     public string TextOf(NcBlock block) => NcText.Decode(BytesOf(block)[(block.Start == 0 ? SyntaxBytes.MarkLength(BytesOf(block)) : 0)..]);
 
-    /// <summary>The tokens of a block, in order, without gap.</summary>
+    /// <summary>The tokens of a block, in order, without gaps.</summary>
     public NcTokenizer Tokens(NcBlock block) => new(Bytes.Span, block.Start, block.End, Syntax);
 
-    /// <summary>The N word of a block as written (<c>N110</c>), or an empty text where it has none.</summary>
+    /// <summary>The N word of a block as written (<c>N110</c>); an empty text if it has none.</summary>
     public string NumberOf(NcBlock block) =>
         TryNumber(block, out var token) ? NcText.Decode(Bytes.Span.Slice(token.Start, token.Length)) : "";
 
-    /// <summary>How messages name a block: its N word if it has one, else its line.</summary>
+    /// <summary>The name of a block in messages: its N word if it has one, otherwise its line.</summary>
     public string NameOf(NcBlock block) => NumberOf(block) is { Length: > 0 } number ? number : $"line {block.Line}";
 
-    /// <summary>The value of a block's N word, as <see cref="TryNumber"/> finds it.</summary>
+    /// <summary>The value of a block's N word, as found by <see cref="TryNumber"/>.</summary>
     internal bool TryNumberValue(int block, out NcNumber number)
     {
-        // Nearly all blocks begin with N and a whole number, and then a space and another word:
-        // those take no tokenizer, nor where they end.
+        // Nearly all blocks begin with N and a whole number, then a space and another word: those need neither a tokenizer nor the
+        // block's end.
         var bytes = Bytes.Span[_starts[block]..];
         if (bytes.Length > 0 && (bytes[0] | 0x20) == 'n')
         {
@@ -176,7 +173,7 @@ public sealed class NcProgram
         return found;
     }
 
-    /// <summary>Finds the N word of a block: its first word, behind block skip and comments.</summary>
+    /// <summary>Finds the N word of a block: its first word, after block skip and comments.</summary>
     public bool TryNumber(NcBlock block, out NcToken token)
     {
         foreach (var candidate in Tokens(block))

@@ -2,10 +2,8 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Walks over a block's tokens without allocating. Spelling only: every byte belongs to exactly one token, and what no rule explains is
-/// <see cref="NcTokenKind.Invalid"/>, never dropped.
-/// </summary>
+/// <summary>Enumerates a block's tokens without allocating. It looks at spelling only. Every byte belongs to exactly one token; bytes
+/// that no rule explains are <see cref="NcTokenKind.Invalid"/> and are never dropped.</summary>
 public ref struct NcTokenizer
 {
     private readonly BlockScanner _text;
@@ -21,7 +19,7 @@ public ref struct NcTokenizer
         _current = BlockScanner.Plain(NcTokenKind.Space, start, start);
     }
 
-    /// <summary>The token last read; another one as soon as the next is read.</summary>
+    /// <summary>The current token; it changes with the next read.</summary>
     [UnscopedRef]
     public readonly ref readonly NcToken Current => ref _current;
 
@@ -67,7 +65,7 @@ public ref struct NcTokenizer
                 return BlockScanner.Plain(NcTokenKind.Comment, at, end);
             case (byte)'%':
                 return BlockScanner.Plain(NcTokenKind.Percent, at, end);
-            // A slash stands at the beginning of a block or behind its number (N10 /1 G0); elsewhere it divides.
+            // A slash at the start of a block or after its number (N10 /1 G0) is block skip; elsewhere it divides.
             case (byte)'/' when _atStart:
                 return BlockScanner.Plain(NcTokenKind.BlockSkip, at, at + 1 < end && SyntaxBytes.IsDigit(bytes[at + 1]) ? at + 2 : at + 1);
             // A program number may begin with a colon.
@@ -98,7 +96,7 @@ public ref struct NcTokenizer
         }
     }
 
-    // Without a partner for every parenthesis of the block the first closing one ends a comment, as most controls read it.
+    // Unless every parenthesis of the block has a partner, the first closing one ends a comment, as most controls read it.
     private NcToken CommentAt(int at)
     {
         var close = _hasUnpaired ? -1 : _text.PartnerOf(at);

@@ -2,17 +2,17 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>How a number of a program is spelled, so that its new value looks as if the same hand had written it.</summary>
-/// <param name="Plus">A plus sign stands before positive values.</param>
-/// <param name="Point">A point stands behind whole numbers too.</param>
-/// <param name="LeadingZero">A zero stands before the point of values below one.</param>
-/// <param name="FixedDecimals">At least this many decimals are written; -1 where zeros at the end are left out.</param>
-/// <param name="WholeDigits">At least this many digits are written before the point.</param>
+/// <summary>The spelling of a program's number, used to write its new value in the same style.</summary>
+/// <param name="Plus">Positive values have a plus sign.</param>
+/// <param name="Point">Whole numbers have a point too.</param>
+/// <param name="LeadingZero">Values below one have a zero before the point.</param>
+/// <param name="FixedDecimals">Minimum number of decimals; -1 if trailing zeros are omitted.</param>
+/// <param name="WholeDigits">Minimum number of digits before the point.</param>
 public readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZero, int FixedDecimals, int WholeDigits)
 {
     /// <summary>The style of a number as written.</summary>
     /// <remarks>
-    /// Zeros at the end (<c>10.500</c>) show that decimals are fixed; <c>10.123</c> could be either, and is taken as trimmed unless
+    /// Trailing zeros (<c>10.500</c>) show that decimals are fixed. <c>10.123</c> is ambiguous and counts as trimmed unless
     /// <paramref name="programIsFixed"/> says that the program pads elsewhere.
     /// </remarks>
     public static NumberStyle Of(ReadOnlySpan<byte> number, bool programIsFixed)
@@ -31,7 +31,7 @@ public readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZer
             whole.Length > 1 && whole[0] == '0' ? whole.Length : Math.Min(1, whole.Length));
     }
 
-    /// <summary>Longest text of a number, in bytes, whatever the style asks for.</summary>
+    /// <summary>Maximum length of a number's text, in bytes, in any style.</summary>
     internal const int LongestText = 64;
 
     /// <summary>Writes a value in this style.</summary>

@@ -1,13 +1,13 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Whether a stretch of text would be a block to a control, as against text for people.</summary>
+/// <summary>Distinguishes text that a control would execute as a block from text for people.</summary>
 internal static class ReadableBlock
 {
-    /// <summary>True if the stretch has words, and nothing but words, spaces and comments.</summary>
+    /// <summary>True if the text has words and otherwise only spaces and comments.</summary>
     /// <param name="bytes">The program's bytes.</param>
-    /// <param name="start">First byte of the stretch.</param>
-    /// <param name="end">First byte behind it.</param>
-    /// <param name="dialect">Says which words of several letters the control has.</param>
+    /// <param name="start">First byte of the text.</param>
+    /// <param name="end">First byte after it.</param>
+    /// <param name="dialect">Knows the multi-letter words of the control.</param>
     public static bool Is(ReadOnlySpan<byte> bytes, int start, int end, NcDialect dialect)
     {
         var hasWords = false;
@@ -33,9 +33,8 @@ internal static class ReadableBlock
         return hasWords;
     }
 
-    /// <summary>
-    /// True if words stand behind a semicolon that ends a block: in the rest of the line or behind another semicolon in it.
-    /// </summary>
+    /// <summary>True if there are words after a semicolon that ends a block: in the rest of the line or after another semicolon in
+    /// it.</summary>
     public static bool StandsBehind(ReadOnlySpan<byte> bytes, NcToken semicolon, NcDialect dialect)
     {
         for (var at = semicolon.Start; at >= 0;)

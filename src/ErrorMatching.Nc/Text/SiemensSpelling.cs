@@ -10,7 +10,7 @@ internal static class SiemensSpelling
 
     private static readonly string[] WordOperators = ["DIV", "MOD", "AND", "OR", "XOR", "B_AND", "B_OR", "B_XOR"];
 
-    /// <summary>The token that begins with a letter, or with one of <c>$</c> and <c>_</c>, where the letter is 0.</summary>
+    /// <summary>The token that begins with a letter, or with <c>$</c> or <c>_</c> (then the letter is 0).</summary>
     public static NcToken NameAt(this in BlockScanner text, int start, byte letter)
     {
         var second = start + 1 < text.End ? text.Bytes[start + 1] : (byte)0;
@@ -57,7 +57,7 @@ internal static class SiemensSpelling
             : BlockScanner.Plain(NcTokenKind.Keyword, start, nameEnd);
     }
 
-    // A letter with a plain number (X10), or with an index and an equals sign (R1=5, S2=1000, I1=3). Null where it is none of these.
+    // A letter with a plain number (X10), or with an index and an equals sign (R1=5, S2=1000, I1=3). Null for anything else.
     private static NcToken? AddressAt(this in BlockScanner text, int start, byte letter)
     {
         var valueAt = text.SkipSpaces(start + 1);
@@ -89,7 +89,7 @@ internal static class SiemensSpelling
     private static byte IndexedLetter(byte letter, ReadOnlySpan<byte> name) =>
         name.Length == 1 && letter is (byte)'S' or (byte)'M' or (byte)'H' or (byte)'T' or (byte)'D' ? letter : (byte)0;
 
-    // The token with what stands behind the equals sign. Letter 0: a variable or an address that the dialect must know.
+    // The token including its value after the equals sign. Letter 0: a variable, or an address that the dialect must know.
     private static NcToken ValueAt(this in BlockScanner text, int start, byte letter, ReadOnlySpan<byte> name, int equals)
     {
         var value = text.SkipSpaces(equals + 1);
@@ -122,7 +122,7 @@ internal static class SiemensSpelling
             : new(NcTokenKind.ExpressionWord, letter, start, end - start, inside, end - 1 - inside, default, distance);
     }
 
-    // AC(..) and IC(..), with the place behind the parenthesis.
+    // AC(..) and IC(..), and the position after the opening parenthesis.
     private static WordDistance Distance(this in BlockScanner text, int at, int end, out int inside)
     {
         inside = at;
@@ -139,7 +139,7 @@ internal static class SiemensSpelling
             ? WordDistance.Incremental : WordDistance.Modal;
     }
 
-    // Operands and operators in turn; spaces may stand between them.
+    // Operands and operators alternate; spaces may separate them.
     private static int ValueEnd(this in BlockScanner text, int at)
     {
         while (true)
@@ -198,7 +198,7 @@ internal static class SiemensSpelling
         return end;
     }
 
-    // 10, 1.5 or 1.5EX-3. A letter behind it begins the next word: X=10Y=5.
+    // 10, 1.5 or 1.5EX-3. A letter after it begins the next word: X=10Y=5.
     private static int ConstantEnd(this in BlockScanner text, int at)
     {
         var end = text.DigitsEnd(at);
@@ -236,7 +236,7 @@ internal static class SiemensSpelling
             length++;
         }
 
-        // A single equals sign assigns; it compares nothing.
+        // A single equals sign assigns and does not compare.
         if (length == 2 || (length == 1 && text.Bytes[at] != '='))
         {
             return at + length;

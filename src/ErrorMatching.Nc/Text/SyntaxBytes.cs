@@ -1,27 +1,25 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>Bytes as all controls read them, and stretches that brackets enclose.</summary>
+/// <summary>Bytes that all controls read alike, and bracketed ranges.</summary>
 internal static class SyntaxBytes
 {
     /// <summary>The end-of-file sign of old file systems, which some senders still append.</summary>
     public const byte EndOfFile = 0x1A;
 
-    /// <summary>Behind an end-of-file sign at most this much filling is looked at.</summary>
+    /// <summary>Maximum number of filler bytes checked after an end-of-file sign.</summary>
     private const int LongestTail = 1 << 12;
 
     private static readonly System.Buffers.SearchValues<byte> Fill = System.Buffers.SearchValues.Create("\0\x1A\r\n \t"u8);
 
-    /// <summary>Length of the UTF-8 mark at the start of a file; 0 where it has none.</summary>
+    /// <summary>Length of the UTF-8 byte order mark at the start of a file; 0 if it has none.</summary>
     public static int MarkLength(ReadOnlySpan<byte> bytes) => bytes.StartsWith("\uFEFF"u8) ? 3 : 0;
 
-    /// <summary>The place behind zero bytes and end-of-file signs.</summary>
+    /// <summary>The position after zero bytes and end-of-file signs.</summary>
     public static int BehindPadding(ReadOnlySpan<byte> bytes, int at, int end) =>
         bytes[at..end].IndexOfAnyExcept((byte)0, EndOfFile) is >= 0 and var length ? at + length : end;
 
-    /// <summary>
-    /// True for what controls pass over: zero bytes at the end of a block, as paper tapes and file systems have them,
-    /// and an end-of-file sign with nothing behind it.
-    /// </summary>
+    /// <summary>True for bytes that controls ignore: zero bytes at the end of a block, as left by paper tapes and file systems, and an
+    /// end-of-file sign with only filler after it.</summary>
     public static bool IsFiller(ReadOnlySpan<byte> bytes, int start, int end, int blockEnd) => end == blockEnd
         && (bytes[start..end].IndexOf(EndOfFile) < 0 || (bytes.Length - end <= LongestTail && bytes[end..].IndexOfAnyExcept(Fill) < 0));
 
@@ -43,7 +41,7 @@ internal static class SyntaxBytes
         return at;
     }
 
-    /// <summary>The place behind the bracket that closes the one at a place, strings passed over; the end where none does.</summary>
+    /// <summary>The position after the closing bracket of the one at a position, skipping strings; the end if there is none.</summary>
     public static int BehindBracket(ReadOnlySpan<byte> bytes, int at, int end)
     {
         var (open, close) = bytes[at] == '(' ? ((byte)'(', (byte)')') : ((byte)'[', (byte)']');
@@ -68,7 +66,7 @@ internal static class SyntaxBytes
         return end;
     }
 
-    /// <summary>The place behind a string that begins at a place.</summary>
+    /// <summary>The position after a string that begins at a position.</summary>
     public static int BehindString(ReadOnlySpan<byte> bytes, int at, int end)
     {
         var close = bytes[(at + 1)..end].IndexOf((byte)'"');

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>What a word itself says about how its value counts.</summary>
+/// <summary>Whether a word itself marks its value as a position or an increment.</summary>
 public enum WordDistance : byte
 {
-    /// <summary>Nothing: the modal G90 or G91 decides.</summary>
+    /// <summary>Neither: the modal G90 or G91 decides.</summary>
     Modal,
 
     /// <summary>A position: <c>X=AC(10)</c>.</summary>

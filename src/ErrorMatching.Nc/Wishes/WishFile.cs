@@ -3,18 +3,16 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// A wish as a document, schema <c>errormatch/wish/1</c>: with it and the two programs a proof can be made again,
-/// without knowing how the result came about.
-/// </summary>
-/// <remarks>Lengths in mm. A wish names motions by their position in the path; block and line stand beside it for people, and a wish whose
+/// <summary>A wish as a document, schema <c>errormatch/wish/1</c>. With it and the two programs, the proof can be repeated without
+/// knowing how the result was made.</summary>
+/// <remarks>Lengths are in mm. A wish names motions by their position in the path. Block and line are included for people; a wish whose
 /// positions and lines disagree is refused.</remarks>
 public sealed class WishFile
 {
     /// <summary>Name and version of the document.</summary>
     public const string Schema = "errormatch/wish/1";
 
-    /// <summary>Largest document that is read, in bytes: a million elements.</summary>
+    /// <summary>Maximum size of a document, in bytes: a million elements.</summary>
     public const int MaxBytes = 1 << 28;
 
     private readonly WishedMotion[] _motions;
@@ -30,34 +28,33 @@ public sealed class WishFile
         _motions = motions;
     }
 
-    /// <summary>The control in whose language both programs are read.</summary>
+    /// <summary>The dialect in which both programs are read.</summary>
     public string Dialect { get; }
 
-    /// <summary>
-    /// How the switch for block skip stands in both programs; unstated where they do not depend on it, or the dialect's file says so.
-    /// </summary>
+    /// <summary>The block skip switch for both programs; unstated if they do not depend on it, or if the dialect's file states
+    /// it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
-    /// <summary>SHA-256 of the program that the wish is about, 64 lower-case hexadecimal digits.</summary>
+    /// <summary>SHA-256 of the wish's original program, 64 lower-case hexadecimal digits.</summary>
     public string BeforeSha256 { get; }
 
     /// <summary>Increment to which new coordinates were rounded, mm.</summary>
     public double LeastIncrementMm { get; }
 
-    /// <summary>The comment that was inserted as a line of its own; null where none was.</summary>
+    /// <summary>The comment that was inserted as a separate line; null if there is none.</summary>
     public string? Marker { get; }
 
-    /// <summary>What was asked.</summary>
+    /// <summary>The wish itself.</summary>
     public DisplacementWish Wish { get; }
 
     /// <summary>The motions that the wish names, in the order of <see cref="Wish"/>.</summary>
     internal IReadOnlyList<WishedMotion> Motions => _motions;
 
-    /// <summary>The file of a wish.</summary>
-    /// <param name="before">The program that it is about, interpreted.</param>
-    /// <param name="wish">What was asked; positions of motions are those of <paramref name="before"/>.</param>
+    /// <summary>Creates the document of a wish.</summary>
+    /// <param name="before">The original program, interpreted.</param>
+    /// <param name="wish">The wish; positions of motions are those of <paramref name="before"/>.</param>
     /// <param name="leastIncrementMm">Increment to which new coordinates were rounded.</param>
-    /// <param name="marker">The comment that was inserted, or null.</param>
+    /// <param name="marker">The inserted comment, or null.</param>
     public static WishFile Of(NcPath before, DisplacementWish wish, double leastIncrementMm, string? marker = null)
     {
         var named = new WishedMotion[Math.Max(wish.Elements.Count, wish.EndPoints.Count)];
@@ -77,21 +74,21 @@ public sealed class WishFile
     /// <summary>Reads a document.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">It is no JSON, not of this schema, or names a motion twice
+    /// <exception cref="JsonDocumentException">It is not JSON, does not follow this schema, or names a motion twice
     /// (<c>motion-twice</c>).</exception>
     public static WishFile Read(ReadOnlySpan<byte> bytes, string file) => WishReader.Read(bytes, file);
 
-    /// <summary>Writes the document: UTF-8 without a byte order mark, one named motion a line.</summary>
+    /// <summary>Writes the document: UTF-8 without a byte order mark, one named motion per line.</summary>
     public void WriteTo(Stream stream) => WishWriter.Write(this, stream);
 
-    /// <summary>Whether this wish is about a program, and if so, whether it can be.</summary>
+    /// <summary>Checks whether this wish belongs to a program, and if so, whether the program fits it.</summary>
     /// <param name="before">The program, interpreted in the wish's dialect.</param>
     /// <param name="file">Name of the wish's file for messages.</param>
     /// <exception cref="JsonDocumentException">
-    /// A motion is none of the program's, or stands in another line or block (<c>no-such-motion</c>); it is no cut that could be displaced
-    /// as an element (<c>no-element</c>); or the increment is coarser than the dialect's (<c>increment-too-coarse</c>).
+    /// A motion is not in the program, or is in another line or block (<c>no-such-motion</c>); it is not a cut that can be displaced as
+    /// an element (<c>no-element</c>); or the increment is coarser than the dialect's (<c>increment-too-coarse</c>).
     /// </exception>
-    /// <returns>False if the program is another one, by its SHA-256.</returns>
+    /// <returns>False if the program's SHA-256 differs.</returns>
     public bool IsAbout(NcPath before, string file)
     {
         if (Sha256(before.Program) != BeforeSha256)

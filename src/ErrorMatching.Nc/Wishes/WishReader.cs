@@ -4,14 +4,14 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Reads a wish, and holds it against the program that it is about. Time and memory grow with its length.</summary>
+/// <summary>Reads a wish and checks it against its program. Time and memory grow with its length.</summary>
 internal static class WishReader
 {
     private static readonly Lazy<JsonSchema> Schema = new(ReadSchema);
 
     public static WishFile Read(ReadOnlySpan<byte> bytes, string file)
     {
-        // Written by this library for programs of a million blocks: its values are bounded by its bytes alone.
+        // Written by this library for programs of a million blocks, so only the size in bytes limits its values.
         var root = JsonInput.Read(bytes, file, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes, MaxValues = WishFile.MaxBytes });
         if (Schema.Value.Check(root) is { Count: > 0 } problems)
         {
@@ -34,8 +34,8 @@ internal static class WishReader
         };
     }
 
-    /// <summary>Holds a wish against its program.</summary>
-    /// <exception cref="JsonDocumentException">It names what the program does not have.</exception>
+    /// <summary>Checks a wish against its program.</summary>
+    /// <exception cref="JsonDocumentException">It names something that the program does not have.</exception>
     public static void CheckAgainst(WishFile wish, NcPath before, string file)
     {
         var problems = new List<JsonProblem>();
@@ -69,7 +69,7 @@ internal static class WishReader
         }
     }
 
-    // What stands there instead, or null.
+    // What the program has instead; null if it matches.
     private static string? Mistake(WishedMotion named, NcPath before)
     {
         if (named.Motion >= before.Motions.Length)
@@ -112,7 +112,7 @@ internal static class WishReader
         }
     }
 
-    // One vector for all, or one of its own for each that names one.
+    // One vector for all end points, or an own vector for each if any motion has one.
     private static DisplacementWish EndPoints(WishedMotion[] motions, Vector3 by) => motions.Any(m => m.Source!.Find("by") is not null)
         ? DisplacementWish.OfPoints(
             [.. motions.Select(m => new PointWish(m.Motion, m.Source!.Find("by") is { } own ? ToVector3(own) : by))])

@@ -5,10 +5,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>
-/// Writes a wish with one named motion a line, so that people can read it and compare two of them. Numbers have all digits that tell a
-/// double from its neighbors (17 at most).
-/// </summary>
+/// <summary>Writes a wish with one named motion per line, so that people can read and compare wishes. Numbers have all digits that
+/// distinguish a double from its neighbors (17 at most).</summary>
 internal sealed class WishWriter : IDisposable
 {
     private const int FlushAt = 1 << 16;
@@ -19,7 +17,7 @@ internal sealed class WishWriter : IDisposable
 
     private WishWriter(Stream stream)
     {
-        // A block number has no markup, and a marker goes into no web page.
+        // A block number has no markup, and a marker is not used in web pages.
         var encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping;
         _json = new(stream, new JsonWriterOptions { Indented = true, NewLine = "\n", Encoder = encoder });
         _inLine = new(_line, new JsonWriterOptions { Encoder = encoder });
@@ -136,7 +134,7 @@ internal sealed class WishWriter : IDisposable
         json.WriteEndArray();
     }
 
-    // A value on one line: the indentation of the whole document would spread each vector over four.
+    // Writes a value on one line: the indentation of the whole document would spread each vector over four.
     private void Line(ReadOnlySpan<byte> indent, Action<Utf8JsonWriter> write)
     {
         _line.ResetWrittenCount();
