@@ -12,7 +12,7 @@ public sealed class CircleKind : FeatureKind
 
     private const string Inscribed = "inscribed", Circumscribed = "circumscribed";
 
-    // So many pieces of a whole circle look round.
+    // Number of pieces that make a whole circle look round.
     private const int Pieces = 72;
 
     private CircleKind()
@@ -62,7 +62,7 @@ public sealed class CircleKind : FeatureKind
         }
         catch (GeometryException)
         {
-            // Points that are still being typed need not lie on a circle.
+            // Points that are still being entered need not be on a circle.
             return lists[0];
         }
     }
@@ -72,7 +72,7 @@ public sealed class CircleKind : FeatureKind
     {
         ArgumentNullException.ThrowIfNull(counts);
 
-        // As large as its points need, one step apart.
+        // Large enough for its points, one step apart.
         var radius = Math.Max(height, step * counts[0] / (2 * Math.PI));
         var circle = new Circle2(new(radius, 0), radius);
         Point2[] points = [.. Enumerable.Range(0, counts[0]).Select(i => circle.At(Angle.FromDegrees(180 - (360.0 * i / counts[0]))))];
@@ -115,7 +115,7 @@ public sealed class CircleKind : FeatureKind
         return new(first, last);
     }
 
-    /// <summary>True if a motion runs on the circle of an arc, the same way round, or has no length.</summary>
+    /// <summary>True if a motion is on the circle of an arc and in the same direction, or has no length.</summary>
     internal static bool BelongsTo(NcPath path, int arc, int motion)
     {
         const double Same = 0.01;

@@ -9,7 +9,7 @@ public sealed class CurveKind : FeatureKind
     internal const string Chord = "chordMm", ArcLength = "arcLengthMm";
     private const string Degree = "degree", Ridge = "ridge";
 
-    // So many pieces between two points look round.
+    // Number of pieces between two points that make a curve look round.
     private const int Pieces = 8;
 
     private CurveKind()

@@ -4,15 +4,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Two parallel flanks with round ends, cut in one go: a slot or a key. Its flanks shift and tilt together, its ends follow and go on
-/// touching both.
-/// </summary>
+/// <summary>Two parallel flanks with round ends, cut in one pass: a slot or a key. Its flanks shift and tilt together; its ends follow
+/// and stay tangent to both.</summary>
 /// <param name="Name">Its name, unique in the job.</param>
 /// <param name="Blocks">Selectors of the blocks that cut it.</param>
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
-/// <param name="Lists">In the order of cutting at least two labels on a flank, one on the end behind it, two on the other flank and one
+/// <param name="Lists">In the order of cutting: at least two labels on a flank, one on the end after it, two on the other flank and one
 /// on the other end.</param>
 public sealed record SlotFeature(
     string Name,
@@ -25,7 +23,7 @@ public sealed record SlotFeature(
     /// <summary>Code of the refusal of blocks or points that are not those of a slot.</summary>
     public const string NotASlot = "not-a-slot";
 
-    /// <summary>Code of the refusal of a slot that would have no width or no flanks any more.</summary>
+    /// <summary>Code of the refusal of a slot that would have no width or no flanks left.</summary>
     public const string SlotVanishes = "slot-vanishes";
 
     /// <inheritdoc/>

@@ -38,7 +38,7 @@ public sealed record TriangleFeature(
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
 
-        // A flank runs from the apex to a measured point; the apex may be off along it by no more than by its whole standard error.
+        // A flank is measured from the apex. Along the flank, the apex is off by no more than its whole standard error.
         var flank = new Vector2(found.ApexStandardError.Length, u).Length;
         return new(
             [

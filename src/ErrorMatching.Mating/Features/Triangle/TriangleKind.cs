@@ -73,7 +73,7 @@ public sealed class TriangleKind : FeatureKind
         return new TriangleFeature(reading.Name, reading.Blocks, reading.Tolerance, reading.Plane, flanks[0], flanks[1]);
     }
 
-    // Null where the flanks have no apex between them: parallel ones, and points that do not lead there.
+    // Null if no apex lies between the flanks: they are parallel, or their points do not lead to it.
     private static Point2? ApexOf(IReadOnlyList<Point2> first, IReadOnlyList<Point2> second)
     {
         if (first.Count < 2 || second.Count < 2)
