@@ -43,14 +43,11 @@ public sealed record CircleFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points { get; } = Points;
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(CircleKind.ComparedDiameter, points => 2 * Fit(points, 0).Circle.Radius)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
@@ -65,7 +62,6 @@ public sealed record CircleFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
@@ -94,7 +90,6 @@ public sealed record CircleFeature(
             Name);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseCut(FeatureCut cut)
     {
         var path = CutCircle.Of(cut);
@@ -112,14 +107,12 @@ public sealed record CircleFeature(
             Name);
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut)
     {
         var path = CutCircle.Of(cut);
         return path.Wishes(cut, Fit(path.Moved(cut.Corrections), 0).Circle);
     }
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured)
     {
         var (wanted, found) = (Fit(measured.Theoretical, 0).Circle, Fit(measured.Actual, 0).Circle);

@@ -49,7 +49,6 @@ public sealed class CircleKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [ComparedDiameter];
 
-    /// <inheritdoc/>
     internal override string? ElementWords => null;
 
     /// <inheritdoc/>
@@ -79,7 +78,6 @@ public sealed class CircleKind : FeatureKind
         return new(points, Around(circle), (2 * radius) + step);
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading) => new CircleFeature(
         reading.Name,
         reading.Blocks,
@@ -93,7 +91,6 @@ public sealed class CircleKind : FeatureKind
             _ => CircleMethod.LeastSquares,
         });
 
-    /// <inheritdoc/>
     internal override FoundPass? WholeOf(NcPath path, FoundPass cut, int motion)
     {
         if (!path.Motions[motion].IsArc)

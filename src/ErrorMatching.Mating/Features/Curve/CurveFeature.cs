@@ -39,13 +39,10 @@ public sealed record CurveFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points { get; } = Points;
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared => [];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var options = new PolynomialFitOptions { Degree = Degree, Ridge = Ridge, PointUncertaintyMm = u };
@@ -64,10 +61,8 @@ public sealed record CurveFeature(
         };
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut, CurveCourse(cut));
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         Outlines.Boundary(
             measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);

@@ -32,14 +32,11 @@ public sealed record SlotFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points => [.. Lists.SelectMany(l => l)];
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(SlotKind.ComparedWidth, points => Fit(points, 0).WidthMm), (VerifiedQuantity.Length, points => Fit(points, 0).LengthMm)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => flank is 1 or 2 ? new(Lists[flank == 1 ? 0 : 2], LineMethod.Total) : null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
@@ -60,7 +57,6 @@ public sealed record SlotFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
@@ -86,7 +82,6 @@ public sealed record SlotFeature(
         return null;
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseCut(FeatureCut cut)
     {
         var (slot, wanted) = Wanted(cut);
@@ -102,14 +97,12 @@ public sealed record SlotFeature(
                     + $"The tool is too large for this slot, or the points are wrong."));
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut)
     {
         var (slot, wanted) = Wanted(cut);
         return slot.Wishes(cut, wanted);
     }
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) => Fit(measured.Actual, 0).Outline(SlotKind.Pieces);
 
     private (CutSlot Slot, MeasuredSlot Wanted) Wanted(FeatureCut cut)

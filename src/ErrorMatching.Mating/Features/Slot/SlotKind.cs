@@ -53,7 +53,6 @@ public sealed class SlotKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [ComparedWidth, VerifiedQuantity.Length];
 
-    /// <inheritdoc/>
     internal override string ElementWords => "of a slot with /1 or /2 for its flank";
 
     /// <inheritdoc/>
@@ -93,11 +92,9 @@ public sealed class SlotKind : FeatureKind
         return new([.. lists.SelectMany(l => l)], Outline(lists), length + (2 * radius) + step);
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading) =>
         new SlotFeature(reading.Name, reading.Blocks, reading.Tolerance, reading.Plane, [.. reading.Points(this)]);
 
-    /// <inheritdoc/>
     internal override FoundPass? WholeOf(NcPath path, FoundPass cut, int motion)
     {
         // The smallest closed contour that the motion belongs to.

@@ -43,7 +43,6 @@ public sealed class TriangleKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [VerifiedQuantity.Angle];
 
-    /// <inheritdoc/>
     internal override string ElementWords => "of a triangle with /1 or /2 for its flank";
 
     /// <inheritdoc/>
@@ -66,7 +65,6 @@ public sealed class TriangleKind : FeatureKind
         return new(points, Outline([points[..first], points[first..]]), step * (all + 0.5));
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading)
     {
         var flanks = reading.Points(this);
