@@ -43,7 +43,7 @@ internal sealed record CutFit(
         // If an end of the boundary is at a corner of the path, use the motion inside the boundary.
         var (ahead, back) = (new FoundPass(feet[0].Last, feet[^1].First), new FoundPass(feet[^1].Last, feet[0].First));
 
-        // At a joint the approach or exit is just as near; a key point within a motion shows which one is meant.
+        // At a joint the lead-in or lead-out is just as near; a key point within a motion shows which one is meant.
         var whole = boundary.Kind?.WholeOf(path, cut, feet.Where(f => f.First == f.Last && !f.IsTwice).Append(feet[0]).First().First);
         var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(
             i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
@@ -58,7 +58,7 @@ internal sealed record CutFit(
         return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null, Twice = twice };
     }
 
-    // A closed contour passes its start again at its end, and so do approach and exit. Only a cut beyond these is a second pass.
+    // A closed contour passes its start again at its end, and so do lead-in and lead-out. Only a cut beyond these is a second pass.
     private static bool ComesBack(NcPath path, FoundPass cut, FoundPass whole, SoughtFoot foot, Point2 point) =>
         new[] { cut with { Last = whole.First - 2 }, cut with { First = whole.Last + 2 } }
             .Any(rest => rest.First <= rest.Last && SoughtFoot.Of(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);

@@ -28,7 +28,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         [.. Rays.Select((ray, i) => Boundary.Center + (ray * Boundary.Radius) + corrections[i])];
 
     /// <summary>The wishes that change the boundary's circle; path and boundary share the center's shift and the radius's growth. Ends
-    /// move along their own rays, so tangent approaches and exits move only across their direction. A wish for a one-block circle gives a
+    /// move along their own rays, so tangent lead-ins and lead-outs move only across their direction. A wish for a one-block circle gives a
     /// diameter: its middle is the opposite point of the new circle.</summary>
     public IEnumerable<ElementWish> Wishes(FeatureCut cut, Circle2 wanted)
     {
@@ -60,7 +60,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
     }
 
     // A one-block circle starts and ends at the same point. Both ends are moved off their ray by less than a word can express, so that
-    // they take the wish as it is and do not slide along approach and exit independently. A shift straight across the diameter would look
+    // they take the wish as it is and do not slide along lead-in and lead-out independently. A shift straight across the diameter would look
     // like no shift at both ends, so it gets a tiny component along the diameter.
     private ElementWish OfOneBlock(int motion, Arc2 arc, Vector2 shift, double radius)
     {

@@ -64,7 +64,7 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
     }
 
     // Points where flank and end touch stay tangent points. Other flank points move straight across, and end points along their ray, so
-    // tangent approaches and exits move only across their direction.
+    // tangent lead-ins and lead-outs move only across their direction.
     private Vector2 Move(Point2 place, CutSlot to)
     {
         var (along, side) = ((place - Other).Dot(Direction), Math.Sign((place - Other).Cross(Direction)));
