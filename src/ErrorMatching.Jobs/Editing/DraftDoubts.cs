@@ -7,8 +7,8 @@ namespace ErrorMatching.Jobs;
 /// <summary>Valid but probably unintended input, queried at its field; it can still be saved.</summary>
 internal static class DraftDoubts
 {
-    /// <summary>Blocks at an end of a feature's cut that turn away beyond the last key point, with no cut after them: the approach or
-    /// exit.</summary>
+    /// <summary>Blocks at an end of a feature's cut that turn away beyond the last key point, with no cut after them: the lead-in or
+    /// lead-out.</summary>
     /// <param name="match">The draft's match.</param>
     public static IEnumerable<DraftProblem> OfBlocks(MatchResult match)
     {

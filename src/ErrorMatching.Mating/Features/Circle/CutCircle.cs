@@ -60,8 +60,8 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
     }
 
     // A one-block circle starts and ends at the same point. Both ends are moved off their ray by less than a word can express, so that
-    // they take the wish as it is and do not slide along lead-in and lead-out independently. A shift straight across the diameter would look
-    // like no shift at both ends, so it gets a tiny component along the diameter.
+    // they take the wish as it is and do not slide along lead-in and lead-out independently. A shift straight across the diameter would
+    // look like no shift at both ends, so it gets a tiny component along the diameter.
     private ElementWish OfOneBlock(int motion, Arc2 arc, Vector2 shift, double radius)
     {
         const double Told = 1e-8, BesideRay = 2e-6;
