@@ -10,7 +10,7 @@ namespace ErrorMatching.Cell;
 /// <remarks>The store keeps the content of every saved version, and of replaced files that were not saved here (<see cref="Versions"/>).
 /// A new job is first saved as a prepared job (<see cref="Prepare"/>) and later put in use (<see cref="PutInUse"/>).</remarks>
 /// <remarks>A running cell reads a job's files for each computation, so the next measurement uses them. An edit cannot change what the
-/// cell read at startup: whose files the job takes, machine and slot, and the dialect.</remarks>
+/// cell read at startup: whose measurements the job takes, machine and slot, and the dialect.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="users">The users.</param>

@@ -111,7 +111,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     /// <summary>True if <see cref="Problems"/> are those of the current draft.</summary>
     public bool IsChecked { get; private set; }
 
-    /// <summary>True if mistakes are also shown at untouched empty fields: after a click on the count or an attempt to save.</summary>
+    /// <summary>True if mistakes are also shown at untouched empty fields: after a tap on the count or an attempt to save.</summary>
     public bool IsTold => _isTold;
 
     /// <summary>Earlier unsaved changes that wait for a decision, or null.</summary>

@@ -72,8 +72,7 @@ public sealed record MatingDraft
     [JsonIgnore]
     internal int NextLabel => Points.Select(p => PointLabel.NumberOf(p.Label)).DefaultIfEmpty().Max() + 1;
 
-    /// <summary>False for an inconsistent draft from an external file: lists or keys that a feature cannot have, or null entries in a
-    /// list.</summary>
+    /// <summary>False for a draft from an external file with a wrong number of lists, a missing key, or a null entry in a list.</summary>
     [JsonIgnore]
     internal bool IsWhole =>
         Features.All(

@@ -4,7 +4,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Mating;
 
 /// <summary>The alignment of one measurement before comparison.</summary>
-/// <param name="Role">The measurement's role in a <see cref="ReportInput"/>.</param>
+/// <param name="Role">The measurement's role, as in <see cref="ReportInput"/>.</param>
 /// <param name="Kind">Kind of alignment.</param>
 /// <param name="Transform">Transform of the measured points.</param>
 /// <param name="RmsMm">Root mean square of the remaining distances.</param>

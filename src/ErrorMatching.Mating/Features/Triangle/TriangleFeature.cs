@@ -35,7 +35,7 @@ public sealed record TriangleFeature(
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
 
-        // A flank is measured from the apex. Along the flank, the apex is off by no more than its whole standard error.
+        // A flank runs from the apex to a measured point. Along it, the apex is off by at most its whole standard error.
         var flank = new Vector2(found.ApexStandardError.Length, u).Length;
         return new(
             [
