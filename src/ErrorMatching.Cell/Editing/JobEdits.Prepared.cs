@@ -5,17 +5,17 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 
-/// <content>Jobs that are prepared beside the one that runs: each in a folder of its own that no configuration names, so no measurement
-/// is computed by it before somebody puts it in use.</content>
+/// <content>Prepared jobs: each has its own folder that no configuration names, so no measurement uses it before it is put in
+/// use.</content>
 public sealed partial class JobEdits
 {
-    /// <summary>The word of the audit trail for a job that was saved and is not in use.</summary>
+    /// <summary>Audit trail code for a job that was saved but is not in use.</summary>
     public const string Prepared = "job-prepared";
 
     private const string FolderEnding = ".saved";
     private const string FileName = "job.json";
 
-    /// <summary>True for a job that the configuration names: what its gauges run.</summary>
+    /// <summary>True for a job that the configuration names, which its gauges use.</summary>
     /// <param name="job">A job of the configuration, or one of <see cref="PreparedFor"/>.</param>
     public bool IsInUse(CellJobSettings job)
     {
@@ -23,7 +23,7 @@ public sealed partial class JobEdits
         return settings.Jobs.Any(j => CellPaths.AreSame(j.File, job.File));
     }
 
-    /// <summary>The job in the cell whose place a prepared job may take; a job that is in use has its own.</summary>
+    /// <summary>The cell's job that a prepared job may replace; for a job in use, the job itself.</summary>
     /// <param name="job">A job of the configuration, or one of <see cref="PreparedFor"/>.</param>
     /// <exception cref="ArgumentException">It is neither.</exception>
     public CellJobSettings PlaceOf(CellJobSettings job)
@@ -34,8 +34,7 @@ public sealed partial class JobEdits
             ?? throw new ArgumentException($"{job.File} is no job of this cell.", nameof(job));
     }
 
-    /// <summary>The jobs that are prepared for the place of one, by their names. Each has the machine, slot and gauges of that place.
-    /// </summary>
+    /// <summary>The prepared jobs for the place of a job, by name. Each has the machine, slot and gauges of that place.</summary>
     /// <param name="job">The job in the cell.</param>
     /// <exception cref="InputException">Their folder cannot be read.</exception>
     public IReadOnlyList<CellJobSettings> PreparedFor(CellJobSettings job)
@@ -49,16 +48,16 @@ public sealed partial class JobEdits
         ]);
     }
 
-    /// <summary>Saves a new job beside the one that runs, in a folder that has the job's name. Nothing that is there changes.</summary>
-    /// <param name="job">The job where it was begun: in use or prepared.</param>
+    /// <summary>Saves a new job as a prepared job, in a folder with the job's name. No existing file changes.</summary>
+    /// <param name="job">The job, in use or prepared, in whose place the new one was started.</param>
     /// <param name="draft">The new job.</param>
-    /// <param name="by">Who does it.</param>
-    /// <returns>The prepared job: opened, changed and saved as any other, and none that runs.</returns>
+    /// <param name="by">The user.</param>
+    /// <returns>The prepared job. It can be opened, changed and saved like any other, but is not in use.</returns>
     /// <exception cref="PeopleException">That user may not prepare jobs.</exception>
-    /// <exception cref="JobEditException">Something in the job is wrong; its name is taken, or cannot be one of a folder.</exception>
+    /// <exception cref="JobEditException">The job has a problem, or its name is taken or not a valid folder name.</exception>
     /// <exception cref="InputException">Its program cannot be read.</exception>
-    /// <exception cref="OutputException">It cannot be written; nothing of it is left.</exception>
-    /// <exception cref="StoreException">The store is away; nothing was written.</exception>
+    /// <exception cref="OutputException">It cannot be written; nothing is left behind.</exception>
+    /// <exception cref="StoreException">The store is unavailable; nothing was written.</exception>
     public CellJobSettings Prepare(CellJobSettings job, MatingDraft draft, SignedIn by)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -84,11 +83,11 @@ public sealed partial class JobEdits
         return prepared;
     }
 
-    /// <summary>Puts a prepared job in the place of the one that runs, with files of its own there. The prepared one stays.</summary>
+    /// <summary>Replaces the job in use with a prepared job, with its own files there. The prepared job stays.</summary>
     /// <param name="job">One of <see cref="PreparedFor"/>.</param>
-    /// <param name="draft">The job as it was seen: it is refused where another one was saved meanwhile.</param>
-    /// <param name="baseSha256"><see cref="Sha256Of"/> of the job whose place it takes (<see cref="PlaceOf"/>).</param>
-    /// <param name="by">Who does it, with the password given for this act.</param>
+    /// <param name="draft">The job as the user saw it; refused if another version was saved meanwhile.</param>
+    /// <param name="baseSha256"><see cref="Sha256Of"/> of the job that it replaces (<see cref="PlaceOf"/>).</param>
+    /// <param name="by">The user, with the password entered for this act.</param>
     /// <inheritdoc cref="Save" path="/returns|/exception"/>
     public string PutInUse(CellJobSettings job, MatingDraft draft, string baseSha256, SignedIn by)
     {
@@ -102,7 +101,7 @@ public sealed partial class JobEdits
         return Save(place, WithOwnFiles(place, Moved(draft, job, place) with { IsBegunAnew = true }), baseSha256, by);
     }
 
-    // As both would be written: numbers are typed in several ways.
+    // Compare both as they would be written, because numbers can be typed in several ways.
     private static bool IsSaved(CellJobSettings job, MatingDraft draft)
     {
         try
@@ -124,7 +123,7 @@ public sealed partial class JobEdits
     private static CellJobSettings At(CellJobSettings place, string name) =>
         place with { Name = $"{place.Name}/{name}", File = Path.Combine(FolderOf(place), name, FileName) };
 
-    // A link leads elsewhere, perhaps to a job that runs: nothing is behind one here.
+    // A link may lead to a job in use, so its target is ignored.
     private static string[] Entries(string folder) =>
         new DirectoryInfo(folder) is { Exists: true, LinkTarget: null } ? Directory.GetFileSystemEntries(folder) : [];
 
@@ -141,7 +140,7 @@ public sealed partial class JobEdits
                 JobEditException.NoFolder, $"{folder}, where saved jobs are kept, is a file or a link. Remove it, and save again.");
         }
 
-        // On some disks small and large letters are one name.
+        // Some file systems ignore case.
         var entries = InputFile.Open(folder, _ => Entries(folder));
         if (entries.Any(e => string.Equals(Path.GetFileName(e), name, StringComparison.OrdinalIgnoreCase)))
         {
@@ -150,7 +149,7 @@ public sealed partial class JobEdits
         }
     }
 
-    // Its files lie in its folder, and nowhere that belongs to a job that runs.
+    // Its files must be in its folder, and not in one that belongs to a job in use.
     private static void DemandInside(CellJobSettings prepared, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
     {
         var folder = Path.GetDirectoryName(prepared.File)!;
@@ -172,7 +171,7 @@ public sealed partial class JobEdits
         return folder.LinkTarget is null && folder.Parent!.LinkTarget is null;
     }
 
-    // The folder takes its name once all of it is there and the trail tells of it; one that has the name meanwhile stays.
+    // Rename the folder once it is complete and in the audit trail. An existing folder with that name stays.
     private void Write(
         CellJobSettings prepared, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Action keep, SignedIn by)
     {
@@ -212,12 +211,12 @@ public sealed partial class JobEdits
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // The failure that led here is the one to report; what is left begins with a dot and is no job.
+            // Report the original failure. What is left has a name that begins with a dot and is not a job.
         }
     }
 
-    // The draft of one job as that of another: its program with it, its own files by their plain names, and what belongs to neither by the
-    // way from there.
+    // Converts a draft from one job's place to another's: the program is included, the job's own files keep their plain names, and other
+    // files are referenced by a relative path.
     private static MatingDraft Moved(MatingDraft draft, CellJobSettings from, CellJobSettings to)
     {
         var c = draft.Counterpart;

@@ -7,15 +7,15 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Cell;
 
-/// <content>The versions of a job: kept with each that is saved, and opened again as drafts.</content>
+/// <content>The versions of a job: stored with each save, and opened again as drafts.</content>
 public sealed partial class JobEdits
 {
-    /// <summary>The word of the audit trail for a job that nobody saved here, and that was kept when another replaced it.</summary>
+    /// <summary>Audit trail code for a job that was not saved here and was stored when another replaced it.</summary>
     public const string Found = "job-found";
 
     /// <summary>All versions of a job, the latest first.</summary>
     /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
-    /// <exception cref="StoreException">The store is away.</exception>
+    /// <exception cref="StoreException">The store is unavailable.</exception>
     public IReadOnlyList<JobVersion> Versions(CellJobSettings job)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -34,14 +34,14 @@ public sealed partial class JobEdits
         ];
     }
 
-    /// <summary>The draft of a version: saved, it is the job again. Nothing changes by opening it.</summary>
+    /// <summary>Opens a version as a draft. Opening changes nothing; saving the draft restores the version.</summary>
     /// <param name="job">The job in the cell.</param>
     /// <param name="version">One of its <see cref="Versions"/>.</param>
-    /// <exception cref="StoreException">The store is away, or a content is damaged.</exception>
-    /// <exception cref="JobEditException">A file of the job was not kept with it.</exception>
-    /// <exception cref="JobException">The job cannot be used any more.</exception>
-    /// <exception cref="MeasurementException">Its theoretical points cannot be used any more.</exception>
-    /// <exception cref="DraftException">The job says something that a draft cannot, and that would be lost.</exception>
+    /// <exception cref="StoreException">The store is unavailable, or a content is damaged.</exception>
+    /// <exception cref="JobEditException">A file of the job was not stored with it.</exception>
+    /// <exception cref="JobException">The job is no longer usable.</exception>
+    /// <exception cref="MeasurementException">Its theoretical points are no longer usable.</exception>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public MatingDraft Open(CellJobSettings job, JobVersion version)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -57,8 +57,8 @@ public sealed partial class JobEdits
                 JobEditException.Incomplete, $"{name} of {job.File} was not kept with this version. Bring it back by hand.");
     }
 
-    /// <summary>A new job's draft with files of its own: where another file has the name, the next free number follows it.</summary>
-    /// <param name="job">The job in the cell, in whose folder they come.</param>
+    /// <summary>The draft of a new job with its own files; a number is appended to a name that is taken.</summary>
+    /// <param name="job">The job in the cell, whose folder is used.</param>
     /// <param name="draft">The new job.</param>
     public static MatingDraft WithOwnFiles(CellJobSettings job, MatingDraft draft)
     {
@@ -85,14 +85,14 @@ public sealed partial class JobEdits
         return free;
     }
 
-    // The same bytes are no other file: nothing is written.
+    // A file with the same bytes does not conflict; nothing is written.
     private static bool IsTaken(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes) =>
         PathOf(job, name) is var path && File.Exists(path) && !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
 
     private static string PathOf(CellJobSettings job, string name) =>
         Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
 
-    // What was saved before versions were kept has its hashes in the trail only.
+    // For jobs saved before versions were stored, the audit trail has only the hashes.
     private bool IsKept(string sha256) => store.Read("SELECT 1 FROM content WHERE sha256 = @sha256", _ => true, new { sha256 }).Count > 0;
 
     private static JobVersion? Version(AuditEntry entry)
@@ -103,7 +103,7 @@ public sealed partial class JobEdits
         return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, "", job.Sha256, files) : null;
     }
 
-    // As it is written there: a version that cannot be used any more has its name all the same.
+    // The name as written in the file; a version that is no longer usable still has its name.
     private string NameIn(JobVersion version)
     {
         try
@@ -117,7 +117,7 @@ public sealed partial class JobEdits
         }
     }
 
-    // What stands there now; nothing where that is no job: it cannot be opened again.
+    // The current files; empty if they are not a job, which could not be opened again.
     private static List<(string Name, byte[] Bytes)> VersionFiles(CellJobSettings job)
     {
         try
@@ -137,7 +137,7 @@ public sealed partial class JobEdits
         }
     }
 
-    // What stands there once it is saved: what is written, and of the rest what is there.
+    // The files after saving: those to be written, and the others as they are.
     private static List<(string Name, byte[] Bytes)> VersionFiles(
         CellJobSettings job, MatingDraft draft, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
     {
@@ -162,7 +162,7 @@ public sealed partial class JobEdits
     private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) =>
         string.Join(", ", files.Select(f => $"{f.Name} {HashOf(f.Bytes)}"));
 
-    // Before and after in one transaction with what is said of them; what was saved here is kept already.
+    // Stores before and after in one transaction with their audit entry; what was saved here is already stored.
     private void Keep(
         CellJobSettings job, SignedIn by, List<(string Name, byte[] Bytes)> before, List<(string Name, byte[] Bytes)> after)
     {

@@ -5,26 +5,24 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Puts edited mating jobs in the place of those of a cell:
-/// all files of a job or none, with an entry in the audit trail before the first of them appears.</summary>
-/// <remarks>
-/// Every saved version is kept by content in the store, and so is what stood there before and was not saved here (<see cref="Versions"/>).
-/// A new job is saved beside the one that runs (<see cref="Prepare"/>) and is used once it is put in use (<see cref="PutInUse"/>).
-/// </remarks>
-/// <remarks>A running cell reads a job's files at each computation, so the next measurement uses them. What it read when it started (whose
-/// files are the job's, machine and slot, dialect) an edit cannot change.</remarks>
+/// <summary>Replaces a cell's mating jobs with edited ones: all files of a job or none, with an audit entry before the first file
+/// changes.</summary>
+/// <remarks>The store keeps the content of every saved version, and of replaced files that were not saved here (<see cref="Versions"/>).
+/// A new job is first saved as a prepared job (<see cref="Prepare"/>) and later put in use (<see cref="PutInUse"/>).</remarks>
+/// <remarks>A running cell reads a job's files for each computation, so the next measurement uses them. An edit cannot change what the
+/// cell read at startup: whose measurements the job takes, machine and slot, and the dialect.</remarks>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="users">The users.</param>
 public sealed partial class JobEdits(CellSettings settings, CellStore store, UserBook users)
 {
-    /// <summary>The word of the audit trail for a job that was replaced.</summary>
+    /// <summary>Audit trail code for a job that was replaced.</summary>
     public const string Edited = "job-edited";
 
-    /// <summary>The word of the audit trail for a job that was to be replaced, and whose files could not be.</summary>
+    /// <summary>Audit trail code for a job whose files could not be replaced.</summary>
     public const string EditFailed = "job-edit-failed";
 
-    /// <summary>Says what is wrong with an edited job, as a job and as one of this cell.</summary>
+    /// <summary>Checks an edited job, both as a job and as a job of this cell.</summary>
     /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
     /// <param name="draft">The edited job.</param>
     public DraftCheck Check(CellJobSettings job, MatingDraft draft)
@@ -34,7 +32,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         return check.Job is { } edited ? check with { Problems = [.. check.Problems, .. Contradictions(job, edited)] } : check;
     }
 
-    /// <summary>SHA-256 of the job's file as it stands there; empty where none does.</summary>
+    /// <summary>SHA-256 of the job's current file; empty if there is none.</summary>
     /// <exception cref="InputException">It cannot be read.</exception>
     public static string Sha256Of(CellJobSettings job)
     {
@@ -42,17 +40,17 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         return File.Exists(job.File) ? HashOf(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
     }
 
-    /// <summary>Replaces a job's files, and keeps them and those that stood there before.</summary>
+    /// <summary>Replaces a job's files, and stores the new and the previous ones.</summary>
     /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
     /// <param name="draft">The edited job.</param>
-    /// <param name="baseSha256">SHA-256 of the job's file that the edit started from (<see cref="Sha256Of"/>).</param>
-    /// <param name="by">Who does it, with the password given for this act where the job is in use.</param>
+    /// <param name="baseSha256">SHA-256 of the job's file that the edit is based on (<see cref="Sha256Of"/>).</param>
+    /// <param name="by">The user, with the password entered for this act if the job is in use.</param>
     /// <returns>SHA-256 of the job's new file.</returns>
-    /// <exception cref="PeopleException">That user may not edit jobs, or has not signed this.</exception>
-    /// <exception cref="JobEditException">The edited job must not take that place.</exception>
-    /// <exception cref="OutputException">The files cannot be written; those that were there stay.</exception>
-    /// <exception cref="InputException">What stands there cannot be read.</exception>
-    /// <exception cref="StoreException">The store is away; nothing was replaced.</exception>
+    /// <exception cref="PeopleException">That user may not edit jobs, or has not signed.</exception>
+    /// <exception cref="JobEditException">The edited job must not replace the existing one.</exception>
+    /// <exception cref="OutputException">The files cannot be written; the existing ones stay.</exception>
+    /// <exception cref="InputException">The existing files cannot be read.</exception>
+    /// <exception cref="StoreException">The store is unavailable; nothing was replaced.</exception>
     public string Save(CellJobSettings job, MatingDraft draft, string baseSha256, SignedIn by)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -82,12 +80,12 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         var (before, after) = (VersionFiles(job), VersionFiles(job, draft, files));
         var hash = HashOf(files[^1].Bytes);
 
-        // A signature is good for one act: nothing is in the way of it any more.
+        // A signature is valid for one act, so use it only after all other checks have passed.
         users.Demand(by, isInUse ? Act.EditJobs : Act.PrepareJobs);
         var isToldOf = false;
         try
         {
-            // The evidence comes first: no job changes without it.
+            // Write the audit entry first: no job changes without it.
             OutputFile.WriteAll(
                 files,
                 [],
@@ -107,7 +105,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         return hash;
     }
 
-    // What differs from what stands there, the job's own file always and last.
+    // The files that differ from the existing ones; the job's own file always, and last.
     private static List<(string Path, ReadOnlyMemory<byte> Bytes)> FilesOf(CellJobSettings job, MatingDraft draft)
     {
         var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>();
@@ -155,7 +153,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
             }
             catch (Exception e) when (e is JsonDocumentException or IOException or UnauthorizedAccessException)
             {
-                // Its own measurements say that it cannot be used: nothing of it can be spoilt.
+                // Its own measurements report that it is unusable, so nothing in it can be damaged.
                 continue;
             }
 
@@ -201,7 +199,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         }
         catch (Exception e) when (e is InputException or JobException)
         {
-            // What cannot be read has decided nothing.
+            // A job that cannot be read has decided nothing.
             return null;
         }
     }

@@ -3,13 +3,13 @@ using System.Text;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Names that a saved job may have: those that a folder can have on every system, and that lead nowhere else.</summary>
+/// <summary>Valid names of saved jobs: valid folder names on every system that do not lead elsewhere.</summary>
 internal static class SavedJobName
 {
     private const int Longest = 64;
     private const string Forbidden = "/\\:*?\"<>|";
 
-    /// <summary>Why a folder cannot be called so; null if it can.</summary>
+    /// <summary>Why a folder cannot have this name, or null.</summary>
     public static string? Defect(string name) =>
         name.Length is 0 or > Longest ? $"it has 1 to {Longest} characters"
         : name.EnumerateRunes().Any(r => Forbidden.Contains(r.ToString(), StringComparison.Ordinal) || IsUnseen(r))
@@ -18,7 +18,7 @@ internal static class SavedJobName
         : ProgramNames.IsReserved(name) ? "Windows keeps it for a device"
         : null;
 
-    // Half of a character is read as the replacement of one.
+    // A lone surrogate is read as the replacement character.
     private static bool IsUnseen(Rune rune) => rune == Rune.ReplacementChar
         || Rune.GetUnicodeCategory(rune) is UnicodeCategory.Control or UnicodeCategory.Format
         or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator or UnicodeCategory.PrivateUse;

@@ -2,13 +2,13 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A field that something is chosen in: the job's words, with texts <c>LABEL.WORD</c>.</summary>
-/// <param name="editing">The job that is edited.</param>
-/// <param name="path">Where it stands in the draft.</param>
-/// <param name="label">Key of its name.</param>
+/// <summary>A field with a choice of the job's words; their texts have the keys <c>LABEL.WORD</c>.</summary>
+/// <param name="editing">The edited job.</param>
+/// <param name="path">Its path in the draft.</param>
+/// <param name="label">Text key of its name.</param>
 /// <param name="words">The job's words.</param>
-/// <param name="get">What the draft has there.</param>
-/// <param name="set">The draft with something else there.</param>
+/// <param name="get">Reads the word from the draft.</param>
+/// <param name="set">Returns the draft with another word.</param>
 public sealed class ChoiceField(
     JobEditing editing,
     string path,
@@ -22,16 +22,14 @@ public sealed class ChoiceField(
     private string _shown = "";
     private IReadOnlyList<ChoiceItem>? _items;
 
-    /// <summary>What can be chosen.</summary>
     public IReadOnlyList<ChoiceItem> Items => _items ??= [.. words.Select(w => new ChoiceItem(w, Texts.Current[$"{_label}.{w}"]))];
 
-    /// <summary>What is chosen.</summary>
     public ChoiceItem? Chosen
     {
         get => Items.FirstOrDefault(i => i.Word == _shown);
         set
         {
-            // A list that is made anew in another language has nothing chosen for a moment.
+            // While the list is recreated in another language, nothing is selected for a moment.
             if (value is not null && value.Word != _shown)
             {
                 _shown = value.Word;
@@ -40,13 +38,10 @@ public sealed class ChoiceField(
         }
     }
 
-    /// <summary>The word that is chosen.</summary>
     public string Word => _shown;
 
-    /// <inheritdoc/>
     protected override bool IsEmpty => false;
 
-    /// <inheritdoc/>
     protected override void Refresh()
     {
         _shown = get(Editing.Draft);

@@ -2,12 +2,10 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A field that something is chosen in, with its name above and what is wrong below.</summary>
+/// <summary>A choice field with its name above and its problem below.</summary>
 public sealed partial class ChoiceFieldView : StackPanel
 {
-    /// <summary>The view.</summary>
     public ChoiceFieldView() => InitializeComponent();
 
-    /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(StackPanel);
 }

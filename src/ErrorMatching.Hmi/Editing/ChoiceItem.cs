@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Something to choose.</summary>
+/// <summary>An item of a choice.</summary>
 /// <param name="Word">The job's word for it.</param>
-/// <param name="Name">Its name on the screen.</param>
+/// <param name="Name">Its displayed name.</param>
 public sealed record ChoiceItem(string Word, string Name);

@@ -2,13 +2,13 @@ using System.Globalization;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Numbers under each other, as they were typed.</summary>
+/// <summary>Aligns typed numbers in a column.</summary>
 internal static class Decimals
 {
-    // A number with more of them than anybody measures does not push the others away.
+    // A number with more decimals than any gauge measures does not shift the others.
     private const int Most = 6;
 
-    /// <summary>Says of each number what it lacks to as many decimals as another has.</summary>
+    /// <summary>Sets the decimals that each number lacks compared with the longest.</summary>
     public static void Align(IEnumerable<TextField> fields)
     {
         var all = fields.Select(f => (Field: f, Tail: TailOf(f.Text))).ToArray();
@@ -23,7 +23,7 @@ internal static class Decimals
         }
     }
 
-    // Characters from the decimal sign on; null for what is no number.
+    // Number of characters from the decimal sign; null if the text is not a number.
     private static int? TailOf(string text)
     {
         var number = text.Trim();

@@ -2,7 +2,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A draft with the ways back and forth. What is typed into one field in a row is one step.</summary>
+/// <summary>A draft with undo and redo. Successive input in one field is one step.</summary>
 internal sealed class EditHistory
 {
     private const int Most = 500;
@@ -10,16 +10,14 @@ internal sealed class EditHistory
     private readonly List<EditStep> _redo = [];
     private string? _typing;
 
-    /// <summary>The draft as it is now.</summary>
+    /// <summary>The current draft.</summary>
     public MatingDraft Draft { get; private set; } = new();
 
-    /// <summary>True if there is a way back.</summary>
     public bool CanUndo => _undo.Count > 0;
 
-    /// <summary>True if there is a way forth.</summary>
     public bool CanRedo => _redo.Count > 0;
 
-    /// <summary>Begins with a draft, without a way back.</summary>
+    /// <summary>Starts with a draft and an empty history.</summary>
     public void Begin(MatingDraft draft)
     {
         _undo.Clear();
@@ -27,9 +25,9 @@ internal sealed class EditHistory
         (Draft, _typing) = (draft, null);
     }
 
-    /// <summary>Makes it another draft.</summary>
-    /// <param name="draft">The other draft.</param>
-    /// <param name="field">The field that is typed into; empty for a step of its own.</param>
+    /// <summary>Changes the draft.</summary>
+    /// <param name="draft">The new draft.</param>
+    /// <param name="field">The field with the input; empty for a separate step.</param>
     public void Change(MatingDraft draft, string field)
     {
         if (_typing != field || field.Length == 0 || _redo.Count > 0)
@@ -45,10 +43,8 @@ internal sealed class EditHistory
         (Draft, _typing) = (draft, field);
     }
 
-    /// <summary>Goes back a step.</summary>
     public void Undo() => Go(_undo, _redo);
 
-    /// <summary>Goes forth a step.</summary>
     public void Redo() => Go(_redo, _undo);
 
     private void Go(List<EditStep> from, List<EditStep> to)

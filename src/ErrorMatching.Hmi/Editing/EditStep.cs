@@ -2,7 +2,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A draft that can be gone back to.</summary>
+/// <summary>A draft in the undo history.</summary>
 /// <param name="Draft">The draft.</param>
-/// <param name="Field">The field that was changed next; what is typed into one field is one step.</param>
+/// <param name="Field">The field that was changed next; successive input in one field is one step.</param>
 internal sealed record EditStep(MatingDraft Draft, string Field);

@@ -2,26 +2,25 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Corrections that wait and were made with the job as it was before it was saved.</content>
+/// <content>Undecided corrections that were computed with the job before it was saved.</content>
 public sealed partial class JobEditing
 {
     private IReadOnlyList<Correction> _waiting = [];
     private long? _first;
 
-    /// <summary>Lets the corrections that still wait, are approved or failed be computed with the job as it is now.</summary>
+    /// <summary>Recalculates the corrections that are waiting, approved or failed with the current job.</summary>
     public LongCommand ComputeAnew { get; }
 
-    /// <summary>True where that is offered: as long as it is said that the job was saved, to whoever may.</summary>
+    /// <summary>True while the notice about saving is shown and the user may recalculate.</summary>
     public bool CanComputeAnew => _notice is not null && _waiting.Count > 0 && _who() is { } who && Rights.Allows(who.Role, Act.Reject);
 
-    /// <summary>That, and for how many.</summary>
+    /// <summary>Button text with the number of corrections.</summary>
     public string ComputeAnewText => Texts.Current.With("Setup.ComputeAnew", _waiting.Count);
 
-    /// <summary>The first of the corrections that is spoken of where it is said that the job was saved, or that they were computed anew;
-    /// null if none is.</summary>
+    /// <summary>The first correction in the notice about saving or recalculating; null if there is none.</summary>
     public long? FirstWaiting => _notice is null ? null : _first;
 
-    // Of all names under which the configuration has this job.
+    // Under all names that the configuration has for this job.
     private Correction[] Undecided(CellJobSettings job)
     {
         var names = _station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).ToArray();
@@ -30,7 +29,7 @@ public sealed partial class JobEditing
                 CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed).Where(c => names.Contains(c.Job))];
     }
 
-    // In the order of their lines.
+    // In queue order.
     private IReadOnlyList<Correction> MadeBefore(CellJobSettings job)
     {
         var undecided = Undecided(job);
@@ -54,7 +53,7 @@ public sealed partial class JobEditing
                 }
                 catch (Exception e) when (Failures.IsKnown(e))
                 {
-                    // The others are computed all the same.
+                    // Recalculate the others all the same.
                     failed.Add((correction, e));
                 }
             }
@@ -68,7 +67,7 @@ public sealed partial class JobEditing
 
         _first = given.Concat(failed.Select(f => f.Correction)).FirstOrDefault()?.Id;
 
-        // What a decision stands against, it does the next time as well; what could not be reached may be tried again.
+        // A decision would stop them again. Those that failed for another reason can be retried.
         _waiting = [.. failed.Where(f => f.Failure is not DecisionException).Select(f => f.Correction)];
         Refresh();
     }

@@ -5,27 +5,26 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Jobs that are saved beside the one that runs: changed without touching it, and put in its place by a signature.</content>
+/// <content>Prepared jobs: edited without affecting the job in use, and put in its place with a signature.</content>
 public sealed partial class JobEditing
 {
-    // Of the job that runs, when a person was asked: what is signed is that this very one is replaced.
+    // Hash of the job in use when the user was asked: the signature applies to replacing exactly this version.
     private string _replacedSha256 = "";
 
-    /// <summary>True while the job that is edited is saved beside the one that runs.</summary>
+    /// <summary>True while a prepared job is edited.</summary>
     public bool IsBeside => Job is { } job && !Edits.IsInUse(job);
 
-    /// <summary>The cell's job in whose place the one that is edited stands or may come; null before one is chosen.</summary>
+    /// <summary>The cell's job that the edited job belongs to or may replace; null before one is chosen.</summary>
     public CellJobSettings? Place => Job is { } job ? Edits.PlaceOf(job) : null;
 
-    /// <summary>Puts the job in the place of the one that runs, once all of it is saved.</summary>
+    /// <summary>Replaces the job in use with this one, once all changes are saved.</summary>
     public LongCommand PutInUse { get; }
 
-    // Where several take their measurements by the same file, as those of part and counterpart do, by the first that is not the
-    // counterpart's.
+    // If several jobs share a file, as for part and counterpart, use the first that is not the counterpart's.
     private static IEnumerable<CellJobSettings> InUse(CellSettings settings) => settings.Jobs.Where(j => !j.IsFreeform)
         .GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First());
 
-    // What cannot be listed now is not there to be chosen; each that runs is.
+    // If the prepared jobs cannot be listed, report it and keep the list.
     private async Task ReadJobsAsync()
     {
         IReadOnlyList<CellJobSettings> jobs = [];
@@ -109,7 +108,7 @@ public sealed partial class JobEditing
         return new(place, draft.Name.Trim(), Running(place)?.Name ?? "", Undecided(place).Length, hasComments, IsNew: true);
     }
 
-    // Null where what stands there can be used by nobody: it is replaced all the same.
+    // Null if the job in use is unusable; it can be replaced all the same.
     private static MatingJob? Running(CellJobSettings place)
     {
         try

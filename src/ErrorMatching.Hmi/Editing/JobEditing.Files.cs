@@ -6,7 +6,7 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>Opening, keeping and saving: all of it beside the screen.</content>
+/// <content>Opening, storing and saving, all off the UI thread.</content>
 public sealed partial class JobEditing
 {
     private SignedIn? _signed;
@@ -69,7 +69,7 @@ public sealed partial class JobEditing
         {
             Kept = null;
 
-            // What changed in between is told when it is saved.
+            // Saving reports a change made in the meantime.
             _baseSha256 = kept.BaseSha256;
             _history.Begin(_base);
             _history.Change(kept.Draft, "");
@@ -77,7 +77,7 @@ public sealed partial class JobEditing
         }
     }
 
-    // Changes may have been kept under the name of another of the cell's jobs with the same file.
+    // Changes may be stored under the name of another job of the cell with the same file.
     private IEnumerable<string> NamesOf(CellJobSettings job) =>
         _station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).Prepend(job.Name).Distinct(StringComparer.Ordinal);
 
@@ -99,7 +99,7 @@ public sealed partial class JobEditing
         }
     }
 
-    /// <summary>Saves it with the signature that was asked for (<see cref="Asked"/>).</summary>
+    /// <summary>Saves it with the requested signature (<see cref="Asked"/>).</summary>
     internal void SaveSigned(SignedIn by)
     {
         _signed = by;
@@ -114,20 +114,20 @@ public sealed partial class JobEditing
         await Task.Yield();
         if (Problems.Count > 0)
         {
-            // Going there may open the other screen, with which everything that was said is over.
+            // This may open the other screen and clear all notices, so show the notice afterward.
             Tell();
             Note(() => Problems.Count > 0 ? Texts.Current.With("Setup.NotSaved", CountText) : "");
             return;
         }
 
-        // A new job leaves the one before as it is.
+        // A new job leaves the previous one unchanged.
         if (draft.IsBegunAnew)
         {
             await SaveBesideAsync(job, draft);
             return;
         }
 
-        // What a gauge runs changes by a signature alone.
+        // Changing a job in use needs a signature.
         if ((IsBeside ? _who() : signed) is not { } by)
         {
             var undecided = 0;
@@ -146,7 +146,7 @@ public sealed partial class JobEditing
             saved = Edits.Save(job, draft, sha256, by);
         }))
         {
-            // The imported program is the job's own now.
+            // The imported program is now the job's own.
             (_base, _baseSha256, HasComments) = (draft with { Program = null }, saved, false);
             _history.Begin(_base);
             await _keeping.Running;
@@ -178,7 +178,7 @@ public sealed partial class JobEditing
             waiting.Count > 0 ? Texts.Current.With("Setup.SavedWaiting", waiting.Count) : "");
     }
 
-    // By its bytes: the same program imported again is the same.
+    // Compare bytes: importing the same program again is not a change.
     private bool IsOtherProgram(CellJobSettings job, MatingDraft draft)
     {
         if (draft.Program is not { } imported)

@@ -5,16 +5,16 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>The versions of the job: each that was saved can be brought back into the form, and is saved from there as any other.</content>
+/// <content>The saved versions of the job. Each can be loaded into the form and saved from there.</content>
 public sealed partial class JobEditing
 {
-    /// <summary>The saved versions of the job, the latest first; none before they are read.</summary>
+    /// <summary>The saved versions of the job, the latest first; empty until they are read.</summary>
     public RowList<VersionRow> Versions { get; } = [];
 
-    /// <summary>Done when a version that was tapped is in the form.</summary>
+    /// <summary>Completes when the chosen version is in the form.</summary>
     internal Task Restoring { get; private set; } = Task.CompletedTask;
 
-    // A store that is away leaves the list empty; the banner says so.
+    // If the store is unavailable, the list is empty and the banner shows why.
     private async Task ReadVersionsAsync(CellJobSettings job)
     {
         IReadOnlyList<JobVersion> versions = [];

@@ -3,8 +3,8 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The job that is being edited at this station, shared by both set-up screens: the draft, the way back, what is wrong with it,
-/// and what is kept of it in case of a crash.</summary>
+/// <summary>The job edited at this station, shared by both setup screens: the draft, undo history, problems, and the copy stored for
+/// crash recovery.</summary>
 public sealed partial class JobEditing : Observable, IDisposable
 {
     private readonly Station _station;
@@ -23,9 +23,9 @@ public sealed partial class JobEditing : Observable, IDisposable
     private IReadOnlyList<DraftProblem> _found = [];
     private DraftProblem? _typed;
 
-    /// <summary>No job yet.</summary>
+    /// <summary>Starts without a job.</summary>
     /// <param name="station">The station.</param>
-    /// <param name="who">Who is signed in.</param>
+    /// <param name="who">Returns the signed-in user.</param>
     public JobEditing(Station station, Func<SignedIn?> who)
     {
         _station = station ?? throw new ArgumentNullException(nameof(station));
@@ -45,57 +45,56 @@ public sealed partial class JobEditing : Observable, IDisposable
         PutInUse = new(_ => PutInUseAsync(), () => CanEdit && IsBeside && !IsChanged);
         ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
 
-        // While it is saved nothing can be edited.
+        // While saving, nothing can be edited.
         Save.PropertyChanged += (_, _) => Refresh();
         PutInUse.PropertyChanged += (_, _) => Refresh();
     }
 
-    /// <summary>Said on the screen's thread when the draft is another one.</summary>
+    /// <summary>Raised on the UI thread when the draft has changed.</summary>
     public event Action? Changed;
 
-    /// <summary>Said on the screen's thread when something else is to be shown: what is wrong, who may edit, what was kept.</summary>
+    /// <summary>Raised on the UI thread when something else to show has changed: problems, permissions, stored changes.</summary>
     public event Action? Shown;
 
-    /// <summary>Said when the first field is to be gone to that something is wrong with or that is still to be filled in.</summary>
+    /// <summary>Raised to go to the first field that is wrong or needs to be filled in.</summary>
     public event Action? Wanted;
 
-    /// <summary>Said when a new job was begun.</summary>
+    /// <summary>Raised when a new job was started.</summary>
     public event Action? Begun;
 
-    /// <summary>Said when what a gauge runs is to change: a person signs that, and then <see cref="SaveSigned"/> saves it.</summary>
+    /// <summary>Raised when a job in use is to change: the user signs, and <see cref="SaveSigned"/> then saves it.</summary>
     public event Action<JobReplacement>? Asked;
 
-    /// <summary>The cell's mating jobs, each file once: where several take their measurements by the same file, as those of part and
-    /// counterpart do, by the name of the first that is not the counterpart's. Behind each those that are saved beside it.</summary>
+    /// <summary>The cell's mating jobs, each file once. If several jobs share a file, as for part and counterpart, the name is that of
+    /// the first that is not the counterpart's. Each is followed by its prepared jobs.</summary>
     public RowList<CellJobSettings> Jobs { get; } = [];
 
-    /// <summary>The job that is edited; null before one is chosen.</summary>
+    /// <summary>The edited job; null before one is chosen.</summary>
     public CellJobSettings? Job { get; private set; }
 
-    /// <summary>The draft.</summary>
     public MatingDraft Draft => _history.Draft;
 
-    /// <summary>What is wrong with the draft or still to be filled in, as far as it is known.</summary>
+    /// <summary>Known problems of the draft, including fields that need to be filled in.</summary>
     public IReadOnlyList<DraftProblem> Problems => _typed is { } typed ? [typed, .. _found] : _found;
 
-    /// <summary>What can be saved and is hardly meant, as far as it is known.</summary>
+    /// <summary>Known questions about valid but probably unintended input.</summary>
     public IReadOnlyList<DraftProblem> Doubts { get; private set; } = [];
 
-    /// <summary>How much is still to be filled in.</summary>
+    /// <summary>Number of fields to fill in.</summary>
     public int MissingCount => Problems.Count(p => p.IsMissing);
 
-    /// <summary>How much is wrong.</summary>
+    /// <summary>Number of errors.</summary>
     public int WrongCount => Problems.Count - MissingCount;
 
-    /// <summary>How much is to be corrected and to be filled in on which screen, in words, as far as there is any.</summary>
+    /// <summary>Text with the numbers of errors and fields to fill in on each screen; empty if there are none.</summary>
     public string CountText => Texts.Current.Listed(Problems
         .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
         .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
         .Select(g => Texts.Current.With(
             g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
 
-    /// <summary>What is wrong with what was typed last, where the draft has no place for it: a count that is no number.
-    /// It goes with the next change.</summary>
+    /// <summary>Problem with the last input that the draft cannot store, such as a count that is not a number. The next change clears
+    /// it.</summary>
     public DraftProblem? Typed
     {
         get => _typed;
@@ -109,67 +108,62 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
     }
 
-    /// <summary>True once <see cref="Problems"/> are those of the draft as it is now.</summary>
+    /// <summary>True if <see cref="Problems"/> are those of the current draft.</summary>
     public bool IsChecked { get; private set; }
 
-    /// <summary>True if mistakes are told at fields that nobody has filled in yet:
-    /// after the count was tapped, or saving was tried.</summary>
+    /// <summary>True if mistakes are also shown at untouched empty fields: after a tap on the count or an attempt to save.</summary>
     public bool IsTold => _isTold;
 
-    /// <summary>Unsaved changes from before that wait for a decision; null if there are none.</summary>
+    /// <summary>Earlier unsaved changes that wait for a decision, or null.</summary>
     public KeptDraft? Kept { get; private set; }
 
-    /// <summary>True if what was kept cannot be read.</summary>
+    /// <summary>True if the stored changes cannot be read.</summary>
     public bool IsKeptBroken { get; private set; }
 
-    /// <summary>What did not work or is to be known, in words; null for nothing.</summary>
+    /// <summary>A failure or other message, or null.</summary>
     public string? Message
     {
         get => _message;
         private set => Set(ref _message, value);
     }
 
-    /// <summary>What was saved and what follows, in words; null for nothing.</summary>
+    /// <summary>Notice about what was saved and what follows, or null.</summary>
     public string? Notice => _notice?.Invoke();
 
-    /// <summary>True if the job's file has comments, which are lost when a draft takes its place.</summary>
+    /// <summary>True if the job's file has comments, which saving a draft loses.</summary>
     public bool HasComments { get; private set; }
 
-    /// <summary>True if the draft is not what stands there.</summary>
+    /// <summary>True if the draft differs from the saved job.</summary>
     public bool IsChanged => _isLoaded && !Draft.IsSame(_base);
 
-    /// <summary>True if whoever sits here may edit jobs.</summary>
+    /// <summary>True if the signed-in user may edit jobs.</summary>
     public bool MayEdit => _who() is { } who && Rights.Allows(who.Role, Act.EditJobs);
 
-    /// <summary>True if the draft can be edited now.</summary>
     public bool CanEdit => MayEdit && _isLoaded && Kept is null && !IsKeptBroken && !Save.IsRunning && !PutInUse.IsRunning;
 
-    /// <summary>A step back.</summary>
     public Command Undo { get; }
 
-    /// <summary>A step forth.</summary>
     public Command Redo { get; }
 
-    /// <summary>Empties the draft.</summary>
     public Command BeginAnew { get; }
 
-    /// <summary>Makes the draft what stands there.</summary>
+    /// <summary>Resets the draft to the saved job.</summary>
     public Command DiscardChanges { get; }
 
-    /// <summary>Goes on with the unsaved changes from before.</summary>
+    /// <summary>Resumes the earlier unsaved changes.</summary>
     public Command ContinueKept { get; }
 
-    /// <summary>Forgets the unsaved changes from before.</summary>
+    /// <summary>Deletes the earlier unsaved changes.</summary>
     public LongCommand DiscardKept { get; }
 
-    /// <summary>Saves the draft, if nothing is wrong with it: in the place of the job, by a signature where that is in use;
-    /// a new job beside it.</summary>
+    /// <summary>Saves a draft without problems: replaces the job, with a signature if it is in use; saves a new job as a prepared
+    /// job.</summary>
     public LongCommand Save { get; }
 
-    /// <summary>Done when a job that was chosen is opened.</summary>
+    /// <summary>Completes when the chosen job is open.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Done when nothing is checked and nothing is kept any more.</summary>
+    /// <summary>Completes when no check or store operation is running.</summary>
     internal Task Behind => Task.WhenAll(_checking.Running, _keeping.Running);
 
     /// <summary>Opens a job, unless it is open.</summary>
@@ -186,8 +180,8 @@ public sealed partial class JobEditing : Observable, IDisposable
     }
 
     /// <summary>Changes the draft.</summary>
-    /// <param name="field">The field that is typed into; empty for a step of its own.</param>
-    /// <param name="change">What the draft becomes.</param>
+    /// <param name="field">The field with the input; empty for a separate step.</param>
+    /// <param name="change">The change.</param>
     public void Change(string field, Func<MatingDraft, MatingDraft> change)
     {
         ArgumentNullException.ThrowIfNull(change);
@@ -199,14 +193,14 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
     }
 
-    /// <summary>Says what came of the last change; it goes with the next.</summary>
+    /// <summary>Shows the result of the last change; the next change clears it.</summary>
     public void Note(Func<string>? notice)
     {
         (_notice, _waiting, _first) = (notice, [], null);
         Refresh();
     }
 
-    /// <summary>Tells mistakes at every field, and goes to the first; where there is none, to the first that is asked about.</summary>
+    /// <summary>Shows mistakes at every field and goes to the first; without mistakes, to the first question.</summary>
     public void Tell()
     {
         _isTold = true;
@@ -217,7 +211,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
     }
 
-    /// <summary>Says that somebody else sits here, or that the language is another one.</summary>
+    /// <summary>Updates for another user or language.</summary>
     public void Refresh()
     {
         foreach (var command in new[] { Undo, Redo, BeginAnew, DiscardChanges, ContinueKept })
@@ -238,7 +232,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         Shown?.Invoke();
     }
 
-    /// <summary>Takes back what was said about saving: something else is done now.</summary>
+    /// <summary>Clears the notice about saving, because the user continues with something else.</summary>
     internal void ForgetNotice()
     {
         _notice = null;
@@ -247,10 +241,10 @@ public sealed partial class JobEditing : Observable, IDisposable
         Say(nameof(FirstWaiting));
     }
 
-    /// <summary>Waits for what is being kept: what was typed last is not lost.</summary>
+    /// <summary>Waits until the last input is stored.</summary>
     public void Dispose() => _keeping.Running.GetAwaiter().GetResult();
 
-    /// <summary>In words how much is to be corrected and to be filled in, as far as there is any.</summary>
+    /// <summary>Text with the numbers of errors and fields to fill in; empty if there are none.</summary>
     internal static string CountOf(int wrong, int missing) => string.Join(
         " · ",
         new[]

@@ -2,23 +2,23 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A job that is to be saved where it is in use, or to be put in use: what its gauge runs from then on.
-/// It takes a signature.</summary>
-/// <param name="Place">The cell's job in whose place it comes: its machine and slot stay.</param>
+/// <summary>A job in use to be saved, or a prepared job to be put in use. Changes what its gauge uses from then on and needs a
+/// signature.</summary>
+/// <param name="Place">The cell's job that it replaces; machine and slot stay.</param>
 /// <param name="Name">Its name.</param>
-/// <param name="Before">Name of the one that is used.</param>
-/// <param name="Undecided">How many corrections of that one still wait, are approved or failed.</param>
-/// <param name="HasComments">True if its file has comments, which are not taken over.</param>
-/// <param name="IsNew">True for another job that is put in its place.</param>
+/// <param name="Before">Name of the job in use.</param>
+/// <param name="Undecided">Number of its corrections that are waiting, approved or failed.</param>
+/// <param name="HasComments">True if its file has comments, which are lost.</param>
+/// <param name="IsNew">True if a prepared job replaces it.</param>
 public sealed record JobReplacement(CellJobSettings Place, string Name, string Before, int Undecided, bool HasComments, bool IsNew)
 {
-    /// <summary>Whose place it takes, from when on and where, in words.</summary>
+    /// <summary>Which job is replaced, where and from when, in words; empty unless <see cref="IsNew"/>.</summary>
     public string Told => !IsNew ? "" : Texts.Current.With(
         Name == Before ? "Setup.Replace.ToldSame" : "Setup.Replace.Told",
         Name, Before.Length > 0 ? Before : Place.Name, Place.Machine, Place.Slot);
 
-    /// <summary>What becomes of the corrections that still wait, and of what people wrote into the file;
-    /// none where there is neither.</summary>
+    /// <summary>What happens to undecided corrections (only if <see cref="IsNew"/>) and to comments in the file; empty if there are
+    /// none.</summary>
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
         Undecided > 0 && IsNew ? new Fact(Texts.Current.With("Setup.Replace.Waiting", Undecided), Severity.Attention) : null,

@@ -1,8 +1,8 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Work beside the screen on the latest of what it is given: what comes while it works takes the place of what waits.</summary>
-/// <typeparam name="T">What it is given.</typeparam>
-/// <param name="work">The work. Whatever may fail in it, it says itself: a defect in it ends the program.</param>
+/// <summary>Runs work off the UI thread on the latest input; newer input replaces pending input.</summary>
+/// <typeparam name="T">Type of the input.</typeparam>
+/// <param name="work">The work. It must report its own failures; an unhandled exception ends the program.</param>
 internal sealed class Latest<T>(Action<T> work)
     where T : class
 {
@@ -10,10 +10,10 @@ internal sealed class Latest<T>(Action<T> work)
     private T? _next;
     private bool _isRunning;
 
-    /// <summary>Done when nothing waits and nothing is worked on.</summary>
+    /// <summary>Completes when nothing is pending or running.</summary>
     public Task Running { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Gives it something. To be called on the screen's thread.</summary>
+    /// <summary>Adds input. Call it on the UI thread.</summary>
     public void Give(T item)
     {
         lock (_gate)

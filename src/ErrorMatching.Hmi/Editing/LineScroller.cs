@@ -6,12 +6,12 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Shows of one line of text what there is room for, and of a longer one the part that the caret is in.</summary>
-// All that a field needs of a scroll viewer, whose parts would take most of the time in which a screen of fields is opened.
+/// <summary>Shows one line of text; if it does not fit, the part with the caret.</summary>
+// The few functions of a scroll viewer that a field needs. A full one would take most of the time to open a screen of fields.
 public sealed class LineScroller : Decorator
 {
-    /// <summary>What a number lacks that others under it or above have behind their decimal signs, such as <c>.000</c>: so much room is
-    /// left at the right, and the signs stand under each other. What is typed is not touched.</summary>
+    /// <summary>The decimals that a number lacks compared with others in its column, such as <c>.000</c>. Space for them is left at the
+    /// right, so that decimal signs align. The typed text does not change.</summary>
     public static readonly AttachedProperty<string?> MissingProperty = AvaloniaProperty.RegisterAttached<LineScroller, Control, string?>(
         "Missing", inherits: true);
 
@@ -19,31 +19,27 @@ public sealed class LineScroller : Decorator
 
     static LineScroller() => AffectsArrange<LineScroller>(MissingProperty);
 
-    /// <summary>A line from its beginning.</summary>
     public LineScroller()
     {
         ClipToBounds = true;
         AddHandler(RequestBringIntoViewEvent, OnWanted);
     }
 
-    // Digits of one width, as the field has them.
+    // Width with the field's tabular digits.
     private double Room => GetMissing(this) is { Length: > 0 } missing ? WidthOf(missing) : 0;
 
-    /// <summary>What the number in a field lacks.</summary>
     public static string? GetMissing(Control field) => (field ?? throw new ArgumentNullException(nameof(field))).GetValue(MissingProperty);
 
-    /// <summary>Leaves room in a field for what its number lacks.</summary>
+    /// <summary>Leaves space in a field for the missing decimals.</summary>
     public static void SetMissing(Control field, string? digits) =>
         (field ?? throw new ArgumentNullException(nameof(field))).SetValue(MissingProperty, digits);
 
-    /// <inheritdoc/>
     protected override Size MeasureOverride(Size availableSize)
     {
         Child?.Measure(availableSize.WithWidth(double.PositiveInfinity));
         return Child?.DesiredSize.Constrain(availableSize) ?? default;
     }
 
-    /// <inheritdoc/>
     protected override Size ArrangeOverride(Size finalSize)
     {
         if (Child is { } line)
@@ -68,7 +64,7 @@ public sealed class LineScroller : Decorator
         return shown.Width;
     }
 
-    // Not handled: what is around the field brings the field into view.
+    // Not handled, so that the surrounding controls bring the field into view.
     private void OnWanted(object? sender, RequestBringIntoViewEventArgs e)
     {
         if (e.TargetObject is { } target && target != this && target.TransformToVisual(this) is { } toHere)

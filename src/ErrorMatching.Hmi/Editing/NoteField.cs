@@ -1,17 +1,15 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>A place where something can be wrong that is not typed itself, such as a list that is empty.</summary>
-/// <param name="editing">The job that is edited.</param>
-/// <param name="path">Where it stands in the draft.</param>
-/// <param name="label">Key of its name.</param>
+/// <summary>A place without input that can have a problem, such as an empty list.</summary>
+/// <param name="editing">The edited job.</param>
+/// <param name="path">Its path in the draft.</param>
+/// <param name="label">Text key of its name.</param>
 public sealed class NoteField(JobEditing editing, string path, string label) : EditField(editing, path, label)
 {
-    /// <inheritdoc/>
     protected override bool IsEmpty => true;
 
-    /// <inheritdoc/>
     protected override void Refresh()
     {
-        // There is nothing to show but what is wrong.
+        // Only the problem is shown.
     }
 }

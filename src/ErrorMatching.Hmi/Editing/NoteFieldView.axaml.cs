@@ -2,12 +2,10 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What is wrong with a field, or where nothing is typed.</summary>
+/// <summary>The problem of a field, or of a place without input.</summary>
 public sealed partial class NoteFieldView : DockPanel
 {
-    /// <summary>The view.</summary>
     public NoteFieldView() => InitializeComponent();
 
-    /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(DockPanel);
 }

@@ -4,27 +4,24 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Which screen, and which side of it, shows a field of the draft.</summary>
+/// <summary>The screen and tab that show a field of the draft.</summary>
 /// <param name="Screen">Key of the screen.</param>
-/// <param name="Side">Number of the side of the system set-up; 0 for the point set-up.</param>
+/// <param name="Side">Number of the tab in the system setup; 0 for the point setup.</param>
 internal sealed partial record ProblemPlace(string Screen, int Side)
 {
-    /// <summary>The side with coordinates.</summary>
     public const int Coordinates = 0;
 
-    /// <summary>The side with program and blocks.</summary>
+    /// <summary>The tab with program and blocks.</summary>
     public const int Blocks = 1;
 
-    /// <summary>The side with tolerances.</summary>
     public const int Tolerances = 2;
 
-    /// <summary>The side with frame, tool and alignment.</summary>
+    /// <summary>The tab with frame, tool and alignment.</summary>
     public const int Machine = 3;
 
-    /// <summary>The side with the gauge, and whatever has no other place.</summary>
+    /// <summary>The tab with the gauge and everything without another place.</summary>
     public const int Gauge = 4;
 
-    /// <summary>The place of a path.</summary>
     public static ProblemPlace Of(MatingDraft draft, string path) =>
         IsOfPoints(draft, path) ? new(Screens.Points, 0) : new(Screens.System, path switch
         {

@@ -4,15 +4,15 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What is wrong with a field, in the language of the screen.</summary>
+/// <summary>Texts of problems in the display language.</summary>
 internal static partial class ProblemText
 {
     private static readonly string[] OfNumbers = ["wrong-type", "text-for-number", "not-a-number"];
 
-    /// <summary>The text of a problem: the field's own where it has one, else that of the code, with what it is about; the reader's
-    /// sentence where the station has none.</summary>
+    /// <summary>The text of a problem: the field's own, otherwise that of the code with its details, otherwise the reader's
+    /// sentence.</summary>
     /// <param name="problem">The problem.</param>
-    /// <param name="isEmpty">True if nothing stands in the field: then it is not a wrong number but none.</param>
+    /// <param name="isEmpty">True if the field is empty: then the number is missing, not wrong.</param>
     public static string Of(DraftProblem problem, bool isEmpty = false)
     {
         var key = "Problem." + (isEmpty && OfNumbers.Contains(problem.Code) ? "too-short" : problem.Code);
@@ -23,7 +23,7 @@ internal static partial class ProblemText
             : CodeText.Of(problem.Code, problem.Message);
     }
 
-    // Numbers and names are said in every language; of the reader's words only those of a bound are.
+    // Numbers and names need no translation; of the reader's words, only those of a bound are translated.
     private static string About(DraftProblem problem) =>
         Bound().Match(problem.Expected) is { Success: true } bound
             ? Texts.Current.With("Problem.Bound." + bound.Groups["word"].Value.Replace(' ', '-'), bound.Groups["number"].Value)

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Which job is edited, the way back, what is wrong, and saving: above both set-up screens.</summary>
+/// <summary>The bar above both setup screens: edited job, undo, problems, and saving.</summary>
 public sealed partial class SetupBar : UserControl
 {
-    /// <summary>The view.</summary>
     public SetupBar() => InitializeComponent();
 }

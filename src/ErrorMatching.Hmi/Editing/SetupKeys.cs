@@ -7,10 +7,9 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What both set-up screens do with keys and with the field that is to be gone to.</summary>
+/// <summary>Keyboard and focus handling of both setup screens.</summary>
 internal static class SetupKeys
 {
-    /// <summary>Undo and redo by keys.</summary>
     public static void OnKey(SetupViewModel? setup, KeyEventArgs e)
     {
         if (setup is null
@@ -27,8 +26,7 @@ internal static class SetupKeys
         e.Handled = true;
     }
 
-    /// <summary>Brings a field into view and puts the focus there.</summary>
-    /// <returns>False if it is not seen, or not yet.</returns>
+    /// <summary>Brings a field into view and focuses it; false if it is not visible yet.</summary>
     public static bool Focus(Visual screen, string id)
     {
         if (screen.GetVisualDescendants()
@@ -38,7 +36,7 @@ internal static class SetupKeys
             return false;
         }
 
-        // With its name, which stands over it in the same view: once it has its room there.
+        // Include its name, which is above it in the same view, once the view is arranged.
         var whole = field.GetVisualParent() is Control { } around && around.Bounds.Height < screen.Bounds.Height / 2 ? around : field;
         whole.BringIntoView();
         Dispatcher.UIThread.Post(whole.BringIntoView, DispatcherPriority.Loaded);

@@ -7,28 +7,25 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the views of both set-up screens share: undo and redo by keys wherever the focus is, and going to a field.</summary>
+/// <summary>What the views of both setup screens share: undo and redo keys wherever the focus is, and going to a field.</summary>
 public abstract class SetupView : UserControl
 {
     private SetupViewModel? _setup;
     private TopLevel? _window;
     private string? _wanted;
 
-    /// <summary>A view without a screen to set up yet.</summary>
     protected SetupView()
     {
         LayoutUpdated += (_, _) => Look();
         AddHandler(GotFocusEvent, OnFocus, RoutingStrategies.Bubble, handledEventsToo: true);
     }
 
-    /// <inheritdoc/>
     protected override void OnDataContextChanged(EventArgs e)
     {
         base.OnDataContextChanged(e);
         Follow(DataContext as SetupViewModel);
     }
 
-    /// <inheritdoc/>
     protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnAttachedToVisualTree(e);
@@ -36,7 +33,6 @@ public abstract class SetupView : UserControl
         _window?.AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Bubble);
     }
 
-    /// <inheritdoc/>
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
         _window?.RemoveHandler(KeyDownEvent, OnKey);
@@ -45,12 +41,12 @@ public abstract class SetupView : UserControl
         base.OnDetachedFromVisualTree(e);
     }
 
-    /// <summary>Makes what scrolls show the row of a field, if it has it already.</summary>
+    /// <summary>Scrolls to the row of a field, if it exists.</summary>
     protected virtual void ShowRow(string id)
     {
     }
 
-    // The field may be on a side that was only just opened, and that comes part by part.
+    // The field may be on a tab that was just opened and is still loading.
     private void GoTo(string id)
     {
         _wanted = id;
@@ -91,7 +87,7 @@ public abstract class SetupView : UserControl
         }
     }
 
-    // That of a field is spoken of.
+    // Show the problem of the focused field.
     private void OnFocus(object? sender, FocusChangedEventArgs e)
     {
         if (e.Source is Control field
@@ -106,7 +102,7 @@ public abstract class SetupView : UserControl
     {
         if (e is { Key: Key.Enter, Source: TextBox { Classes: var classes } } && classes.Contains("count"))
         {
-            // What was typed counts now, as it does when the field is left.
+            // Apply the input now, as when the field loses focus.
             Focusable = true;
             Focus();
             e.Handled = true;

@@ -3,14 +3,13 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What both set-up screens share: which job is edited, the way back, what is wrong, and saving.</summary>
+/// <summary>What both setup screens share: edited job, undo, problems, and saving.</summary>
 public abstract class SetupViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
     private string _shape = "";
     private string? _at;
 
-    /// <summary>A screen at the job that is edited.</summary>
     protected SetupViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
@@ -27,29 +26,27 @@ public abstract class SetupViewModel : ScreenViewModel
         Step = new(() => _shell.Go(Key == Screens.Points ? Screens.System : Screens.Points));
     }
 
-    /// <summary>Said when a field is to be gone to, by its AutomationId.</summary>
+    /// <summary>Raised to go to a field, by its AutomationId.</summary>
     public event Action<string>? FieldWanted;
 
-    /// <summary>The job that is edited.</summary>
     public JobEditing Editing { get; }
 
-    /// <summary>The job that is edited, by its name in the cell.</summary>
+    /// <summary>The edited job, by its name in the cell.</summary>
     public CellJobSettings? Job
     {
         get => Editing.Job;
         set => Editing.Choose(value);
     }
 
-    /// <summary>Tells what is wrong at every field, and goes to the first.</summary>
+    /// <summary>Shows problems at every field and goes to the first.</summary>
     public Command TellProblems { get; }
 
-    /// <summary>Goes to the first of the corrections that the notice speaks of.</summary>
+    /// <summary>Goes to the first correction in the notice.</summary>
     public Command LookAtWaiting { get; }
 
-    /// <summary>True where it speaks of any.</summary>
     public bool HasWaiting => Editing.FirstWaiting is not null;
 
-    /// <summary>What the job is called, as it is on the screen; by its name in the cell while it has none.</summary>
+    /// <summary>The job's displayed name; its name in the cell while it has none.</summary>
     public string JobTitle =>
         Editing.Job is not { } job
             ? ""
@@ -59,14 +56,14 @@ public abstract class SetupViewModel : ScreenViewModel
             ? Texts.Current["Setup.NewJob"]
             : job.Name;
 
-    /// <summary>In which of the cell's jobs it stands or may come, and whether it is saved and in use there.</summary>
+    /// <summary>The cell's job that it belongs to or may replace, and whether it is saved and in use there.</summary>
     public string JobState => Editing.Place is not { } job ? "" : Editing.IsChanged ? Texts.Current.With("Setup.JobUnsaved", job.Name)
         : Editing.IsBeside ? Texts.Current.With("Setup.JobBeside", job.Name) : job.Name;
 
-    /// <summary>To the other one of both screens: they are two steps of one thing.</summary>
+    /// <summary>Goes to the other setup screen, the other step of the setup.</summary>
     public Command Step { get; }
 
-    /// <summary>Which one that is, in words, and how much is still to be filled in there.</summary>
+    /// <summary>Name of the other step, and how much is to be filled in there.</summary>
     public string StepText
     {
         get
@@ -77,111 +74,100 @@ public abstract class SetupViewModel : ScreenViewModel
         }
     }
 
-    /// <summary>True where the other screen is what is left to fill in.</summary>
+    /// <summary>True if only the other screen has fields to fill in.</summary>
     public bool IsStepNext => MissingThere > 0 && !IsIncomplete;
 
-    /// <summary>How much is wrong, and how much is still to be filled in here; else how much is asked about, in words.</summary>
+    /// <summary>Text with the numbers of errors and fields to fill in here; otherwise the number of questions.</summary>
     public string ProblemCount =>
         IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
 
-    /// <summary>How much is asked about, in words.</summary>
     public string AskedText => Texts.Current.With("Setup.Asked", Editing.Doubts.Count);
 
-    /// <summary>True where nothing has to be done before it is saved, and something is asked about.</summary>
+    /// <summary>True if only questions are left before saving.</summary>
     public bool HasAsked => !HasProblems && Editing.Doubts.Count > 0;
 
-    /// <summary>True where nothing is to be said of the draft.</summary>
+    /// <summary>True if there is nothing to report on the draft.</summary>
     public bool IsComplete => !IsIncomplete && !HasAsked;
 
-    /// <summary>How much is wrong, in words.</summary>
     public string WrongText => Texts.Current.With("Setup.Problems", Editing.WrongCount);
 
-    /// <summary>How much is still to be filled in on this screen, in words: what is done here does not let the number of this screen grow
-    /// by what follows from it on the other.</summary>
+    /// <summary>Text with the number of fields to fill in on this screen. Consequences on the other screen do not count.</summary>
     public string MissingText => Texts.Current.With("Setup.Missing", MissingHere);
 
-    /// <summary>True if something is wrong.</summary>
     public bool HasWrong => Editing.WrongCount > 0;
 
-    /// <summary>True if something is still to be filled in on this screen.</summary>
     public bool HasMissing => MissingHere > 0;
 
-    /// <summary>True if something is wrong, or still to be filled in on this screen.</summary>
     public bool IsIncomplete => HasWrong || HasMissing;
 
-    /// <summary>True if something is wrong or still to be filled in, wherever.</summary>
+    /// <summary>True if something is wrong or needs to be filled in on any screen.</summary>
     public bool HasProblems => Editing.Problems.Count > 0;
 
-    /// <summary>Whether the draft is what stands there.</summary>
+    /// <summary>Whether the draft differs from the saved job.</summary>
     public string StateText => Editing.Place is not { } job ? ""
         : !Editing.IsChanged ? Texts.Current.With(Editing.IsBeside ? "Setup.Beside" : "Setup.AsSaved", job.Machine, job.Slot, job.Name)
         : Sentence.Joined(
             Texts.Current.With("Setup.Unsaved", job.Machine, job.Slot, job.Name),
             Editing.HasComments && !Editing.Draft.IsBegunAnew ? Texts.Current["Setup.CommentsLost"] : "");
 
-    /// <summary>What a new job is for, and what becomes of the one that is there.</summary>
+    /// <summary>What a new job is for, and what happens to the existing one.</summary>
     public string? AnewHelp => Editing.Place is { } job ? Texts.Current.With("Setup.BeginAnewHelp", job.Name, job.Machine, job.Slot) : null;
 
-    /// <summary>In whose place the job comes where it is put in use; null before one is chosen.</summary>
+    /// <summary>Which job putting this one in use replaces; null before one is chosen.</summary>
     public string? PutInUseHelp =>
         Editing.Place is { } job ? Texts.Current.With("Setup.ReplaceHelp", job.Name, job.Machine, job.Slot) : null;
 
-    /// <summary>True where nothing is said in the place of <see cref="StateText"/>.</summary>
+    /// <summary>True if nothing replaces <see cref="StateText"/>.</summary>
     public bool IsQuiet => Trouble is null && Editing.Notice is null && !HasKept;
 
-    /// <summary>Why nothing can be edited; null if it can.</summary>
+    /// <summary>Why nothing can be edited, or null.</summary>
     public string? Forbidden =>
         Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
 
-    /// <summary>True if there are unsaved changes from before to decide about.</summary>
+    /// <summary>True if earlier unsaved changes wait for a decision.</summary>
     public bool HasKept => Editing.Kept is not null || Editing.IsKeptBroken;
 
     /// <summary>Whose changes they are.</summary>
     public string KeptText => Editing.Kept is { } kept ? Texts.Current.With("Setup.Kept", kept.By, Shown.Time(kept.At, Station.Clock)) : "";
 
-    /// <summary>What did not work or is to be known: of the screen, else of the job.</summary>
+    /// <summary>A failure or message of the screen, otherwise of the job.</summary>
     public string? Trouble => Message ?? Editing.Message;
 
-    /// <summary>
-    /// The field that is spoken of: the one with the focus, or that had it last, where something is wrong with it; else the first such one
-    /// of what is open of the screen. Null if there is none.
-    /// </summary>
+    /// <summary>The field whose problem is shown: the one with the current or last focus if it has a problem, otherwise the first one
+    /// with a problem on the open tab. Null if there is none.</summary>
     public EditField? Told =>
         TellableFields() is var fields && fields.FirstOrDefault(f => f.AutomationId == _at) is { } at
             ? at
             : fields.FirstOrDefault(f => f.IsToMend);
 
-    /// <summary>True if nothing is in front of the screen.</summary>
+    /// <summary>True if nothing covers the screen.</summary>
     public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
 
-    /// <summary>The fields of the screen, as they are read.</summary>
+    /// <summary>The fields of the screen, in reading order.</summary>
     protected abstract IEnumerable<EditField> Fields { get; }
 
-    /// <summary>The frame.</summary>
     protected ShellViewModel Shell => _shell;
 
-    /// <summary>Key of the screen.</summary>
     protected abstract string Key { get; }
 
-    /// <summary>Which side of the screen is open (<see cref="ProblemPlace"/>).</summary>
+    /// <summary>The open tab (<see cref="ProblemPlace"/>).</summary>
     protected virtual int OpenSide => 0;
 
     private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key);
 
     private int MissingThere => Editing.MissingCount - MissingHere;
 
-    /// <summary>A field by its AutomationId.</summary>
     internal EditField FieldOf(string automationId) => Fields.First(f => f.AutomationId == automationId);
 
-    /// <summary>Says where the focus is now.</summary>
-    /// <param name="automationId">Of the field.</param>
+    /// <summary>Reports which field has the focus.</summary>
+    /// <param name="automationId">The field's AutomationId.</param>
     internal void Look(string automationId)
     {
         _at = automationId;
         Say(nameof(Told));
     }
 
-    /// <summary>Begins to follow the draft, once the fields are made.</summary>
+    /// <summary>Starts to follow the draft, once the fields exist.</summary>
     protected void Begin()
     {
         Editing.Changed += Forget;
@@ -191,7 +177,6 @@ public abstract class SetupViewModel : ScreenViewModel
         Show();
     }
 
-    /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
     {
         Editing.Changed -= Forget;
@@ -201,36 +186,33 @@ public abstract class SetupViewModel : ScreenViewModel
         base.Dispose(isDisposing);
     }
 
-    /// <inheritdoc/>
     protected override void Follow()
     {
-        // What is edited does not change with the cell.
+        // The edited job does not change with the cell.
     }
 
-    /// <inheritdoc/>
     protected override void Translate()
     {
         _shape = "";
         Editing.Refresh();
     }
 
-    /// <summary>Shows another side of the screen.</summary>
+    /// <summary>Opens another tab.</summary>
     protected virtual void Turn(int side)
     {
     }
 
-    /// <summary>What the rows hang on: while it is the same, rows and the focus in them stay.</summary>
+    /// <summary>What the rows depend on: while it is unchanged, rows and their focus stay.</summary>
     protected abstract string ShapeOf(MatingDraft draft);
 
-    /// <summary>Makes rows anew, for a draft that has others.</summary>
+    /// <summary>Recreates the rows for a draft with different ones.</summary>
     protected abstract void MakeRows();
 
-    /// <summary>Shows what follows from the draft beside its fields.</summary>
+    /// <summary>Shows what depends on the draft in addition to its fields.</summary>
     protected virtual void ShowMore()
     {
     }
 
-    /// <summary>Shows the draft.</summary>
     protected void Show()
     {
         var shape = ShapeOf(Editing.Draft);
@@ -246,15 +228,14 @@ public abstract class SetupViewModel : ScreenViewModel
         Say();
     }
 
-    /// <summary>Lets the person go on in a field of the screen.</summary>
-    /// <param name="field">The field.</param>
+    /// <summary>Moves the user to a field of the screen.</summary>
     protected void GoTo(EditField field)
     {
         ArgumentNullException.ThrowIfNull(field);
         FieldWanted?.Invoke(field.AutomationId);
     }
 
-    // What is typed itself: of everything else is spoken where it stands.
+    // Fields with input only; other problems are shown in their places.
     private EditField[] TellableFields() =>
         [
             .. Fields.Where(
@@ -262,7 +243,7 @@ public abstract class SetupViewModel : ScreenViewModel
                     && f is not NoteField
                     && (Key == Screens.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
 
-    // What was said of the draft as it was is over.
+    // Messages about the previous draft no longer apply.
     private void Forget()
     {
         Message = null;
@@ -279,7 +260,7 @@ public abstract class SetupViewModel : ScreenViewModel
         }
     }
 
-    // Each problem stands at the field with the longest path that leads to it.
+    // A problem belongs to the field with the longest matching path.
     private ILookup<EditField?, DraftProblem> ByField(EditField[] fields, IEnumerable<DraftProblem> problems) =>
         problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key).ToLookup(
             p => fields.Where(f => Leads(f, p.Field)).MaxBy(f => f.Path.Length));
@@ -288,7 +269,7 @@ public abstract class SetupViewModel : ScreenViewModel
         path == field.Path
             || (field is not NoteField && path.StartsWith(field.Path, StringComparison.Ordinal) && path[field.Path.Length] is '[' or '.');
 
-    // As they are read: this screen after the other, its sides from the left, its fields from above.
+    // In reading order: screen by screen, tabs from the left, fields from the top.
     private void GoToFirst()
     {
         var places = (

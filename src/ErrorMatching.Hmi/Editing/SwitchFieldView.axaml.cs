@@ -5,6 +5,5 @@ namespace ErrorMatching.Hmi;
 /// <summary>A field that is on or off.</summary>
 public sealed partial class SwitchFieldView : UserControl
 {
-    /// <summary>The view.</summary>
     public SwitchFieldView() => InitializeComponent();
 }

@@ -2,14 +2,14 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A field that is typed into.</summary>
-/// <param name="editing">The job that is edited.</param>
-/// <param name="path">Where it stands in the draft.</param>
-/// <param name="label">Key of its name.</param>
-/// <param name="get">What the draft has there.</param>
-/// <param name="set">The draft with something else there.</param>
-/// <param name="misread">Code of what is wrong with a text that the draft has no place for, null for every other;
-/// null if it has a place for all of them.</param>
+/// <summary>A text field.</summary>
+/// <param name="editing">The edited job.</param>
+/// <param name="path">Its path in the draft.</param>
+/// <param name="label">Text key of its name.</param>
+/// <param name="get">Reads the text from the draft.</param>
+/// <param name="set">Returns the draft with another text.</param>
+/// <param name="misread">Returns the code of the problem with a text that the draft cannot store, null for any other text; null if the
+/// draft can store every text.</param>
 public sealed class TextField(
     JobEditing editing,
     string path,
@@ -22,16 +22,15 @@ public sealed class TextField(
     private string _shown = "";
     private string _missing = "";
 
-    /// <summary>What holds while it is empty: a value; null where nothing does.</summary>
+    /// <summary>The default value that applies while it is empty; null if there is none.</summary>
     public string? Default { get; init; }
 
-    /// <summary>Whether it may stay empty in a draft; null if it never may.</summary>
+    /// <summary>Whether it may stay empty in a draft; null if never.</summary>
     public Func<MatingDraft, bool>? MayBeEmpty { get; init; }
 
-    /// <summary>Key of an example of what is typed there; null for none.</summary>
+    /// <summary>Text key of an example input, or null.</summary>
     public string? Example { get; init; }
 
-    /// <summary>What stands in the empty field.</summary>
     public string Placeholder =>
         IsToFillIn
             ? Texts.Current["Setup.FillIn"]
@@ -43,7 +42,6 @@ public sealed class TextField(
             ? Texts.Current.With("Setup.Default", value)
             : Texts.Current["Setup.Optional"];
 
-    /// <summary>What stands there.</summary>
     public string Text
     {
         get => _shown;
@@ -64,24 +62,20 @@ public sealed class TextField(
         }
     }
 
-    /// <summary>What the number lacks to as many decimals as others of its column have (<see cref="Decimals"/>);
-    /// empty if nothing.</summary>
+    /// <summary>The decimals that the number lacks compared with its column (<see cref="Decimals"/>), or empty.</summary>
     public string Missing
     {
         get => _missing;
         internal set => Set(ref _missing, value);
     }
 
-    /// <inheritdoc/>
     protected override bool IsEmpty => string.IsNullOrWhiteSpace(_shown);
 
-    /// <inheritdoc/>
     protected override void ShowTold() => Say(nameof(Placeholder));
 
-    /// <inheritdoc/>
     protected override void Refresh()
     {
-        // What was typed and cannot be meant stays to be mended.
+        // Keep input that cannot be intended, so that the user can correct it.
         if (Editing.Typed?.Field != Path)
         {
             Set(ref _shown, get(Editing.Draft), nameof(Text));

@@ -2,150 +2,149 @@ using Avalonia.Media;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The only place with lengths of what draws itself, in device-independent units of 1/96 inch,
-/// and with how much of it shows through, from 0 to 1.</summary>
-/// <remarks>Lengths of controls, text sizes among them, are in Sizes.axaml.</remarks>
+/// <summary>The only place for lengths in custom drawing, in device-independent units of 1/96 inch, and for opacities from 0 to
+/// 1.</summary>
+/// <remarks>Lengths of controls, including text sizes, are in Sizes.axaml.</remarks>
 internal static class DrawnSizes
 {
     /// <summary>Thickness of rules, frames and rapids.</summary>
     public const double Thin = 1;
 
-    /// <summary>Thickness of a cut in the path of a program.</summary>
+    /// <summary>Thickness of a cut in a program's path.</summary>
     public const double Cut = 1.5;
 
-    /// <summary>Thickness of what a plot is about.</summary>
+    /// <summary>Thickness of the main lines of a plot.</summary>
     public const double Line = 2;
 
-    /// <summary>Thickness of what stands out among lines.</summary>
+    /// <summary>Thickness of highlighted lines.</summary>
     public const double Thick = 3;
 
-    /// <summary>Thickness of the stroke that closes what would be seen between two neighbors of a map.</summary>
+    /// <summary>Thickness of the stroke that closes the gap between two neighbors of a map.</summary>
     public const double Hairline = 0.6;
 
-    /// <summary>Half of a thin line: so far from a border it lies on whole pixels.</summary>
+    /// <summary>Half of a thin line, the offset from a border that aligns it to whole pixels.</summary>
     public const double HalfThin = 0.5;
 
-    /// <summary>Height of the shade at an edge beyond which there is more.</summary>
+    /// <summary>Height of the shade at an edge with more content beyond it.</summary>
     public const double EdgeShade = 14;
 
     /// <summary>Radius of a point.</summary>
     public const double Dot = 4;
 
-    /// <summary>The least radius of a point among many.</summary>
+    /// <summary>Smallest radius of a point among many.</summary>
     public const double LeastDot = 0.5;
 
-    /// <summary>Radius of the ring around a place that was asked for, or where something begins.</summary>
+    /// <summary>Radius of the ring around a requested place or a start.</summary>
     public const double Ring = 7;
 
-    /// <summary>Half of a mark on a line of values.</summary>
+    /// <summary>Half the size of a mark on a line of values.</summary>
     public const double Mark = 5;
 
-    /// <summary>The same where marks stand close together.</summary>
+    /// <summary>The same for closely spaced marks.</summary>
     public const double LeastMark = 1.5;
 
-    /// <summary>How much further the corners of a diamond reach than a circle that looks as large.</summary>
+    /// <summary>Additional extent of a diamond's corners compared with a circle that looks as large.</summary>
     public const double DiamondMore = 1;
 
-    /// <summary>How much further the ring around a value outside of its limits reaches than its mark.</summary>
+    /// <summary>Additional radius of the ring around a value outside its limits, compared with its mark.</summary>
     public const double OutsideMore = 4;
 
-    /// <summary>How far apart places are at least for rings: closer ones would be a stripe.</summary>
+    /// <summary>Smallest distance between rings; closer ones would merge into a stripe.</summary>
     public const double OutsideApart = 4;
 
-    /// <summary>Half of a mark that others stand out from.</summary>
+    /// <summary>Half the size of an unobtrusive mark.</summary>
     public const double QuietMark = 3.5;
 
-    /// <summary>Half of a mark of a second figure.</summary>
+    /// <summary>Half the size of a mark of a second value.</summary>
     public const double MeanMark = 2;
 
-    /// <summary>How far a label is from what it belongs to.</summary>
+    /// <summary>Distance of a label from its object.</summary>
     public const double LabelAway = 8;
 
-    /// <summary>How far a number of a map stands above its point.</summary>
+    /// <summary>Height of a map number above its point.</summary>
     public const double NumberAbove = 5;
 
-    /// <summary>Room within a box around words, and between a sign and its name.</summary>
+    /// <summary>Padding of a text box, and gap between a sign and its name.</summary>
     public const double Around = 8;
 
-    /// <summary>Room between a line and words along it.</summary>
+    /// <summary>Gap between a line and the text along it.</summary>
     public const double Near = 6;
 
-    /// <summary>How much further than words their ground reaches on each side.</summary>
+    /// <summary>Horizontal padding of a text's background on each side.</summary>
     public const double VeilBeside = 2;
 
-    /// <summary>Radius of the corners of that ground.</summary>
+    /// <summary>Corner radius of that background.</summary>
     public const double VeilRound = 3;
 
-    /// <summary>How much of that ground is seen: what lies behind shows through, so that it can be followed.</summary>
+    /// <summary>Opacity of that background; what is behind shows through, so that the eye can follow it.</summary>
     public const double VeilOpacity = 0.85;
 
-    /// <summary>The same on a map, where what lies behind is a color that means something.</summary>
+    /// <summary>The same on a map, whose colors have a meaning.</summary>
     public const double MapVeilOpacity = 0.65;
 
-    /// <summary>How much is seen of the lines of a net behind what is drawn.</summary>
+    /// <summary>Opacity of grid lines behind the drawing.</summary>
     public const double RuleOpacity = 0.35;
 
-    /// <summary>How much is seen of a line around colors.</summary>
+    /// <summary>Opacity of a frame around colors.</summary>
     public const double FrameOpacity = 0.4;
 
-    /// <summary>Width of the numbers beside a plot over a series.</summary>
+    /// <summary>Width of the numbers to the left of a series plot.</summary>
     public const double LeftStrip = 62;
 
     /// <summary>Height of the names below it.</summary>
     public const double BottomStrip = 30;
 
-    /// <summary>The least distance between two lines of its net.</summary>
+    /// <summary>Smallest distance between two of its grid lines.</summary>
     public const double TicksApart = 30;
 
-    /// <summary>The least distance between two of the names below it.</summary>
+    /// <summary>Smallest distance between two of the names below it.</summary>
     public const double LabelsApart = 14;
 
     /// <summary>Length of a line in a legend.</summary>
     public const double LegendMark = 34;
 
-    /// <summary>Distance between two lines of a legend, each with its name.</summary>
+    /// <summary>Distance between two legend lines with their names.</summary>
     public const double LegendApart = 24;
 
-    /// <summary>Height of a bar of colors.</summary>
+    /// <summary>Height of a color bar.</summary>
     public const double ColorBar = 18;
 
     /// <summary>Length of a tick below it.</summary>
     public const double Tick = 4;
 
-    /// <summary>How much two neighbors of it lie over each other.</summary>
+    /// <summary>Overlap of two neighbors in it.</summary>
     public const double Overlap = 0.5;
 
-    /// <summary>How far lines go on beyond the border, so that their ends and joins are not seen.</summary>
+    /// <summary>Extension of lines beyond the border, which hides their ends and joins.</summary>
     public const double Beyond = 16;
 
-    /// <summary>What a finger does before it drags.</summary>
+    /// <summary>Movement of a finger before a drag starts.</summary>
     public const double FingerStill = 8;
 
-    /// <summary>Half of what a finger covers.</summary>
+    /// <summary>Half the width that a finger covers.</summary>
     public const double FingerReach = 28;
 
-    /// <summary>Width of the bar beside chosen lines of a program.</summary>
+    /// <summary>Width of the bar next to selected program lines.</summary>
     public const double TextBar = 4;
 
-    /// <summary>Width of the bar beside the lines of a feature.</summary>
+    /// <summary>Width of the bar next to the lines of a feature.</summary>
     public const double FeatureBar = 2;
 
-    /// <summary>Room between the columns of a program.</summary>
+    /// <summary>Gap between the columns of a program.</summary>
     public const double TextApart = 6;
 
-    /// <summary>The least width over which a finger drags along the lines of a program: 15 mm, as a target in Sizes.axaml.</summary>
+    /// <summary>Smallest width for dragging along program lines: 15 mm, like a target in Sizes.axaml.</summary>
     public const double LeastGutter = 57;
 
-    /// <summary>Length of a dash of a rapid, and of what is not drawn between two of them,
-    /// in pixels where it is drawn pixel by pixel.</summary>
+    /// <summary>Length of a rapid's dashes and gaps, in pixels if drawn pixel by pixel.</summary>
     public const int RapidDash = 6, RapidGap = 4;
 
-    /// <summary>How far the box of values is from its place, the nearest that is free.</summary>
+    /// <summary>Distances of the value box from its place; the nearest free one is used.</summary>
     public static IReadOnlyList<double> BoxAway { get; } = [12, 30, 60, 100];
 
-    /// <summary>A line that is dashed, in multiples of its thickness.</summary>
+    /// <summary>Dash pattern of a line, in multiples of its thickness.</summary>
     public static DashStyle Dashes { get; } = new([4, 3], 0);
 
-    /// <summary>A rapid, in multiples of its thickness.</summary>
+    /// <summary>Dash pattern of a rapid, in multiples of its thickness.</summary>
     public static DashStyle RapidDashes { get; } = new([RapidDash, RapidGap], 0);
 }

@@ -3,20 +3,18 @@ using Avalonia.Data.Converters;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Icons by what a view model says of them.</summary>
+/// <summary>Converters from view model values to icons.</summary>
 public static class Icons
 {
-    /// <summary>From a key to the icon.</summary>
     public static IValueConverter ByKey { get; } = new FuncValueConverter<string?, Avalonia.Media.Geometry?>(Find);
 
-    /// <summary>From a severity to its icon.</summary>
     public static IValueConverter BySeverity { get; } = new FuncValueConverter<Severity, Avalonia.Media.Geometry?>(
         s => Find("Icon." + Name(s)));
 
-    /// <summary>True for what waits for a person.</summary>
+    /// <summary>True for what waits for the user.</summary>
     public static IValueConverter IsAttention { get; } = new FuncValueConverter<Severity, bool>(s => s == Severity.Attention);
 
-    /// <summary>True for what keeps something from working.</summary>
+    /// <summary>True for what prevents operation.</summary>
     public static IValueConverter IsAlarm { get; } = new FuncValueConverter<Severity, bool>(s => s == Severity.Alarm);
 
     private static string Name(Severity severity) =>

@@ -4,7 +4,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The colors of values on a map: those of the reports, in every theme.</summary>
+/// <summary>The colors of map values, as in the reports, in every theme.</summary>
 internal static class MapColors
 {
     /// <summary>From the lowest value to the highest.</summary>

@@ -6,11 +6,11 @@ namespace ErrorMatching.Jobs;
 /// <summary>Names the blocks that <see cref="BoundarySearch"/> finds.</summary>
 internal static class BlockProposal
 {
-    /// <summary>The blocks of boundaries, or the reason why a boundary has none.</summary>
+    /// <summary>The blocks of boundaries, or why a boundary has none.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="boundaries">The features' boundaries, in their order.</param>
-    /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet.</param>
-    /// <param name="mapMm">How far a key point may lie from where it belongs.</param>
+    /// <param name="toolDiameterMm">Diameter of the tool; null if unknown.</param>
+    /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
     public static IReadOnlyList<ProposedBlocks> Of(
         NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm) =>
         [.. BoundarySearch.Find(path, boundaries, toolDiameterMm, mapMm).Select((f, i) => Named(path, i, boundaries[i].Name, f))];

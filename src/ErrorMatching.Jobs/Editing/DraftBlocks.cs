@@ -3,16 +3,16 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Says what is wrong with the program and the blocks of a draft that is not whole yet: no motion that cuts, blocks that are not
-/// there, blocks of two features.</summary>
+/// <summary>Finds problems with the program and blocks of an incomplete draft: no cutting motion, missing blocks, blocks of two
+/// features.</summary>
 internal static class DraftBlocks
 {
-    // The word of the mapping, which says the same once everything else is right.
+    // The code of the mapping, which reports the same once everything else is right.
     private const string BlocksOverlap = "blocks-overlap";
 
     private const string BlocksBackwards = "blocks-backwards";
 
-    /// <summary>Checks the blocks of each feature that has some.</summary>
+    /// <summary>Checks the blocks of each feature that names some.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
     /// <param name="bytes">The program.</param>
@@ -27,7 +27,7 @@ internal static class DraftBlocks
         }
         catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
         {
-            // The job's reader says which control there is none of.
+            // The job's reader reports an unknown control.
             yield break;
         }
 
@@ -82,17 +82,17 @@ internal static class DraftBlocks
         }
     }
 
-    // A range the other way around; null for one that does not run backwards.
+    // The reversed range; null if the range does not run backward.
     private static string? Turned(NcProgram program, string selector) =>
         !selector.StartsWith('/') && selector.Split("..") is [var first, var last] && PlaceOf(program, last) < PlaceOf(program, first)
             ? $"{last}..{first}"
             : null;
 
-    // Null for a block that is not there, or there twice.
+    // Null for a block that does not exist, or exists twice.
     private static int? PlaceOf(NcProgram program, string name) =>
         BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Value[0] : null;
 
-    // Null where nothing is named yet, or where the job's reader says what is wrong with a name.
+    // Null if nothing is named yet, or if the job's reader reports a problem with a name.
     private static NcOutcome<int[]>? Find(NcProgram program, FeatureDraft feature)
     {
         try

@@ -2,11 +2,11 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What a draft comes to.</summary>
-/// <param name="Problems">Everything that is wrong, in the order of the job; empty if it can be saved.</param>
-/// <param name="Job">The job; null while something is wrong with its file.</param>
+/// <summary>The result of checking a draft.</summary>
+/// <param name="Problems">All problems, in the order of the job; empty if it can be saved.</param>
+/// <param name="Job">The job; null while its file has problems.</param>
 public sealed record DraftCheck(IReadOnlyList<DraftProblem> Problems, MatingJob? Job)
 {
-    /// <summary>What can be used and is hardly meant: questions that keep nothing from being saved.</summary>
+    /// <summary>Valid but probably unintended input: questions that do not prevent saving.</summary>
     public IReadOnlyList<DraftProblem> Doubts { get; init; } = [];
 }

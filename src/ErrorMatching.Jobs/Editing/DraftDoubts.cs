@@ -4,11 +4,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What can be used and is hardly meant: asked at its field, and saved all the same.</summary>
+/// <summary>Valid but probably unintended input, queried at its field; it can still be saved.</summary>
 internal static class DraftDoubts
 {
-    /// <summary>Blocks at an end of a feature's cut that turn off where no key point is any more, and behind which nothing is cut:
-    /// the way in or out.</summary>
+    /// <summary>Blocks at an end of a feature's cut that turn away beyond the last key point, with no cut after them: the lead-in or
+    /// lead-out.</summary>
     /// <param name="match">The draft's match.</param>
     public static IEnumerable<DraftProblem> OfBlocks(MatchResult match)
     {
@@ -33,8 +33,8 @@ internal static class DraftDoubts
         }
     }
 
-    /// <summary>Key points on rounded corners, which no compensation brings where they are measured:
-    /// the same that a match warns of once it compensates.</summary>
+    /// <summary>Key points on rounded corners, whose measured deviation no compensation can match exactly. A match that compensates warns
+    /// of the same points.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="match">Its match.</param>
     public static IEnumerable<DraftProblem> OfCorners(MatingDraft draft, MatchResult match)
@@ -45,7 +45,7 @@ internal static class DraftDoubts
             .ToDictionary(p => p.Second.Label.Trim(), p => p.First, StringComparer.Ordinal);
         foreach (var foot in match.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && fields.ContainsKey(f.Label)))
         {
-            // Rounded up: nearer it would be asked about again.
+            // Round up: at a smaller distance the question would come again.
             var mm = string.Create(CultureInfo.InvariantCulture, $"{Math.Ceiling(foot.BeyondEndMm * 10) / 10:0.0} mm");
             yield return new(
                 fields[foot.Label], WarningForms.PointOnCorner.Name, foot.Label,
@@ -57,7 +57,7 @@ internal static class DraftDoubts
         }
     }
 
-    // The motions of a pass from the first bend outside of its key points on, where the pass is the end of the cut.
+    // The motions of a pass from the first bend beyond its key points, if the pass is at the end of the cut.
     private static IEnumerable<int> Ways(NcPath path, FeaturePass pass)
     {
         var moving = Enumerable.Range(pass.First, pass.Last - pass.First + 1).Where(m => path.Motions[m].MovesInPlane).ToArray();

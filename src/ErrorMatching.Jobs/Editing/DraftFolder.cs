@@ -4,14 +4,14 @@ using System.Text.Json;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>The folder where unsaved changes of jobs are kept, so that they outlive a crash: a file a job, and the programs that were
-/// imported, each written whole or not at all.</summary>
-/// <param name="folder">The folder. It is made when something is kept.</param>
+/// <summary>The folder that stores unsaved changes of jobs, so that they survive a crash: one file per job, and the imported programs.
+/// Each file is written completely or not at all.</summary>
+/// <param name="folder">The folder, created when needed.</param>
 public sealed class DraftFolder(string folder)
 {
     private const long MostBytes = 64L << 20;
 
-    /// <summary>Keeps unsaved changes in place of earlier ones of the same job.</summary>
+    /// <summary>Stores unsaved changes, replacing earlier ones of the same job.</summary>
     /// <exception cref="OutputException">They cannot be written.</exception>
     public void Keep(KeptDraft kept)
     {
@@ -24,9 +24,8 @@ public sealed class DraftFolder(string folder)
         OutputFile.Write(DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Options), [], CancellationToken.None);
     }
 
-    /// <summary>The unsaved changes of a job.</summary>
-    /// <returns>The changes; null if there are none.</returns>
-    /// <exception cref="InputException">They cannot be read, or are none.</exception>
+    /// <summary>Reads the unsaved changes of a job; null if there are none.</summary>
+    /// <exception cref="InputException">They cannot be read, or the file is invalid.</exception>
     public KeptDraft? Find(string job)
     {
         var file = DraftFile(job);
@@ -53,8 +52,8 @@ public sealed class DraftFolder(string folder)
         });
     }
 
-    /// <summary>Forgets the unsaved changes of a job, if there are any.</summary>
-    /// <exception cref="OutputException">They cannot be removed.</exception>
+    /// <summary>Deletes the unsaved changes of a job, if any.</summary>
+    /// <exception cref="OutputException">They cannot be deleted.</exception>
     public void Forget(string job)
     {
         if (!Directory.Exists(folder))
@@ -89,6 +88,6 @@ public sealed class DraftFolder(string folder)
 
     private string ProgramFile(string job, string sha256) => Path.Combine(folder, $"{Name(job)}.{sha256}.nc");
 
-    // Names of jobs may hold what names of files must not.
+    // Job names may contain characters that file names must not.
     private static string Name(string job) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(job)))[..16];
 }

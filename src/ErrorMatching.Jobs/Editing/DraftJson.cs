@@ -4,10 +4,10 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>How drafts stand in the files that keep them.</summary>
+/// <summary>The format of stored drafts.</summary>
 internal static class DraftJson
 {
-    /// <summary>Words for kinds; nothing that must be there is null.</summary>
+    /// <summary>Writes kinds as words; required values must not be null.</summary>
     public static JsonSerializerOptions Options { get; } = new()
     {
         Converters = { new JsonStringEnumConverter(), new KindConverter() },

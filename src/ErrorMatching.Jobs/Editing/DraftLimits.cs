@@ -2,14 +2,14 @@ using System.Globalization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Says where a lower limit stands above its upper one, at the lower one. The job's reader says so only once everything else can
-/// be read, and of both limits together.</summary>
+/// <summary>Reports lower limits that exceed their upper limits, at the lower one. The job's reader reports this only once everything
+/// else can be read, and for both limits together.</summary>
 internal static class DraftLimits
 {
-    /// <summary>The job's reader's word for it.</summary>
+    /// <summary>The code that the job's reader uses.</summary>
     public const string ReversedTolerance = "reversed-tolerance";
 
-    /// <summary>The limits of features and of the tolerance chain that are the wrong way around.</summary>
+    /// <summary>The reversed limits of features and of the tolerance chain.</summary>
     /// <param name="draft">The draft.</param>
     public static IEnumerable<DraftProblem> Reversed(MatingDraft draft)
     {

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>Lists in one field.</summary>
+/// <summary>Lists entered in one field.</summary>
 internal static class DraftList
 {
-    /// <summary>Selectors of blocks, with commas or spaces between them; a regular expression between slashes may hold both.</summary>
+    /// <summary>Block selectors separated by commas or spaces; a regular expression between slashes may contain both.</summary>
     public static IReadOnlyList<string> Blocks(string text)
     {
         var selectors = new List<string>();
@@ -21,7 +21,7 @@ internal static class DraftList
             {
                 var close = Closing(text, at + 1);
 
-                // Where no slash closes an expression any more, none is sought again.
+                // Once no closing slash is left, do not search for one again.
                 (mayClose, end) = (close >= 0, close > at + 1 ? close + 1 : -1);
             }
 
@@ -41,14 +41,14 @@ internal static class DraftList
         return selectors;
     }
 
-    /// <summary>Names or labels, with commas between them.</summary>
+    /// <summary>Names or labels, separated by commas.</summary>
     public static IReadOnlyList<string> Names(string text) =>
         text.Split([',', ';'], StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
 
-    /// <summary>The field of some items.</summary>
+    /// <summary>The field text for some items.</summary>
     public static string Join(IEnumerable<string> items) => string.Join(", ", items);
 
-    // The first slash that a comma, a semicolon or the end follows: it ends an expression. -1 if there is none.
+    // The first slash followed by a comma, a semicolon or the end closes an expression; -1 if there is none.
     private static int Closing(string text, int from)
     {
         for (var at = text.IndexOf('/', from); at >= 0; at = text.IndexOf('/', at + 1))

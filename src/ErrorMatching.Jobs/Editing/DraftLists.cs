@@ -1,9 +1,9 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>Lists that are never changed, with one item changed.</summary>
+/// <summary>Copies of immutable lists with one item changed.</summary>
 public static class DraftLists
 {
-    /// <summary>The list with another item in a place.</summary>
+    /// <summary>The list with one item replaced.</summary>
     public static IReadOnlyList<T> Replaced<T>(this IReadOnlyList<T> list, int index, T item)
     {
         ArgumentNullException.ThrowIfNull(list);
@@ -12,7 +12,7 @@ public static class DraftLists
         return copy;
     }
 
-    /// <summary>The list without the item in a place.</summary>
+    /// <summary>The list with one item removed.</summary>
     public static IReadOnlyList<T> Without<T>(this IReadOnlyList<T> list, int index)
     {
         ArgumentNullException.ThrowIfNull(list);

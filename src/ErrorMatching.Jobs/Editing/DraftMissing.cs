@@ -1,14 +1,14 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>Tells what is still to be filled in from what is wrong.</summary>
+/// <summary>Distinguishes fields that are not filled in yet from wrong ones.</summary>
 internal static class DraftMissing
 {
-    // As the job's reader says that nothing stands in a field.
+    // How the job's reader reports an empty field.
     private const string NoText = "the text \"\"";
 
     private static readonly string[] Codes = ["too-short", "empty-cell", "too-few-items", "stylus-diameter-missing", "measured-missing"];
 
-    /// <summary>A problem, marked if it is only that nothing was filled in there yet.</summary>
+    /// <summary>The problem, marked if the field is only not filled in yet.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="problem">The problem.</param>
     public static DraftProblem Marked(MatingDraft draft, DraftProblem problem) => problem with

@@ -3,11 +3,11 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Numbers as people type them.</summary>
+/// <summary>Numbers as users type them.</summary>
 internal static partial class DraftNumber
 {
-    /// <summary>The number as JSON writes it: a plus sign, zeros in front and a bare decimal sign are gone, digits stay.
-    /// Null for what is no number.</summary>
+    /// <summary>The number in JSON notation, with the same digits but no plus sign, leading zeros or bare decimal sign; null if the text
+    /// is not a number.</summary>
     public static string? Json(string text)
     {
         if (Form().Match(text.Trim()) is not { Success: true } match)
@@ -20,7 +20,7 @@ internal static partial class DraftNumber
             + (decimals.Length > 0 ? "." + decimals : "") + match.Groups["power"].Value;
     }
 
-    /// <summary>Its value; null for what is no number.</summary>
+    /// <summary>Its value; null if the text is not a number.</summary>
     public static double? Value(string text) =>
         Json(text) is { } json ? double.Parse(json, NumberStyles.Float, CultureInfo.InvariantCulture) : null;
 

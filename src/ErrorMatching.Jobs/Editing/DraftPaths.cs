@@ -2,8 +2,8 @@ using System.Globalization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Where the fields of a draft stand: the JSON paths of the job, and paths like them for the theoretical points,
-/// which stand in a file of their own.</summary>
+/// <summary>Paths of the fields of a draft: the JSON paths of the job, and similar paths for the theoretical points, which have a file of
+/// their own.</summary>
 public static class DraftPaths
 {
     /// <summary>A field of a feature, such as <c>$.features[0].blocks</c>.</summary>
@@ -12,9 +12,9 @@ public static class DraftPaths
 
     /// <summary>The label of a feature's point.</summary>
     /// <param name="draft">The draft.</param>
-    /// <param name="feature">Number of the feature, from 0.</param>
-    /// <param name="flank">Number of the flank, from 0.</param>
-    /// <param name="point">Number of the point in it, from 0.</param>
+    /// <param name="feature">Index of the feature, from 0.</param>
+    /// <param name="flank">Index of the flank, from 0.</param>
+    /// <param name="point">Index of the point in it, from 0.</param>
     public static string Label(MatingDraft draft, int feature, int flank, int point)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -24,7 +24,7 @@ public static class DraftPaths
             : string.Create(CultureInfo.InvariantCulture, $"{field}[{point}]");
     }
 
-    /// <summary>The label of a point that belongs to no feature.</summary>
+    /// <summary>The label of a point without a feature.</summary>
     public static string OtherLabel(int point) => string.Create(CultureInfo.InvariantCulture, $"$.otherPoints[{point}]");
 
     /// <summary>A coordinate of the point with that label: <c>x</c>, <c>y</c> or <c>z</c>.</summary>

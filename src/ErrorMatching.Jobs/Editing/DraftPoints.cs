@@ -3,22 +3,22 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What is wrong with the theoretical points of a draft, by the reader of their file.</summary>
+/// <summary>Problems with the theoretical points of a draft, found by the reader of their file.</summary>
 internal static class DraftPoints
 {
     private const string File = "theoretical.csv";
 
     /// <summary>Reads the points.</summary>
     /// <param name="draft">The draft.</param>
-    /// <param name="job">Its job; null while something is wrong with it.</param>
-    /// <param name="problems">Takes what is wrong.</param>
-    /// <returns>The points; null while something is wrong with them.</returns>
+    /// <param name="job">Its job; null while it has problems.</param>
+    /// <param name="problems">Receives the problems.</param>
+    /// <returns>The points; null while they have problems.</returns>
     public static MeasurementFile? Check(MatingDraft draft, MatingJob? job, List<DraftProblem> problems)
     {
         var points = draft.Points.ToArray();
         if (points.Length == 0)
         {
-            // That features are missing is said already.
+            // Missing features are already reported.
             return null;
         }
 
@@ -48,7 +48,7 @@ internal static class DraftPoints
         return file;
     }
 
-    // A reader stops at the first mistake of a file. So that each is found, each field is read in a file where everything else is right.
+    // A reader stops at the first mistake in a file. To find all of them, read each field in a file where everything else is right.
     private static void Explain(MatingDraft draft, PointDraft[] points, MeasurementException whole, List<DraftProblem> problems)
     {
         var (labels, hasZ, count) = (DraftPaths.Labels(draft).ToArray(), points.Any(p => !string.IsNullOrWhiteSpace(p.Z)), problems.Count);
@@ -65,7 +65,7 @@ internal static class DraftPoints
 
         if (problems.Count == count)
         {
-            // Something between the rows, such as one label twice.
+            // A problem between rows, such as a duplicate label.
             problems.Add(new(
                 whole.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical",
                 whole.Code,
@@ -82,7 +82,7 @@ internal static class DraftPoints
         }
         catch (MeasurementException e)
         {
-            // The job's reader may have refused the same label.
+            // The job's reader may have reported the same label.
             if (!problems.Exists(p => p.Field == field))
             {
                 problems.Add(new(field, e.Code, e.Found, e.Problem));

@@ -3,7 +3,7 @@ using System.Text.Json.Serialization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A program that was imported into a draft.</summary>
+/// <summary>A program imported into a draft.</summary>
 public sealed record DraftProgram
 {
     /// <summary>SHA-256 of its bytes as 64 lower-case hexadecimal digits.</summary>
@@ -13,7 +13,7 @@ public sealed record DraftProgram
     [JsonIgnore]
     public ReadOnlyMemory<byte> Bytes { get; init; }
 
-    /// <summary>The program of some bytes.</summary>
+    /// <summary>Creates it from the program's bytes.</summary>
     public static DraftProgram Of(ReadOnlyMemory<byte> bytes) =>
         new() { Sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), Bytes = bytes };
 }

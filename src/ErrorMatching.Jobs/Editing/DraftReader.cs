@@ -4,14 +4,14 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Makes a draft of a job that can be used.</summary>
+/// <summary>Creates a draft from a usable job.</summary>
 internal sealed class DraftReader(JsonItem root, string file, MeasurementFile theoretical, string header)
 {
     private static readonly string[] Columns = ["point", "x_mm", "y_mm", "z_mm"];
     private readonly Dictionary<string, PointDraft> _points = new(StringComparer.Ordinal);
 
-    /// <summary>Reads it.</summary>
-    /// <exception cref="DraftException">It says something that a draft cannot.</exception>
+    /// <summary>Reads the draft.</summary>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent.</exception>
     public MatingDraft Read()
     {
         ReadPoints();

@@ -5,13 +5,13 @@ using System.Text.Json.Nodes;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Writes a draft as a job. What is no number is written as text, so that the job's reader says what is wrong with it and
-/// where.</summary>
+/// <summary>Writes a draft as a job. Text that is not a number is written as text, so that the job's reader reports it with its
+/// place.</summary>
 internal sealed class DraftWriter(MatingDraft draft)
 {
     private static readonly System.Text.Json.JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The job's file: a key a line, a feature a line.</summary>
+    /// <summary>The job's file, with one line per key and one per feature.</summary>
     public byte[] Job()
     {
         var root = new JsonObject();

@@ -3,7 +3,7 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A feature of the mating boundary as it is being typed.</summary>
+/// <summary>A feature of the mating boundary, as typed.</summary>
 public sealed record FeatureDraft
 {
     /// <summary>Its kind.</summary>
@@ -12,18 +12,18 @@ public sealed record FeatureDraft
     /// <summary>Its name.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>Its key points in the order of cutting: as many lists as its kind has (<see cref="FeatureKind.LeastPoints"/>).</summary>
+    /// <summary>Its key points in the order of cutting, in one list per number in <see cref="FeatureKind.LeastPoints"/>.</summary>
     public IReadOnlyList<IReadOnlyList<PointDraft>> Flanks { get; init; } = [[]];
 
-    /// <summary>Selectors of the blocks that cut it, with commas between them.</summary>
+    /// <summary>Selectors of the blocks that cut it, separated by commas.</summary>
     public string Blocks { get; init; } = "";
 
-    /// <summary>The selectors of blocks that stand there, each for itself.</summary>
+    /// <summary>The individual block selectors.</summary>
     [JsonIgnore]
     public IReadOnlyList<string> BlockList => DraftList.Blocks(Blocks);
 
-    /// <summary><c>stated</c> where <see cref="Lower"/> and <see cref="Upper"/> hold,
-    /// else <c>chain:worst-case</c> or <c>chain:rss</c>.</summary>
+    /// <summary><c>stated</c> if <see cref="Lower"/> and <see cref="Upper"/> apply, otherwise <c>chain:worst-case</c> or
+    /// <c>chain:rss</c>.</summary>
     public string Tolerance { get; init; } = Stated;
 
     /// <summary>Lower limit of the deviation, mm.</summary>
@@ -35,20 +35,20 @@ public sealed record FeatureDraft
     /// <summary>The plane of its points: <c>XY</c>, <c>ZX</c> or <c>YZ</c>.</summary>
     public string Plane { get; init; } = "XY";
 
-    /// <summary>What stands at each of the keys that only its kind has (<see cref="FeatureKind.Keys"/>).</summary>
+    /// <summary>The texts of the keys that only its kind has (<see cref="FeatureKind.Keys"/>).</summary>
     public IReadOnlyDictionary<string, string> Keys { get; init; } = new Dictionary<string, string>();
 
-    /// <summary>The word for limits that are stated.</summary>
+    /// <summary>The word for stated limits.</summary>
     public const string Stated = "stated";
 
     /// <summary>All its points in the order of cutting.</summary>
     [JsonIgnore]
     public IEnumerable<PointDraft> Points => Flanks.SelectMany(f => f);
 
-    /// <summary>A new feature with as few points as its kind takes, whose labels no point of the draft has.</summary>
+    /// <summary>A new feature with its kind's minimum number of points, with labels that are unused in the draft.</summary>
     /// <param name="kind">Its kind.</param>
     /// <param name="name">Its name.</param>
-    /// <param name="draft">The draft that it is for.</param>
+    /// <param name="draft">The draft that it will be added to.</param>
     public static FeatureDraft New(FeatureKind kind, string name, MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(kind);
@@ -65,10 +65,10 @@ public sealed record FeatureDraft
         };
     }
 
-    /// <summary>What stands at a key of its kind.</summary>
+    /// <summary>The text of a key of its kind.</summary>
     public string Key(string name) => Keys[name];
 
-    /// <summary>The feature with another text at a key of its kind.</summary>
+    /// <summary>The feature with another text for a key of its kind.</summary>
     public FeatureDraft WithKey(string name, string text) =>
         this with { Keys = Kind.Keys.ToDictionary(k => k.Name, k => k.Name == name ? text : Keys[k.Name], StringComparer.Ordinal) };
 }

@@ -1,18 +1,18 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>What the gauge writes and how well it measures, as it is being typed. What is empty is the job's default.</summary>
+/// <summary>The gauge's file format and accuracy, as typed. An empty field means the job's default.</summary>
 public sealed record GaugeDraft
 {
-    /// <summary>Name of the format of its files; empty where <see cref="FormatJson"/> describes one.</summary>
+    /// <summary>Name of its file format; empty if <see cref="FormatJson"/> describes one.</summary>
     public string Format { get; init; } = "points";
 
-    /// <summary>The description of a format as the job has it; empty where <see cref="Format"/> names one.</summary>
+    /// <summary>Description of a format, as in the job; empty if <see cref="Format"/> names one.</summary>
     public string FormatJson { get; init; } = "";
 
-    /// <summary>Standard uncertainty of a coordinate, mm, where <see cref="Contributions"/> are none.</summary>
+    /// <summary>Standard uncertainty of a coordinate, mm, if there are no <see cref="Contributions"/>.</summary>
     public string Uncertainty { get; init; } = "";
 
-    /// <summary>The contributions to the uncertainty, which are combined by root sum of squares.</summary>
+    /// <summary>The contributions to the uncertainty, combined by root sum of squares.</summary>
     public IReadOnlyList<ContributionDraft> Contributions { get; init; } = [];
 
     /// <summary><c>contact</c> or <c>stylus-center</c>.</summary>
@@ -21,15 +21,15 @@ public sealed record GaugeDraft
     /// <summary>Diameter of the stylus ball, mm.</summary>
     public string StylusDiameter { get; init; } = "";
 
-    /// <summary>Speed of probing, mm/s, by which the report states the time of measuring.</summary>
+    /// <summary>Probing speed, mm/s, for the measuring time in the report.</summary>
     public string ProbingSpeed { get; init; } = "";
 
-    /// <summary>Way of probing at a point, mm.</summary>
+    /// <summary>Probing distance at a point, mm.</summary>
     public string ProbingDistance { get; init; } = "";
 
-    /// <summary>Time of calculating, s.</summary>
+    /// <summary>Calculation time, s.</summary>
     public string Calculating { get; init; } = "";
 
-    /// <summary>How many points the gauge touches, where that is not the number of key points.</summary>
+    /// <summary>Number of points that the gauge touches, if it is not the number of key points.</summary>
     public string Touches { get; init; } = "";
 }

@@ -3,78 +3,76 @@ using System.Text.Json.Serialization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A mating job as it is being edited: every field as the text that was typed, right or wrong. It is never changed;
-/// an edit makes another one.</summary>
-/// <remarks>What is wrong with it <see cref="MatingDraftCheck"/> finds out by the readers that read the job's files;
-/// <see cref="MatingDraftFiles"/> writes and reads these.</remarks>
+/// <summary>A mating job while it is edited: every field is the text as typed, right or wrong. Immutable; an edit creates a new
+/// draft.</summary>
+/// <remarks><see cref="MatingDraftCheck"/> checks it with the readers of the job's files; <see cref="MatingDraftFiles"/> writes and reads
+/// these files.</remarks>
 public sealed record MatingDraft
 {
-    /// <summary>What the report calls the job: the workpiece.</summary>
+    /// <summary>The job's name in reports: the workpiece.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>The shop's number of the order; empty for none.</summary>
+    /// <summary>The shop's order number; empty for none.</summary>
     public string WorkOrder { get; init; } = "";
 
     /// <summary>File of the theoretical points, relative to the job.</summary>
     public string TheoreticalFile { get; init; } = "theoretical.csv";
 
-    /// <summary>File of the measured part that is used where none is given, relative to the job.</summary>
+    /// <summary>Default file of the measured part, relative to the job.</summary>
     public string MeasuredFile { get; init; } = "part.csv";
 
     /// <summary>The gauge.</summary>
     public GaugeDraft Gauge { get; init; } = new();
 
-    /// <summary>How measured points are moved.</summary>
+    /// <summary>The alignment of measured points.</summary>
     public AlignmentDraft Alignment { get; init; } = new();
 
-    /// <summary>Label of the point that must be measured where it is designed; empty for none.</summary>
+    /// <summary>Label of the point whose measured position must match its design; empty for none.</summary>
     public string OriginPoint { get; init; } = "";
 
-    /// <summary>How far it may be away, mm.</summary>
+    /// <summary>Its allowed distance, mm.</summary>
     public string OriginLimit { get; init; } = "";
 
     /// <summary>The boundary in the order of cutting.</summary>
     public IReadOnlyList<FeatureDraft> Features { get; init; } = [];
 
-    /// <summary>Theoretical points that belong to no feature.</summary>
+    /// <summary>Theoretical points without a feature.</summary>
     public IReadOnlyList<PointDraft> OtherPoints { get; init; } = [];
 
     /// <summary>The piece to be cut.</summary>
     public CounterpartDraft Counterpart { get; init; } = new();
 
-    /// <summary>What is made of the deviations.</summary>
+    /// <summary>How deviations are compensated.</summary>
     public CompensationDraft Compensation { get; init; } = new();
 
     /// <summary>The tolerance chain.</summary>
     public IReadOnlyList<ChainLinkDraft> Chain { get; init; } = [];
 
-    /// <summary>Comparisons beside those that every feature has.</summary>
+    /// <summary>Comparisons in addition to those that every feature has.</summary>
     public IReadOnlyList<ComparisonDraft> Comparisons { get; init; } = [];
 
-    /// <summary>The rules that tell the part's measurements from the counterpart's, as the job has them; empty for none.
-    /// They are kept and not edited.</summary>
+    /// <summary>The rules that distinguish the part's measurements from the counterpart's, as in the job; empty for none. Preserved but
+    /// not editable.</summary>
     public string RecognitionJson { get; init; } = "";
 
-    /// <summary>Where an editor finds the schema, as the job has it; empty for nowhere.</summary>
+    /// <summary>The schema reference for editors, as in the job; empty for none.</summary>
     public string SchemaUri { get; init; } = "";
 
-    /// <summary>A program that was imported and takes the place of the job's; null while the job's own stays.</summary>
+    /// <summary>An imported program that replaces the job's; null to keep the job's own.</summary>
     public DraftProgram? Program { get; init; }
 
-    /// <summary>True for another job than the one in whose place it is: it was begun from an empty draft, and is not saved yet.</summary>
+    /// <summary>True for a new job that was started from an empty draft in another job's place and is not saved yet.</summary>
     public bool IsBegunAnew { get; init; }
 
     /// <summary>All points, those of features first.</summary>
     [JsonIgnore]
     public IEnumerable<PointDraft> Points => Features.SelectMany(f => f.Points).Concat(OtherPoints);
 
-    /// <summary>The smallest number behind those of all labels.</summary>
+    /// <summary>The smallest number greater than those of all labels.</summary>
     [JsonIgnore]
     internal int NextLabel => Points.Select(p => PointLabel.NumberOf(p.Label)).DefaultIfEmpty().Max() + 1;
 
-    /// <summary>
-    /// False for a draft of a file that somebody else wrote: with lists or keys that a feature has not, or with nothing in a list.
-    /// </summary>
+    /// <summary>False for a draft from an external file with a wrong number of lists, a missing key, or a null entry in a list.</summary>
     [JsonIgnore]
     internal bool IsWhole =>
         Features.All(
@@ -94,8 +92,8 @@ public sealed record MatingDraft
         return ReferenceEquals(this, other) || ToJson().AsSpan().SequenceEqual(other.ToJson());
     }
 
-    /// <summary>An empty draft in the place of this one: what belongs to the job's place (files, dialect, format, rules) stays. A
-    /// counterpart that was measured does not: it is of the piece that was there before.</summary>
+    /// <summary>An empty draft in this job's place. Settings of the place (files, dialect, format, rules) are kept. The measured
+    /// counterpart is not, because it belongs to the previous piece.</summary>
     public MatingDraft Emptied() => new()
     {
         TheoreticalFile = TheoreticalFile,
@@ -107,11 +105,11 @@ public sealed record MatingDraft
         IsBegunAnew = true,
     };
 
-    /// <summary>The draft with as many points in a flank of a feature:
-    /// new ones get numbers that no point has, those too many leave from the end.</summary>
-    /// <param name="feature">Number of the feature, from 0.</param>
-    /// <param name="flank">Number of the flank, from 0.</param>
-    /// <param name="count">How many points, 0 or more.</param>
+    /// <summary>The draft with a given number of points in a flank. New points get unused numbers; surplus points are removed from the
+    /// end.</summary>
+    /// <param name="feature">Index of the feature, from 0.</param>
+    /// <param name="flank">Index of the flank, from 0.</param>
+    /// <param name="count">Number of points, 0 or more.</param>
     public MatingDraft WithPoints(int feature, int flank, int count)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(count);
@@ -121,15 +119,15 @@ public sealed record MatingDraft
         return WithFeature(feature, f => f with { Flanks = f.Flanks.Replaced(flank, now) });
     }
 
-    /// <summary>The draft with the limits of the first feature, or their source, at all features.</summary>
+    /// <summary>The draft with the first feature's limits, or their source, for all features.</summary>
     public MatingDraft WithSameLimits() => this with
     {
         Features = [
             .. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })]
     };
 
-    /// <summary>The draft with coordinates and labels of rows at its points; what a row does not have stays.</summary>
-    /// <param name="rowOf">The row of a point, by its number among all points and as it is; null for none.</param>
+    /// <summary>The draft with coordinates and labels from rows; values that a row lacks stay.</summary>
+    /// <param name="rowOf">The row of a point, given its index among all points and the point; null for none.</param>
     internal MatingDraft WithRows(Func<int, PointDraft, PointDraft?> rowOf)
     {
         var next = 0;
@@ -144,9 +142,9 @@ public sealed record MatingDraft
             ? new(row.Label.Length > 0 ? row.Label : point.Label, row.X, row.Y, row.Z.Length > 0 ? row.Z : point.Z) : point;
     }
 
-    /// <summary>The draft with a feature changed.</summary>
-    /// <param name="feature">Number of the feature, from 0.</param>
-    /// <param name="change">What it becomes.</param>
+    /// <summary>The draft with a changed feature.</summary>
+    /// <param name="feature">Index of the feature, from 0.</param>
+    /// <param name="change">The change.</param>
     public MatingDraft WithFeature(int feature, Func<FeatureDraft, FeatureDraft> change)
     {
         ArgumentNullException.ThrowIfNull(change);

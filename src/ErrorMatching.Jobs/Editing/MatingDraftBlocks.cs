@@ -3,20 +3,20 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Finds the blocks that cut the features of a draft by their key points (<see cref="BoundarySearch"/>):
-/// a proposal for a person to look at.</summary>
+/// <summary>Finds the blocks that cut a draft's features by their key points (<see cref="BoundarySearch"/>). The result is a proposal for
+/// the user to check.</summary>
 public static class MatingDraftBlocks
 {
-    /// <summary>The blocks of the features that have none yet. None are found for a feature of which a point has no coordinates, that no
-    /// cut follows, or whose blocks have no name that tells them from others.</summary>
-    /// <param name="draft">The draft; it may be wrong elsewhere.</param>
+    /// <summary>The blocks of features that have none yet. None are found if a point lacks coordinates, no cut follows the feature, or
+    /// the block names are not unique.</summary>
+    /// <param name="draft">The draft; it may have other problems.</param>
     /// <param name="path">Its program, interpreted.</param>
     public static IReadOnlyList<ProposedBlocks> Propose(MatingDraft draft, NcPath path)
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(path);
 
-        // What has its blocks is sought as well: they are nobody else's.
+        // Search for features with blocks too, so that their blocks are not proposed for others.
         var places = MatingDraftPlaces.Of(draft).ToLookup(p => p.Feature);
         var sought = draft.Features.Select(f => new SoughtBoundary(
             f.Name,

@@ -7,20 +7,19 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>
-/// Says what is wrong with a draft by the readers of its files, at the fields of the draft: first the job's, then the theoretical points',
-/// and where both can be used the mapping of every key point to the program, for a part that is measured where it is designed.
-/// </summary>
+/// <summary>Finds the problems of a draft with the readers of its files and assigns them to its fields: first the job, then the
+/// theoretical points. If both are usable, it also maps every key point to the program, for a part that measures exactly as
+/// designed.</summary>
 public static class MatingDraftCheck
 {
-    /// <summary>Field of what is wrong with the program itself.</summary>
+    /// <summary>Field of problems with the program itself.</summary>
     public const string Program = "$.counterpart.program";
 
     private const string Dialect = "$.counterpart.dialect";
 
-    /// <summary>Checks a draft. This takes its time with a long program: not to be called on a screen's thread.</summary>
+    /// <summary>Checks a draft. Slow with a long program, so do not call it on the UI thread.</summary>
     /// <param name="draft">The draft.</param>
-    /// <param name="file">The job's file, for relative paths; it need not be there.</param>
+    /// <param name="file">The job's file, for relative paths; it need not exist.</param>
     public static DraftCheck Of(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -56,14 +55,14 @@ public static class MatingDraftCheck
                 doubts);
             if (problems.Exists(p => p.Code == NcRefusalCodes.BlockNotFound))
             {
-                // The mapping does not say whether a range runs backwards.
+                // The mapping does not report that a range runs backward.
                 problems.Clear();
                 problems.AddRange(DraftBlocks.Check(draft, file, bytes));
             }
         }
         else if (program is { } given)
         {
-            // What the program says about itself and about blocks need not wait until everything else is right.
+            // Report problems of the program and its blocks before everything else is right.
             problems.AddRange(DraftBlocks.Check(draft, file, given));
         }
 
@@ -75,21 +74,21 @@ public static class MatingDraftCheck
         return new([.. problems.Select(p => DraftMissing.Marked(draft, p))], job) { Doubts = doubts };
     }
 
-    /// <summary>The program of a draft that may be wrong elsewhere: the imported one, else the job's.</summary>
+    /// <summary>The program of a draft that may have other problems: the imported one, otherwise the job's.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
-    /// <exception cref="InputException">The job's cannot be opened.</exception>
-    /// <exception cref="NcException">It is larger than any program that is read.</exception>
+    /// <exception cref="InputException">The job's program cannot be opened.</exception>
+    /// <exception cref="NcException">It is larger than the limit for programs.</exception>
     public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
         return draft.Program?.Bytes ?? InputFile.Program(Beside(file, draft.Counterpart.Program));
     }
 
-    /// <summary>The dialect of a draft that may be wrong elsewhere.</summary>
+    /// <summary>The dialect of a draft that may have other problems.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
-    /// <exception cref="InputException">The file of a dialect of its own cannot be opened.</exception>
+    /// <exception cref="InputException">The shop's dialect file cannot be opened.</exception>
     /// <exception cref="JsonDocumentException">It cannot be used.</exception>
     /// <exception cref="NcException">No dialect has this name.</exception>
     public static NcDialect DialectOf(MatingDraft draft, string file)
@@ -156,7 +155,7 @@ public static class MatingDraftCheck
         }
     }
 
-    // A key that is not there is told at the field that would write it.
+    // Report a missing key at the field that would write it.
     private static string FieldOf(JsonProblem problem) => problem.Code switch
     {
         "stylus-diameter-missing" => "$.gauge.stylusDiameterMm",
@@ -174,7 +173,7 @@ public static class MatingDraftCheck
             : Program;
     }
 
-    // How far a point lies from the nearest of its blocks.
+    // Distance of a point from the nearest of its blocks.
     private static string AmountOf(MatingRefusal refusal) =>
         refusal.DistanceMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $"{mm:0.000} mm") : "";
 

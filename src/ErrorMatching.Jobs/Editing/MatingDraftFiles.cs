@@ -5,13 +5,13 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Drafts as the files of a job: written, and read back without losing anything.</summary>
+/// <summary>Writes drafts as the files of a job, and reads them back without loss.</summary>
 public static class MatingDraftFiles
 {
     /// <summary>The job's file.</summary>
     public static byte[] Job(MatingDraft draft) => new DraftWriter(draft).Job();
 
-    /// <summary>The theoretical points' file: <c>point,x_mm,y_mm</c>, and <c>z_mm</c> where a point has one.</summary>
+    /// <summary>The theoretical points' file: <c>point,x_mm,y_mm</c>, and <c>z_mm</c> if a point has one.</summary>
     public static byte[] Theoretical(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -23,7 +23,7 @@ public static class MatingDraftFiles
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="JobException">The job cannot be used.</exception>
     /// <exception cref="MeasurementException">The theoretical points cannot be used.</exception>
-    /// <exception cref="DraftException">The job says something that a draft cannot, and that would be lost.</exception>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public static MatingDraft Open(string file)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
@@ -31,12 +31,12 @@ public static class MatingDraftFiles
         return Read(bytes, file, InputFile.Bytes(job.PathOf(job.Part.Theoretical), MeasurementFormat.Points.MaxBytes));
     }
 
-    /// <summary>The draft of a job's files.</summary>
-    /// <param name="bytes">The job's file, which can be used.</param>
+    /// <summary>Creates a draft from a job's files.</summary>
+    /// <param name="bytes">The job's file, which must be usable.</param>
     /// <param name="file">Its name.</param>
     /// <param name="theoretical">The theoretical points' file.</param>
     /// <exception cref="MeasurementException">The theoretical points cannot be used.</exception>
-    /// <exception cref="DraftException">The job says something that a draft cannot, and that would be lost.</exception>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public static MatingDraft Read(ReadOnlySpan<byte> bytes, string file, ReadOnlyMemory<byte> theoretical)
     {
         var end = theoretical.Span.IndexOfAny((byte)'\r', (byte)'\n');
@@ -46,7 +46,7 @@ public static class MatingDraftFiles
             root, file, MeasurementReader.Read(theoretical, root["part"]["theoretical"].Text, MeasurementFormat.Points), header).Read();
     }
 
-    /// <summary>True if the job's file has comments, which no draft keeps.</summary>
+    /// <summary>True if the job's file has comments, which a draft does not preserve.</summary>
     public static bool HasComments(ReadOnlySpan<byte> bytes)
     {
         var reader = new System.Text.Json.Utf8JsonReader(
@@ -62,7 +62,7 @@ public static class MatingDraftFiles
         return false;
     }
 
-    /// <summary>The file of some theoretical points.</summary>
+    /// <summary>The file of theoretical points.</summary>
     internal static byte[] Theoretical(IReadOnlyList<PointDraft> points)
     {
         var hasZ = points.Any(p => !string.IsNullOrWhiteSpace(p.Z));
@@ -76,7 +76,7 @@ public static class MatingDraftFiles
         return Encoding.UTF8.GetBytes(text.ToString());
     }
 
-    // What is no number stays as it was typed: the reader says what is wrong with it.
+    // Text that is not a number stays as typed; the reader reports it.
     private static string Coordinate(string text) => DraftNumber.Json(text) ?? Cell(text.Trim());
 
     private static string Cell(string text) =>

@@ -3,15 +3,15 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Says where the key points of a draft lie in its program, as far as the draft says it,
-/// by the readers of its files and the mapping of the job.</summary>
+/// <summary>Computes where the key points of a draft are in its program, as far as the draft defines it, with the readers of its files
+/// and the mapping of the job.</summary>
 public static class MatingDraftPlaces
 {
     private const string File = "theoretical.csv", Label = "1";
 
-    /// <summary>The places of the key points of features, in the order of cutting.
-    /// A point without coordinates has none, and none has one while the frame is wrong.</summary>
-    /// <param name="draft">The draft; it may be wrong elsewhere.</param>
+    /// <summary>The positions of the features' key points, in the order of cutting. A point without coordinates has none, and none has
+    /// one while the frame is wrong.</summary>
+    /// <param name="draft">The draft; it may have other problems.</param>
     public static IReadOnlyList<DraftPlace> Of(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -23,7 +23,7 @@ public static class MatingDraftPlaces
                 p => jobs[f.Plane] is { } job ? PlaceOf(f, p, job) : null)).OfType<DraftPlace>()];
     }
 
-    // The frame and the plane are the draft's, and all else is right: what is missing elsewhere does not hide where the points are.
+    // Uses the draft's frame and plane in an otherwise valid job, so that other missing input does not hide the points.
     private static MatingJob? JobOf(CounterpartDraft counterpart, string plane)
     {
         var draft = new MatingDraft
@@ -46,7 +46,7 @@ public static class MatingDraftPlaces
 
     private static DraftPlace? PlaceOf(FeatureDraft feature, PointDraft point, MatingJob job)
     {
-        // Most points of a new draft have nothing yet: no reader need say so.
+        // Most points of a new draft are still empty; skip them without calling the reader.
         if (string.IsNullOrWhiteSpace(point.X) && string.IsNullOrWhiteSpace(point.Y))
         {
             return null;

@@ -4,21 +4,21 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What a draft would make of a measurement, without saving it: the same run as of its files.</summary>
+/// <summary>Runs a draft on a measurement without saving it, in the same way as its files would run.</summary>
 public static class MatingDraftRun
 {
     /// <summary>Runs a draft.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
-    /// <param name="request">What it is run with; theoretical points and an imported program are the draft's.</param>
-    /// <param name="cancellation">Looked at between reading and calculating.</param>
-    /// <exception cref="JobException">Something is wrong with the draft.</exception>
+    /// <param name="request">The run's request; theoretical points and an imported program come from the draft.</param>
+    /// <param name="cancellation">Checked between reading and calculating.</param>
+    /// <exception cref="JobException">The draft has problems.</exception>
     /// <exception cref="InputException">A file cannot be opened.</exception>
     /// <exception cref="MeasurementException">A measurement or the points cannot be used.</exception>
-    /// <exception cref="WrongPieceException">A measurement is one of the other piece.</exception>
+    /// <exception cref="WrongPieceException">A measurement is of the other piece.</exception>
     /// <exception cref="Json.JsonDocumentException">The job's own dialect cannot be used.</exception>
     /// <exception cref="NcException">The dialect, a selector or the program cannot be read.</exception>
-    /// <exception cref="PointsException">The measured points determine no answer.</exception>
+    /// <exception cref="PointsException">The measured points determine no result.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public static RunOutcome<MatchedProgram> Of(MatingDraft draft, string file, MatingRequest request, CancellationToken cancellation)
     {

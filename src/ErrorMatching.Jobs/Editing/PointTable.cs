@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Coordinates from a spreadsheet or a file: lines of cells with tabs, semicolons or commas between them, label and coordinates,
+/// <summary>Coordinates from a spreadsheet or a file: lines of cells separated by tabs, semicolons or commas, with label and coordinates,
 /// or coordinates alone in the order of the draft's points.</summary>
 public sealed partial class PointTable
 {
@@ -13,15 +13,15 @@ public sealed partial class PointTable
     private PointTable(IReadOnlyList<PointDraft> points, bool hasLabels, PointTableFault? fault) =>
         (_points, _hasLabels, Fault) = (points, hasLabels, fault);
 
-    /// <summary>How many points it has.</summary>
+    /// <summary>Number of points.</summary>
     public int Count => _points.Count;
 
-    /// <summary>The first line that should hold coordinates and does not; null if there is none. Of a table with one nothing is taken: a
-    /// point would keep what it had, and nobody would see it.</summary>
+    /// <summary>The first line that should contain coordinates and does not, or null. Nothing is taken from a table with a fault, because
+    /// a point would silently keep its old values.</summary>
     public PointTableFault? Fault { get; }
 
-    /// <summary>Reads a text. Headings, empty lines and lines that begin with # are left out;
-    /// decimal commas become points where no comma separates.</summary>
+    /// <summary>Reads a text. Skips headings, empty lines and lines that begin with #; reads decimal commas unless commas separate
+    /// cells.</summary>
     public static PointTable Read(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -31,7 +31,7 @@ public sealed partial class PointTable
             .Where(l => l.Text.Trim(separator, ' ').Length > 0 && l.Text[0] != '#')
             .Select(l => (l.Number, l.Text, Cells: l.Text.Split(separator).Select(c => Cell(c, separator)).ToArray())).ToArray();
 
-        // Three cells are a label and two coordinates: a label may be a number as well.
+        // Three cells are a label and two coordinates; the label may be a number too.
         var hasLabels = lines.Any(l => IsPoint(l.Cells) && l.Cells.Length > 2);
         var headings = lines.TakeWhile(l => IsHeading(l.Cells)).Count();
         var table = lines.Skip(headings).ToArray();
@@ -48,15 +48,13 @@ public sealed partial class PointTable
             null);
     }
 
-    /// <summary>
-    /// Puts the coordinates into a draft: by their labels, or without labels in the order of its points. Numbers that points got when they
-    /// were counted are labels that nobody chose: as long as such points have no coordinates, they take the rows that no other point has,
-    /// by label where all labels are the same, else in the table's order and with its labels where these are as many. Where it cannot be
-    /// known which row is whose, nothing is taken.
-    /// </summary>
+    /// <summary>Puts the coordinates into a draft: by label, or without labels in the order of its points. Automatically numbered labels
+    /// were chosen by no one. As long as their points have no coordinates, they take the rows that no other point uses: by label if all
+    /// labels are the same; otherwise in the table's order, with its labels, if the counts match. If the assignment of rows is ambiguous,
+    /// nothing is taken.</summary>
     /// <param name="draft">The draft.</param>
-    /// <returns>The draft with the coordinates, or why it stays as it was.
-    /// Rows with labels that no point has become points of no feature.</returns>
+    /// <returns>The draft with the coordinates, or why it is unchanged. Rows with unknown labels become points without a
+    /// feature.</returns>
     public TakenTable Into(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -89,7 +87,7 @@ public sealed partial class PointTable
         var left = _points.Where(p => !chosen.Contains(p.Label)).ToArray();
         var leftLabels = left.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
 
-        // Who named a point has looked at the labels: rows beyond them are points of no feature.
+        // The user has named a point and so has seen the labels; surplus rows are points without a feature.
         var isByLabel = waiting.Length == 0
             || left.Length == 0
             || leftLabels.SetEquals(waiting)
@@ -125,14 +123,14 @@ public sealed partial class PointTable
 
     private static bool IsNamed(PointDraft point) => !LabelOf(point).All(char.IsAsciiDigit);
 
-    // For a label and for coordinates.
+    // The point needs a label and coordinates.
     private static bool IsWaiting(PointDraft point) => !IsNamed(point) && point.X.Length + point.Y.Length + point.Z.Length == 0;
 
-    // With a column of labels each point has one.
+    // In a table with a label column, each point has a label.
     private static bool IsPoint(string[] cells) =>
         cells.Length is >= 2 and <= 4 && (cells.Length == 2 || cells[0].Length > 0) && cells.Skip(cells.Length > 2 ? 1 : 0).All(IsNumber);
 
-    // A point with one coordinate that cannot be read is none.
+    // A point with one unreadable coordinate is not a heading.
     private static bool IsHeading(string[] cells) => !IsPoint(cells) && (cells.Length < 3 || !(IsNumber(cells[^1]) || IsNumber(cells[^2])));
 
     private static string Cell(string cell, char separator)

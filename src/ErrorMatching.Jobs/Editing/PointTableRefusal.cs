@@ -1,21 +1,20 @@
 namespace ErrorMatching.Jobs;
 
-/// <summary>Why nothing of a <see cref="PointTable"/> was put into a draft.</summary>
+/// <summary>Why nothing from a <see cref="PointTable"/> was put into a draft.</summary>
 public enum PointTableRefusal
 {
-    /// <summary>It was put in.</summary>
+    /// <summary>Not refused; the coordinates were taken.</summary>
     None,
 
-    /// <summary>The features have no points yet: none could have a coordinate.</summary>
+    /// <summary>The features have no points yet to take coordinates.</summary>
     NoFeatures,
 
-    /// <summary>A label stands there more than once.</summary>
+    /// <summary>The table has a duplicate label.</summary>
     LabelTwice,
 
-    /// <summary>Points that wait for their labels are not as many as the rows that are left for them:
-    /// which row is whose cannot be known.</summary>
+    /// <summary>The number of points waiting for labels and the number of unused rows differ, so rows cannot be assigned.</summary>
     OtherCount,
 
-    /// <summary>Rows without labels are not as many as the points.</summary>
+    /// <summary>The number of rows without labels differs from the number of points.</summary>
     NoLabels,
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The dimension that a tolerance chain adds up to.</summary>
+/// <summary>The total dimension of a tolerance chain.</summary>
 /// <param name="NominalMm">Its nominal size.</param>
 /// <param name="Band">The limits of its deviation from nominal.</param>
 public readonly record struct ChainDimension(double NominalMm, ToleranceBand Band)

@@ -3,46 +3,38 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Decides what is done about each feature (Wang 2021, section 2.4): nothing inside the tolerance, the whole deviation or its excess
-/// outside, and nothing at all where a deviation is not plausible.
-/// </summary>
+/// <summary>Decides how each feature is compensated (Wang 2021, section 2.4): not at all inside the tolerance, by the whole deviation or
+/// its excess outside. Implausible deviations refuse the job.</summary>
 /// <remarks>
-/// <para>A feature is outside its tolerance if the normal deviation of any of its points is; it is then compensated at all of them, since
-/// moving a part of a line would bend it.</para>
-/// <para>
-/// Outside, it must also be significant: its largest normal deviation must exceed <see cref="CoverageFactor"/> times the combined standard
-/// uncertainty u of a normal deviation. Feed-forward compares a measured point with an exact one, so u is the gauge's; feedback compares
-/// two measured points, so u is the gauge's times the square root of 2.
-/// </para>
-/// <para>
-/// Limits wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times as wide as a significant deviation of the
-/// feature are refused: they are hardly millimeters. A tolerance may well be wider than the deviations of one good piece, by 50 where
-/// 0.05 mm are allowed and 1 um is found, but micrometers taken for millimeters are 1000 times as wide as they are meant. What is not
-/// significant stays as it is, whatever the limits, and says nothing about them.
-/// </para>
-/// <para>Plausible is a displacement, along whatever direction, of at most the job's limit.
-/// One that exceeds it at any point refuses the job.</para>
+/// <para>A feature is outside its tolerance if the normal deviation of any of its points is. All its points are then compensated, because
+/// moving only part of a line would bend it.</para>
+/// <para>The deviation must also be significant: the feature's largest normal deviation must exceed <see cref="CoverageFactor"/> times
+/// the combined standard uncertainty u of a normal deviation. Feed-forward compares a measured point with an exact one, so u is the
+/// gauge's. Feedback compares two measured points, so u is the gauge's times the square root of 2.</para>
+/// <para>Limits that are wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times a significant deviation
+/// of the feature are refused, because they are probably micrometers entered as millimeters. A tolerance may well be wider than the
+/// deviations of a good piece: by a factor of 50 if 0.05 mm are allowed and 1 um is found. Micrometers read as millimeters are off by a
+/// factor of 1000. Deviations that are not significant are not compensated and do not test the limits.</para>
+/// <para>A displacement is plausible up to the job's limit, in any direction. A larger one at any point refuses the job.</para>
 /// </remarks>
 internal static class Decider
 {
     /// <summary>Code of the refusal of a deviation beyond the job's limit.</summary>
     public const string ImplausibleDeviation = "implausible-deviation";
 
-    /// <summary>Coverage factor k of the expanded uncertainty that a deviation is compared with:
-    /// 2, about 95 % of normally distributed errors.</summary>
+    /// <summary>Coverage factor k of the expanded uncertainty: 2, about 95 % of normally distributed errors.</summary>
     public const double CoverageFactor = 2;
 
-    /// <summary>Limits at most so many times as wide as what a feature deviates are a matter of taste.</summary>
+    /// <summary>Largest ratio of a limit to the feature's deviation that is accepted without question.</summary>
     public const double MostTolerance = 100;
 
-    /// <summary>Limits up to this, mm, are usual; as micrometers they would be finer than what is cut.</summary>
+    /// <summary>Limits up to this value, mm, are usual; as micrometers they would be finer than any cut.</summary>
     public const double UsualTolerance = 1;
 
-    /// <summary>Decides about all features of a job.</summary>
-    /// <param name="job">The job: features, tolerances, uncertainty and compensation are taken from it.</param>
+    /// <summary>Decides on all features of a job.</summary>
+    /// <param name="job">The job, with features, tolerances, uncertainty and compensation.</param>
     /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
-    /// <exception cref="ArgumentException">The lists do not correspond to the job's features and points.</exception>
+    /// <exception cref="ArgumentException">The lists do not match the job's features and points.</exception>
     public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -73,7 +65,8 @@ internal static class Decider
         return new(features, refusals);
     }
 
-    // The refusal of limits that are hardly millimeters, or null. Less than half an increment of a program says nothing about them either.
+    // The refusal of limits that are probably micrometers, or null. A deviation below half a program increment does not test the limits
+    // either.
     private static MatingRefusal? Micrometers(JobFeature feature, int index, double largest, double u)
     {
         var (band, off) = (feature.Tolerance.Band, Math.Abs(largest));
@@ -115,7 +108,7 @@ internal static class Decider
             return point.Normal * (compensation.Gain * amount);
         }
 
-        // The excess of a vector is the same share of it as of its normal component.
+        // The excess is the same fraction of the vector as of its normal component.
         var share = compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : amount / normal;
         return point.Displacement * (compensation.Gain * share);
     }

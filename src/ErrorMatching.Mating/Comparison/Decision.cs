@@ -1,15 +1,14 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What is done about a feature as a whole.</summary>
+/// <summary>The decision on a whole feature.</summary>
 public enum Decision
 {
-    /// <summary>Every point lies within the tolerance: nothing is compensated.</summary>
+    /// <summary>Every point is within the tolerance; nothing is compensated.</summary>
     WithinTolerance,
 
-    /// <summary>A point lies outside the tolerance, but no deviation is larger than its uncertainty:
-    /// it is reported, not compensated.</summary>
+    /// <summary>A point is outside the tolerance, but no deviation exceeds its uncertainty: reported, not compensated.</summary>
     NotSignificant,
 
-    /// <summary>The counterpart follows.</summary>
+    /// <summary>The counterpart's boundary is displaced.</summary>
     Compensated,
 }

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What is done about all features of a job, or why nothing may be done.</summary>
-/// <param name="Features">The features in the order of cutting, decided also where the job is refused.</param>
-/// <param name="Refusals">Why no program may be made; empty if one may.</param>
+/// <summary>The decisions on all features of a job, and the reasons for a refusal.</summary>
+/// <param name="Features">The features in the order of cutting, decided even if the job is refused.</param>
+/// <param name="Refusals">Why no program may be made; empty if it may.</param>
 public sealed record MatingDecision(IReadOnlyList<FeatureDecision> Features, IReadOnlyList<MatingRefusal> Refusals)
 {
-    /// <summary>True if a program may be made of it.</summary>
+    /// <summary>True if a program may be made.</summary>
     public bool IsUsable => Refusals.Count == 0;
 
     /// <summary>True if at least one feature is compensated.</summary>

@@ -3,11 +3,11 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Whether the measured origin lies where it is designed (Wang 2021, section 2.2:
-/// the origin is checked before any key point is measured).</summary>
+/// <summary>Whether the measured origin is where it was designed (Wang 2021, section 2.2: check the origin before measuring any key
+/// point).</summary>
 /// <param name="Point">Label of the origin.</param>
-/// <param name="DistanceMm">How far it is off.</param>
-/// <param name="LimitMm">How far it may be off.</param>
+/// <param name="DistanceMm">Distance from its designed position.</param>
+/// <param name="LimitMm">Largest distance allowed.</param>
 public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm)
 {
     /// <summary>Code of the refusal of an origin that is off.</summary>
@@ -16,7 +16,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     /// <summary>True if the origin is within its limit.</summary>
     public bool Holds => DistanceMm <= LimitMm;
 
-    /// <summary>The refusal, or null if the check holds.</summary>
+    /// <summary>The refusal, or null if the origin is within its limit.</summary>
     public MatingRefusal? Refusal => Holds
         ? null
         : new(
@@ -28,19 +28,20 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
             Point: Point);
 
     /// <summary>Checks the origin as measured, before any alignment.</summary>
-    /// <param name="check">What the job asks for.</param>
-    /// <param name="theoretical">Where the origin is designed.</param>
-    /// <param name="measured">Where it was measured.</param>
+    /// <param name="check">The check that the job requests.</param>
+    /// <param name="theoretical">The origin as designed.</param>
+    /// <param name="measured">The origin as measured.</param>
     public static OriginCheck Of(JobOriginCheck check, LabelledPoint theoretical, LabelledPoint measured)
     {
         ArgumentNullException.ThrowIfNull(check);
 
-        // A height that one of the files does not have is not a difference of 0 less the other's.
+        // Compare heights only if both files have them: a missing one is not 0.
         var off = measured.Position - theoretical.Position;
         return new(check.Point, (measured.HasZ && theoretical.HasZ ? off : off with { Z = 0 }).Length, check.LimitMm);
     }
 
-    /// <summary>The refusal of the first measurement whose origin is off, or null; without a check in the job, null.</summary>
+    /// <summary>The refusal of the first measurement with an origin outside its limit, or null; null also if the job has no
+    /// check.</summary>
     internal static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)

@@ -4,13 +4,13 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A measured point as a feature sees it: in the feature's plane, with what stands out of it.</summary>
+/// <summary>A measured point projected to the plane of its feature, with its height over that plane.</summary>
 /// <param name="Label">Name of the point.</param>
-/// <param name="Position">Its place in the plane, in the plane's axis order.</param>
-/// <param name="HeightMm">Its coordinate along the plane's third axis; null where the file has no Z.</param>
+/// <param name="Position">Its position in the plane, in the plane's axis order.</param>
+/// <param name="HeightMm">Its coordinate along the plane's third axis; null if the file has no Z.</param>
 internal readonly record struct ProjectedPoint(string Label, Point2 Position, double? HeightMm)
 {
-    /// <summary>Projects a point (Wang 2021, section 2.3: the three-dimensional problem is converted into a two-dimensional one).</summary>
+    /// <summary>Projects a point (Wang 2021, section 2.3: the three-dimensional problem is reduced to two dimensions).</summary>
     /// <param name="point">The point.</param>
     /// <param name="plane">The feature's plane.</param>
     /// <param name="file">File of the point, for messages.</param>
@@ -31,7 +31,6 @@ internal readonly record struct ProjectedPoint(string Label, Point2 Position, do
         return new(point.Label, plane.Project(point.Position), point.HasZ ? plane.Height(point.Position) : null);
     }
 
-    /// <summary>How far a measured point stands out of its plane: its height above the theoretical point's,
-    /// or null where one of them has no height.</summary>
+    /// <summary>Height of a measured point above the theoretical point; null if either has no height.</summary>
     public double? StandsOutMm(ProjectedPoint theoretical) => HeightMm - theoretical.HeightMm;
 }

@@ -2,28 +2,28 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Sentences of refusals that a cell records; each is named by the refusal's code.</summary>
+/// <summary>Sentences of refusals that a cell records, each named by the refusal's code.</summary>
 public static class RefusalForms
 {
-    /// <summary>Point, feature, how far it is off and the job's limit, in mm.</summary>
+    /// <summary>Point, feature, deviation and the job's limit, in mm.</summary>
     public static SentenceForm ImplausibleDeviation { get; } = new(
         Decider.ImplausibleDeviation,
         "Point {0} of {1} is {2:0.000} mm off, more than the {3:0.###} mm that are plausible: check part, probe and files before raising "
             + "\"limitMm\".");
 
-    /// <summary>Block, feature, how far it would move and the job's limit, in mm.</summary>
+    /// <summary>Block, feature, displacement and the job's limit, in mm.</summary>
     public static SentenceForm ImplausibleCourse { get; } = new(
         "implausible-course",
         "{0}: through the corrections at the points of {1} it would move by {2:0.000} mm, more than the {3:0.###} mm that are plausible, "
             + "though no point does. Measure nearer to the ends of the feature and at more points, or fix a lower \"degree\".");
 
-    /// <summary>Feature, its limits, how far its points are off at most, and that limit as micrometers, in mm.</summary>
+    /// <summary>Feature, its limit, the largest deviation of its points, and that limit read as micrometers, in mm.</summary>
     public static SentenceForm LimitImplausible { get; } = new(
         "limit-implausible",
         "The limits of {0} allow {1:0.####} mm, and no point of it is more than {2:0.0000} mm off: are they in um, "
         + "which would be {3:0.######} mm? State limits that the piece could miss.");
 
-    /// <summary>Measurement, how many times as far apart its points lie as the theoretical ones, and their file.</summary>
+    /// <summary>Measurement, ratio of its point distances to the theoretical ones, and its file.</summary>
     public static SentenceForm UnitDiffers { get; } = new(
         "unit-differs",
         "{0}: its points lie {1:0.####} times as far apart as those of {2}. Is one of the two in inch? "

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>From the center of a stylus ball to the point where it touched.</summary>
+/// <summary>Converts the center of a stylus ball to the contact point.</summary>
 /// <remarks>
 /// <para>Across the boundary, along the normal that points from the counterpart's material to its tool:</para>
 /// <code>
@@ -11,12 +11,10 @@ namespace ErrorMatching.Mating;
 ///        ball on the part (o) |  part
 ///                 counterpart | (o) ball on the counterpart
 /// </code>
-/// <para>
-/// The ball is always in the air of the piece that it measures. The part fills the room that the tool has cleared, so its air is where the
-/// counterpart's material is: the ball's center lies a radius before the contact along the normal, and contact = center + radius * normal.
-/// The counterpart's air is where the tool was: contact = center - radius * normal. With the measured piece's own normal, out of its
-/// material, both read contact = center - radius * normal.
-/// </para>
+/// <para>The ball is always outside the material of the piece that it measures. The part fills the space that the tool cleared, so the
+/// space outside the part is where the counterpart's material is: the ball's center is one radius before the contact along the normal,
+/// and contact = center + radius * normal. The space outside the counterpart is where the tool was: contact = center - radius * normal.
+/// With the measured piece's own outward normal, both are contact = center - radius * normal.</para>
 /// </remarks>
 internal static class StylusCenter
 {

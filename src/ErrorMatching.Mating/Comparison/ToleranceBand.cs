@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The limits of a signed deviation in millimetres, both inside the band.</summary>
+/// <summary>The limits of a signed deviation in millimeters; both limits are inside the band.</summary>
 public readonly record struct ToleranceBand
 {
     /// <summary>A band between two limits.</summary>
@@ -27,19 +27,19 @@ public readonly record struct ToleranceBand
     /// <summary>The upper limit.</summary>
     public double UpperMm { get; }
 
-    /// <summary>The limits of the mating error where these limit the part:
-    /// the job limits part - counterpart, a mating error is counterpart - part.</summary>
+    /// <summary>The limits of the mating error, from limits of the part: the job limits part - counterpart; a mating error is counterpart
+    /// - part.</summary>
     public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);
 
-    /// <summary>True if a deviation lies between the limits or on one of them.</summary>
+    /// <summary>True if a deviation is between the limits or on one of them.</summary>
     public bool Contains(double deviationMm) => ExcessOf(deviationMm) == 0;
 
-    /// <summary>The part of a deviation beyond its limit: positive above the upper one, negative below the lower one,
-    /// zero inside.</summary>
+    /// <summary>The part of a deviation beyond its limit: positive above the upper limit, negative below the lower one, zero
+    /// inside.</summary>
     public double ExcessOf(double deviationMm)
     {
-        // Limits and coordinates are decimals of micrometres: what the subtraction of two of them leaves beyond the 9th decimal is
-        // rounding, not deviation.
+        // Limits and coordinates are decimal fractions of a micrometer, so a difference beyond the 9th decimal is rounding, not
+        // deviation.
         const double rounding = 1e-9;
         var excess = deviationMm > UpperMm ? deviationMm - UpperMm : deviationMm < LowerMm ? deviationMm - LowerMm : 0;
         return Math.Abs(excess) <= rounding ? 0 : excess;

@@ -7,8 +7,8 @@ public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
     /// <summary>The signed sum of the nominal sizes.</summary>
     public double NominalMm => Links.Sum(l => l.Sign * l.NominalMm);
 
-    /// <summary>The smallest and the largest size if every dimension is at its worst limit at once:
-    /// a shortening dimension contributes its limits exchanged.</summary>
+    /// <summary>The smallest and largest size with every dimension at its worst limit; a shortening dimension contributes its limits
+    /// exchanged.</summary>
     public ChainDimension WorstCase()
     {
         var smallest = Links.Sum(l => l.Sign > 0 ? l.Tolerance.LowerMm : -l.Tolerance.UpperMm);
@@ -16,12 +16,10 @@ public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
         return new(NominalMm, new(smallest, largest));
     }
 
-    /// <summary>
-    /// The smallest and the largest size if the dimensions vary independently:
-    /// the middles of the bands add up with their signs, half the widths by root sum of squares.
-    /// </summary>
-    /// <remarks>The usual statistical tolerance analysis: with bands of equal probability content, the result has that content too if the
-    /// dimensions are normally distributed about the middles.</remarks>
+    /// <summary>The smallest and largest size if the dimensions vary independently: band centers add with their signs, half widths by
+    /// root sum of squares.</summary>
+    /// <remarks>Standard statistical tolerance analysis. If all bands cover the same probability and the dimensions are normally
+    /// distributed about the band centers, the result covers that probability too.</remarks>
     public ChainDimension RootSumOfSquares()
     {
         var middle = Links.Sum(l => l.Sign * (l.Tolerance.LowerMm + l.Tolerance.UpperMm) / 2);

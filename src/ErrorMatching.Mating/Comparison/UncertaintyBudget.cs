@@ -1,12 +1,12 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The standard uncertainty of a measured coordinate and what it is made of (Wang 2021, section 2.2).</summary>
-/// <param name="Contributions">Its causes, taken as independent.</param>
+/// <summary>The standard uncertainty of a measured coordinate and its contributions (Wang 2021, section 2.2).</summary>
+/// <param name="Contributions">Its causes, assumed independent.</param>
 public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Contributions)
 {
-    /// <summary>All contributions by root sum of squares.</summary>
+    /// <summary>Root sum of squares of all contributions.</summary>
     public double CombinedMm => Math.Sqrt(Contributions.Sum(c => c.ValueMm * c.ValueMm));
 
-    /// <summary>A budget of a single number.</summary>
+    /// <summary>A budget with a single contribution.</summary>
     public static UncertaintyBudget Of(double valueMm) => new([new("gauge", valueMm)]);
 }

@@ -1,20 +1,17 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>Whether a whole correction is one uniform offset, which the control could make by itself.</summary>
+/// <summary>Checks whether a whole correction is one uniform offset, which the control itself could apply.</summary>
 internal static class UniformOffset
 {
-    /// <summary>How much corrections may differ and still count as one: half the usual least increment.</summary>
+    /// <summary>Largest difference between corrections that are considered equal: half the usual smallest increment.</summary>
     public const double ToleranceMm = 0.0005;
 
-    /// <summary>
-    /// The tool-radius wear value that does the same as all corrections together, or null if there is none.
-    /// Positive moves the tool away from the material.
-    /// </summary>
-    /// <remarks>
-    /// A tool taken to be larger by w is led w further from the boundary, along the normal from the material to the tool. So the wear value
-    /// is the common normal correction, with its sign. It exists only where every feature is compensated, every correction runs along its
-    /// normal, and all are equal within <see cref="ToleranceMm"/>. A control that keeps wear as a diameter takes twice the value.
-    /// </remarks>
+    /// <summary>The tool-radius wear value equivalent to all corrections together, or null if there is none. Positive moves the tool away
+    /// from the material.</summary>
+    /// <remarks>A control that is given a tool larger by w moves it w farther from the boundary, along the normal from the material to
+    /// the tool. The wear value is therefore the common normal correction, with its sign. It exists only if every feature is compensated,
+    /// every correction is along its normal, and all are equal within <see cref="ToleranceMm"/>. Enter twice the value on a control that
+    /// stores wear as a diameter.</remarks>
     public static double? RadiusWearMm(MatingDecision decision)
     {
         ArgumentNullException.ThrowIfNull(decision);

@@ -3,21 +3,18 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Whether a measurement has the unit of the theoretical points: how far the key points lie apart is the same in both, wherever a piece is
-/// clamped and however it is turned, but for a deviation; in inches it is 25.4 times less.
-/// </summary>
+/// <summary>Checks whether a measurement and the theoretical points have the same unit. Apart from deviations, the distances between key
+/// points are the same in both, however the piece is clamped or turned; in inches they are 25.4 times smaller.</summary>
 internal static class UnitCheck
 {
     private const double MillimetersPerInch = 25.4;
 
-    // Two files of one piece differ by deviations, which are small even beside a boundary of a millimeter.
-    // No two pieces that differ by just this factor are mated.
+    // Files of the same piece differ only by deviations, which are small even for a boundary of one millimeter. No mating pair differs by
+    // exactly the inch factor.
     private const double Margin = 0.1;
 
-    /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are not,
-    /// or the other way around.</summary>
-    /// <returns>The refusal; null where all have one unit.</returns>
+    /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are in millimeters, or the
+    /// reverse; null if all units agree.</summary>
     public static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)
@@ -33,16 +30,16 @@ internal static class UnitCheck
 
     private static bool IsInch(double ratio) => Math.Abs((ratio / MillimetersPerInch) - 1) < Margin;
 
-    // How many times as far apart the key points lie as they are designed; null for fewer than two points, or all at one place.
+    // Ratio of measured to designed key point distances; null for fewer than two points, or if all coincide.
     private static double? Ratio(MatingJob job, MeasurementFile theoretical, MeasurementFile measured)
     {
         var (designed, found) = (new List<Point3>(), new List<Point3>());
         foreach (var label in job.KeyPoints)
         {
-            // What is missing is said where it is needed.
+            // A missing point is reported where it is needed.
             if (theoretical.TryGet(label, out var want) && measured.TryGet(label, out var have))
             {
-                // A height that one of the files does not have is none of the other's.
+                // Without a height in one file, ignore the other file's.
                 var isFlat = !(want.HasZ && have.HasZ);
                 designed.Add(isFlat ? want.Position with { Z = 0 } : want.Position);
                 found.Add(isFlat ? have.Position with { Z = 0 } : have.Position);
@@ -53,6 +50,6 @@ internal static class UnitCheck
         return before > 0 && after > 0 ? after / before : null;
     }
 
-    // Root of the sum of squared distances from the first point: neither shift nor turn changes it.
+    // Root of the sum of squared distances from the first point; unaffected by shift and rotation.
     private static double Spread(List<Point3> points) => Math.Sqrt(points.Sum(p => (p - points[0]).Dot(p - points[0])));
 }

@@ -2,14 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A quantity along a pass as a function of its length: a few coefficients through the values at the key points.</summary>
+/// <summary>A quantity as a function of the length along a pass: a few coefficients fitted to the values at the key points.</summary>
 internal sealed class ArcLengthField
 {
-    /// <summary>How many times its largest value a course may go: smooth deviations were seen to reach 1.4 one point's distance behind the
-    /// last point, those that follow scatter 17.</summary>
+    /// <summary>Largest ratio of a curve to its largest value at a key point. One point spacing beyond the last point, smooth deviations
+    /// reached 1.4 and those that follow scatter 17.</summary>
     private const double Calm = 2;
 
-    /// <summary>At so many places it is looked at: a polynomial of degree 10 turns at most 9 times.</summary>
+    /// <summary>Number of places that are checked; a polynomial of degree 10 has at most 9 turning points.</summary>
     private const int Looks = 200;
 
     private readonly PolynomialFit _fit;
@@ -28,7 +28,7 @@ internal sealed class ArcLengthField
     /// <summary>The fit behind the field.</summary>
     public PolynomialFit Fit => _fit;
 
-    /// <summary>A straight course: shift and tilt of a line. It holds beyond its points as well.</summary>
+    /// <summary>A straight course: shift and tilt of a line. Valid beyond its points too.</summary>
     public static ArcLengthField Straight(IReadOnlyList<double> along, IReadOnlyList<double> values, double uncertaintyMm) =>
         new(
             PolynomialFit.Fit(along, values, new() { Degree = 1, Ridge = 0, PointUncertaintyMm = uncertaintyMm }),
@@ -36,13 +36,10 @@ internal sealed class ArcLengthField
             0,
             double.PositiveInfinity);
 
-    /// <summary>
-    /// A smooth course; degree and ridge as given, or chosen by the leave-one-out error.
-    /// Beyond its first and last point it goes on straight for one mean distance of the points and stays there, since a polynomial says
-    /// nothing outside its data. A degree that was chosen makes way for a lower one where the course goes further than <see cref="Calm"/>
-    /// times its largest value: then it follows the scatter of its points and swings between and behind them,
-    /// which the errors at the points do not show.
-    /// </summary>
+    /// <summary>A smooth course; degree and ridge as given, or chosen by the leave-one-out error. Beyond its first and last point it
+    /// continues straight for one mean point spacing and then stays constant, because a polynomial says nothing outside its data. If the
+    /// course exceeds <see cref="Calm"/> times its largest value, a chosen degree is lowered: the course then follows the scatter of its
+    /// points and swings between and beyond them, which the errors at the points do not show.</summary>
     public static ArcLengthField Smooth(
         IReadOnlyList<double> along, IReadOnlyList<double> values, int? degree, double? ridge, double uncertaintyMm)
     {
@@ -76,6 +73,6 @@ internal sealed class ArcLengthField
         return _fit.Evaluate(inside) + (_fit.Derivative(inside) * Math.Clamp(along - inside, -_reach, _reach));
     }
 
-    /// <summary>Standard error of the value at a length inside the points.</summary>
+    /// <summary>Standard error of the value at a length within the points.</summary>
     public double StandardErrorAt(double along) => _fit.StandardErrorAt(along);
 }

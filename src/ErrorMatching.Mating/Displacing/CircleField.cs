@@ -5,15 +5,14 @@ using MathNet.Numerics.LinearAlgebra.Factorization;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// What an arc of a program can follow: a shift s of its center and a growth g of its radius.
-/// A circle of radius r so changed is met along the unit ray u of the old center at <c>s.u + sqrt((r + g)^2 - (s x u)^2)</c>. The three
-/// unknowns are found by least squares (Gauss-Newton over QR) from the corrections at the key points, which lie on the boundary's circle;
-/// the path's circle has the same center, shift and growth.
-/// </summary>
+/// <summary>The displacement that an arc of a program can follow: a shift s of its center and a growth g of its radius. Along the unit
+/// ray u of the old center, a circle of radius r changed in this way is met at <c>s.u + sqrt((r + g)^2 - (s x u)^2)</c>. Least squares
+/// (Gauss-Newton over QR) finds the three unknowns from the corrections at the key points, which are on the boundary's circle. The path's
+/// circle has the same center, shift and growth.</summary>
 internal sealed class CircleField
 {
-    /// <summary>Smallest angle that three key points must span: they determine the circle, and nothing tells how well.</summary>
+    /// <summary>Smallest angle that three key points must span; they determine the circle exactly and leave no residual to judge it
+    /// by.</summary>
     private static readonly Angle SmallestSpan = Angle.FromDegrees(30);
 
     private const int Iterations = 4;
@@ -32,12 +31,12 @@ internal sealed class CircleField
         _outwardIsLeft = outwardIsLeft;
     }
 
-    /// <summary>Root mean square by which the fit through the others misses each point (closed form from the hat matrix);
-    /// infinite for three points.</summary>
+    /// <summary>Root mean square error at each point of the fit through the others (closed form from the hat matrix); infinite for three
+    /// points.</summary>
     public double LeaveOneOutRms { get; }
 
-    /// <summary>The field of a pass that consists of arcs of one circle, or null where it does not or where its key points say too
-    /// little.</summary>
+    /// <summary>The field of a pass that consists of arcs of one circle; null for other passes, or if the key points determine the circle
+    /// poorly.</summary>
     public static CircleField? Of(NcPath path, FeaturePass pass, IReadOnlyList<Vector2> corrections)
     {
         var first = path.Motions[pass.First];
@@ -80,7 +79,7 @@ internal sealed class CircleField
             first.Arc.Radius, moved, grown, clockwise, rays.Length == 3 ? double.PositiveInfinity : Math.Sqrt(leftOut.Average(e => e * e)));
     }
 
-    /// <summary>The displacement where the left normal of the path is given; the length along the pass does not matter.</summary>
+    /// <summary>The displacement for a left normal of the path; the length along the pass does not matter.</summary>
     public Vector2 At(double along, Vector2 left)
     {
         var ray = _outwardIsLeft ? left : -left;

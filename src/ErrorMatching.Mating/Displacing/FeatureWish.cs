@@ -3,22 +3,19 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// What kinds of features have in common when they turn the corrections at their key points into a wish for each motion that cuts them.
-/// </summary>
+/// <summary>What all kinds of features share when they turn corrections at key points into a wish for each motion that cuts
+/// them.</summary>
 internal static class FeatureWish
 {
-    /// <summary>Sine of the angle up to which two lines count as pieces of one polyline:
-    /// 5.7 degrees, as in the rewriting of the program.</summary>
+    /// <summary>Sine of the largest angle between two lines of one polyline: 5.7 degrees, as in the program rewriter.</summary>
     private const double PolylineSine = 0.1;
 
-    /// <summary>The shift and tilt of something straight: a field of values at the key points of a cut.</summary>
+    /// <summary>Shift and tilt of a straight element: a field of values at the key points of a cut.</summary>
     public static Func<double[], ArcLengthField> Straight(FeatureCut cut) =>
         values => ArcLengthField.Straight([.. cut.Pass.Feet.Select(cut.Pass.Along)], values, cut.Job.Gauge.Uncertainty.CombinedMm);
 
-    /// <summary>
-    /// The displacement at a length, given the left normal there: along the normal, or both components of the vector, as the job asks.
-    /// </summary>
+    /// <summary>The displacement at a length for the left normal there: along the normal, or both vector components, as the job
+    /// requests.</summary>
     /// <param name="cut">The cut.</param>
     /// <param name="field">The field of values at its key points.</param>
     public static Func<double, Vector2, Vector2> Course(FeatureCut cut, Func<double[], ArcLengthField> field)
@@ -36,7 +33,7 @@ internal static class FeatureWish
     /// <summary>The left normal of the path at a foot.</summary>
     public static Vector2 LeftOf(KeyPointFoot foot) => foot.MaterialIsLeft ? -foot.Normal : foot.Normal;
 
-    /// <summary>The wishes for a cut, all motions of which follow one course.</summary>
+    /// <summary>The wishes for a cut whose motions all follow one course.</summary>
     public static IEnumerable<ElementWish> Along(FeatureCut cut, Func<double, Vector2, Vector2> course) =>
         FeaturePass.Moving(cut.Path, cut.Pass.First, cut.Pass.Last).Select(i => Element(cut.Path, cut.Pass, i, course));
 
@@ -52,8 +49,8 @@ internal static class FeatureWish
             course(to, NormalAt(path, pass, index, 1)));
     }
 
-    // Where two lines of a polyline run into each other both ends get one displacement, of the same component along either normal: else
-    // lines that tilt would meet beside the place that each of them wants.
+    // Where two lines of a polyline meet, both ends get one displacement, with the same component along either normal. Otherwise, tilting
+    // lines would not meet where both should.
     private static Vector2 NormalAt(NcPath path, FeaturePass pass, int index, int step)
     {
         var motion = path.Motions[index];

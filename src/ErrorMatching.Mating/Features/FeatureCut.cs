@@ -3,7 +3,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A cut along a feature with what its boundary is to be displaced by, from which the feature makes wishes.</summary>
+/// <summary>A cut along a feature and the displacements of its boundary, from which the feature makes wishes.</summary>
 /// <param name="Job">The job.</param>
 /// <param name="Path">The program, interpreted.</param>
 /// <param name="Pass">The cut.</param>

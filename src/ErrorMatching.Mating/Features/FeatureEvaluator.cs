@@ -10,7 +10,7 @@ internal static class FeatureEvaluator
     /// <param name="theoretical">Its theoretical points in the feature's plane, in the order of <see cref="JobFeature.Points"/>.</param>
     /// <param name="actual">Its measured points, aligned, in the same order.</param>
     /// <param name="standardUncertaintyMm">Standard uncertainty of a measured coordinate.</param>
-    /// <exception cref="ArgumentException">There are not as many points as the feature has.</exception>
+    /// <exception cref="ArgumentException">The number of points is not that of the feature.</exception>
     /// <exception cref="GeometryException">The points do not determine the feature; the message names it.</exception>
     public static FeatureEvaluation Evaluate(
         JobFeature feature, IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double standardUncertaintyMm)

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Fits of a feature's straight elements; an error of geometry names the feature.</summary>
+/// <summary>Fits of a feature's straight elements; geometry errors name the feature.</summary>
 internal static class FeatureFits
 {
     public static LineFit Line(string feature, LineMethod method, IReadOnlyList<Point2> points, double uncertaintyMm) => Named(
@@ -12,11 +12,8 @@ internal static class FeatureFits
     public static Wedge Wedge(string feature, IReadOnlyList<Point2> first, IReadOnlyList<Point2> second, double uncertaintyMm) =>
         Named(feature, () => Geometry.Wedge.Fit(first, second, uncertaintyMm));
 
-    /// <summary>
-    /// The angle inside the corner where one element ends and the next begins: between the way back along the first and the way on along
-    /// the second (equation 1 of Wang 2021).
-    /// Elements that go straight on have 180 degrees.
-    /// </summary>
+    /// <summary>The angle inside the corner between two consecutive elements: between the reversed direction of the first and the
+    /// direction of the second (equation 1 of Wang 2021). Collinear elements give 180 degrees.</summary>
     public static Angle Inside(LineFit first, LineFit second) => Angle.Between(-first.Line.Direction, second.Line.Direction);
 
     public static T Named<T>(string feature, Func<T> fit)

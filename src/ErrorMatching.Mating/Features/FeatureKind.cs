@@ -3,71 +3,63 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// A kind of feature: how it is read from a job, edited and sketched. What a feature of the kind does by itself its <see
-/// cref="JobFeature"/> says. Both stand in the kind's
-/// folder, and nothing outside of it asks which kind a feature has; <see cref="FeatureKinds"/> lists them.
-/// </summary>
+/// <summary>A kind of feature: how it is read from a job, edited and sketched. Its <see cref="JobFeature"/> implements its behavior. Both
+/// are in the kind's folder, and no code outside that folder checks a feature's kind. <see cref="FeatureKinds"/> lists the
+/// kinds.</summary>
 public abstract class FeatureKind
 {
-    /// <summary>Only kinds of this project.</summary>
+    /// <summary>Only this project defines kinds.</summary>
     private protected FeatureKind()
     {
     }
 
-    /// <summary>Its word in jobs, reports and keys of texts: <c>line</c>.</summary>
+    /// <summary>Its word in jobs, reports and text keys, such as <c>line</c>.</summary>
     public abstract string Word { get; }
 
-    /// <summary>What names of new features begin with: <c>L</c>.</summary>
+    /// <summary>Prefix of the names of new features, such as <c>L</c>.</summary>
     public abstract string Letter { get; }
 
-    /// <summary>
-    /// How many key points it takes at least: a number for each of its lists of points. A job with one list writes it as it is, one with
-    /// several as a list of lists.
-    /// </summary>
+    /// <summary>Minimum number of key points: one number per list of points. A job writes a single list as it is, and several as a list
+    /// of lists.</summary>
     public abstract IReadOnlyList<int> LeastPoints { get; }
 
-    /// <summary>True if it is straight at both ends, so that no arc and no bend continues it.</summary>
+    /// <summary>True if both ends are straight, so that no arc or bend continues the feature.</summary>
     public abstract bool IsStraight { get; }
 
-    /// <summary>Keys that a job's features of this kind have beside those of all.</summary>
+    /// <summary>Job keys of this kind in addition to the common ones.</summary>
     public abstract IReadOnlyList<FeatureKey> Keys { get; }
 
-    /// <summary>
-    /// The quantities that a report states of it: names with their unit at the end, such as <c>lengthMm</c>, and what people call them.
-    /// </summary>
+    /// <summary>The quantities that a report lists: names that end with their unit, such as <c>lengthMm</c>, with their display
+    /// names.</summary>
     public abstract IReadOnlyDictionary<string, string> Quantities { get; }
 
-    /// <summary>What a verification compares of it, beside its deviations.</summary>
+    /// <summary>Quantities that a verification compares in addition to the deviations.</summary>
     public abstract IReadOnlyList<VerifiedQuantity> Verified { get; }
 
-    /// <summary>How a job names its straight elements, for messages: <c>of a line</c>; null if it has none.</summary>
+    /// <summary>How a job refers to its straight elements, for messages, such as <c>of a line</c>; null if it has none.</summary>
     internal abstract string? ElementWords { get; }
 
-    /// <summary>Its outline through key points as designed, none of them missing.</summary>
-    /// <param name="lists">As many lists of points as <see cref="LeastPoints"/> has numbers.</param>
+    /// <summary>Its outline through the key points as designed, none of them missing.</summary>
+    /// <param name="lists">One list of points per number in <see cref="LeastPoints"/>.</param>
     public abstract IReadOnlyList<Point2> Outline(IReadOnlyList<IReadOnlyList<Point2>> lists);
 
-    /// <summary>A feature of which nothing is known but how many points it has, drawn about y = 0 from x = 0 on.</summary>
-    /// <param name="counts">As many numbers of points as <see cref="LeastPoints"/> has.</param>
-    /// <param name="step">From one point to the next, mm.</param>
-    /// <param name="height">How far it rises or falls, mm.</param>
+    /// <summary>A sketch of a feature with only its point counts known, drawn about y = 0 from x = 0.</summary>
+    /// <param name="counts">One point count per number in <see cref="LeastPoints"/>.</param>
+    /// <param name="step">Distance between points, mm.</param>
+    /// <param name="height">Rise or fall, mm.</param>
     public abstract FeatureSketch Sketch(IReadOnlyList<int> counts, double step, double height);
 
-    /// <summary>
-    /// What cuts a feature of the kind where it is sought by its key points and where these do not lie one behind the other from its
-    /// first motion to its last, as on a closed
-    /// contour.
-    /// </summary>
+    /// <summary>The motions that cut a feature of this kind in a search by key points that do not follow one another from its first
+    /// motion to its last, as on a closed contour.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="cut">An uninterrupted cut.</param>
-    /// <param name="motion">A motion of it that comes nearest to a key point.</param>
-    /// <returns>All motions of the cut that belong to the feature; null where its key points bound it.</returns>
+    /// <param name="motion">A motion of it nearest to a key point.</param>
+    /// <returns>All motions of the cut that belong to the feature; null if its key points delimit it.</returns>
     internal virtual FoundPass? WholeOf(NcPath path, FoundPass cut, int motion) => null;
 
     /// <summary>The word.</summary>
     public sealed override string ToString() => Word;
 
-    /// <summary>Makes the feature of a job that keeps the schema.</summary>
+    /// <summary>Creates the feature from a job that conforms to the schema.</summary>
     internal abstract JobFeature Read(FeatureReading reading);
 }

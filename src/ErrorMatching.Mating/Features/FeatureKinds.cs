@@ -1,9 +1,10 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The kinds of features that there are.</summary>
+/// <summary>All kinds of features.</summary>
 public static class FeatureKinds
 {
-    /// <summary>All of them, in the order in which they are offered. A new kind is a line here and a folder beside this file.</summary>
+    /// <summary>The kinds in the order in which they are offered. To add a kind, add a line here and a folder next to this
+    /// file.</summary>
     public static IReadOnlyList<FeatureKind> All { get; } =
     [
         LineKind.Instance,
@@ -13,8 +14,7 @@ public static class FeatureKinds
         SlotKind.Instance,
     ];
 
-    /// <summary>The kind of a word.</summary>
-    /// <returns>The kind; null if none has the word.</returns>
+    /// <summary>Finds a kind by its word; null if there is none.</summary>
     public static FeatureKind? Find(string word) => All.FirstOrDefault(k => k.Word == word);
 
     /// <summary>The kind of a word that the schema of a job allows.</summary>

@@ -3,19 +3,17 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A feature of a job as it is read: what every kind has, and how a kind reads what only it has.</summary>
+/// <summary>A feature of a job during reading: the common properties, and access to those of its kind.</summary>
 /// <param name="Item">The feature in the job.</param>
 /// <param name="Name">Its name.</param>
 /// <param name="Blocks">Selectors of its blocks.</param>
 /// <param name="Tolerance">Its limits.</param>
 /// <param name="Plane">Its plane.</param>
-/// <param name="Reader">Who reads the job.</param>
+/// <param name="Reader">The reader of the job.</param>
 internal sealed record FeatureReading(
     JsonItem Item, string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, JobReader Reader)
 {
-    /// <summary>
-    /// Its labels, list by list, each with as many as the kind takes at least; what is wrong with them becomes a problem of the job.
-    /// </summary>
+    /// <summary>Its labels, list by list, each with the kind's minimum number; errors become problems of the job.</summary>
     /// <param name="kind">The kind.</param>
     public IReadOnlyList<List<string>> Points(FeatureKind kind)
     {
@@ -25,9 +23,9 @@ internal sealed record FeatureReading(
             : [.. kind.LeastPoints.Select((least, i) => Reader.ReadPoints(points.Items[i], Name, least))];
     }
 
-    /// <summary>A number; null if there is none or it is to be chosen.</summary>
+    /// <summary>A number; null if it is missing or chosen automatically.</summary>
     public double? Number(string key) => Item.Find(key) is { Kind: JsonItemKind.Number } n ? n.Number : null;
 
-    /// <summary>What is wrong with one of its keys becomes a problem of the job.</summary>
+    /// <summary>Adds a problem with one of its keys to the job's.</summary>
     public void Refuse(string key, string code, string found, string expected) => Reader.Refuse(Item[key], code, found, expected);
 }

@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A feature drawn without knowing where it is.</summary>
+/// <summary>A sketch of a feature whose position is unknown.</summary>
 /// <param name="Points">Its key points in the order of cutting.</param>
 /// <param name="Outline">The boundary through them.</param>
-/// <param name="WidthMm">How much room it takes along x.</param>
+/// <param name="WidthMm">Its extent along x.</param>
 public sealed record FeatureSketch(IReadOnlyList<Point2> Points, IReadOnlyList<Point2> Outline, double WidthMm);

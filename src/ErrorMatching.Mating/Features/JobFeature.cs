@@ -3,12 +3,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// A feature of the mating boundary: its key points, its limits, and the blocks that cut it. What only its kind can say it says itself.
-/// </summary>
+/// <summary>A feature of the mating boundary: its key points, its limits, and the blocks that cut it. Subclasses add what is specific to
+/// a kind.</summary>
 /// <param name="Name">Its name, unique in the job.</param>
-/// <param name="Blocks">Selectors of the blocks as the job writes them: <c>N100</c>, <c>N110..N130</c> or <c>/regular
-/// expression/</c>.</param>
+/// <param name="Blocks">Block selectors as in the job: <c>N100</c>, <c>N110..N130</c> or <c>/regular expression/</c>.</param>
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
 public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane)
@@ -19,12 +17,13 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <summary>The labels of all its key points in the order of cutting, ranges expanded.</summary>
     public abstract IReadOnlyList<string> Points { get; }
 
-    /// <summary>What a verification compares of it, and how its points give it, in the order of <see cref="Points"/>.</summary>
+    /// <summary>Quantities that a verification compares, and how to compute them from its points in the order of
+    /// <see cref="Points"/>.</summary>
     internal abstract IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared { get; }
 
     /// <summary>A straight element of it.</summary>
     /// <param name="flank">1 or 2 for a flank in the order of cutting; null for the whole feature.</param>
-    /// <returns>The element; null if it has none by that number.</returns>
+    /// <returns>The element; null if it does not exist.</returns>
     internal abstract StraightElement? Element(int? flank);
 
     /// <summary>Its size and shape as designed and as measured.</summary>
@@ -34,9 +33,9 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <exception cref="GeometryException">The points do not determine it; the message names it.</exception>
     internal abstract FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u);
 
-    /// <summary>Why its points or its blocks are none of a feature of its kind, or null.</summary>
+    /// <summary>Why its points or its blocks do not fit a feature of its kind, or null.</summary>
     /// <param name="path">The program, interpreted.</param>
-    /// <param name="map">The feature on it.</param>
+    /// <param name="map">Its mapping onto the program.</param>
     internal virtual MatingRefusal? RefuseMap(NcPath path, FeatureMap map) => null;
 
     /// <summary>Why a cut cannot follow the corrections at its points, or null.</summary>
@@ -44,9 +43,9 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     internal virtual MatingRefusal? RefuseCut(FeatureCut cut) => null;
 
     /// <summary>The wishes for one of its cuts, in the order of its motions.</summary>
-    /// <param name="cut">The cut; <see cref="RefuseCut"/> has nothing against it.</param>
+    /// <param name="cut">A cut that <see cref="RefuseCut"/> accepts.</param>
     internal abstract IEnumerable<ElementWish> Wishes(FeatureCut cut);
 
-    /// <summary>The measured boundary as the compensation sees it, as a polyline in the part's frame.</summary>
+    /// <summary>The measured boundary that the compensation uses, as a polyline in the part's frame.</summary>
     internal abstract IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured);
 }

@@ -3,10 +3,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A feature of the measured part on the counterpart's program.</summary>
+/// <summary>A measured feature of the part, mapped onto the counterpart's program.</summary>
 /// <param name="Job">The job.</param>
 /// <param name="Path">The program, interpreted.</param>
-/// <param name="Map">The feature on it.</param>
+/// <param name="Map">Its mapping onto the program.</param>
 /// <param name="Theoretical">Its key points as designed, in the part's frame.</param>
 /// <param name="Actual">Its key points as measured, aligned.</param>
 internal sealed record MeasuredFeature(

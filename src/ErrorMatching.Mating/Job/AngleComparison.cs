@@ -1,6 +1,6 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The angle inside the corner where a first straight element ends and a second one begins.</summary>
+/// <summary>The angle inside the corner between two consecutive straight elements.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="First">The element that is cut first.</param>
 /// <param name="Second">The element that is cut next.</param>

@@ -6,6 +6,6 @@ public enum CompensationAmount
     /// <summary>All of it.</summary>
     Whole,
 
-    /// <summary>At each point, what exceeds the limit.</summary>
+    /// <summary>At each point, the part beyond the limit.</summary>
     Excess,
 }

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>Along what a deviation is compensated.</summary>
+/// <summary>The direction in which a deviation is compensated.</summary>
 public enum CompensationDirection
 {
-    /// <summary>Its component along the normal of the boundary, the only one that a probe can know.</summary>
+    /// <summary>The component along the boundary's normal, the only one that a probe can measure.</summary>
     Normal,
 
-    /// <summary>The literal difference of the points.</summary>
+    /// <summary>The full difference vector of the points.</summary>
     Vector,
 }

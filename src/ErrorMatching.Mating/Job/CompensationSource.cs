@@ -1,6 +1,6 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What is compensated.</summary>
+/// <summary>The source of the compensation.</summary>
 public enum CompensationSource
 {
     /// <summary>Feed-forward: the nominal program is displaced by gain * (actual - theoretical) of the part.</summary>

@@ -1,15 +1,15 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The alignment that a job asks for.</summary>
+/// <summary>The alignment that a job requests.</summary>
 /// <param name="Kind">How points are moved.</param>
 /// <param name="Origin">Label of the datum's origin; null unless the kind is <see cref="JobAlignmentKind.Datum"/>.</param>
 /// <param name="Direction">Label of the point that gives the datum's direction; null unless the kind is
 /// <see cref="JobAlignmentKind.Datum"/>.</param>
-/// <param name="LockX">True if a best fit must not move along the first axis.</param>
-/// <param name="LockY">True if a best fit must not move along the second axis.</param>
-/// <param name="LockRotation">True if a best fit must not turn.</param>
+/// <param name="LockX">True if a best fit must not shift along the first axis.</param>
+/// <param name="LockY">True if a best fit must not shift along the second axis.</param>
+/// <param name="LockRotation">True if a best fit must not rotate.</param>
 public sealed record JobAlignment(JobAlignmentKind Kind, string? Origin, string? Direction, bool LockX, bool LockY, bool LockRotation)
 {
-    /// <summary>The default: an alignment can hide the very error that is to be matched.</summary>
+    /// <summary>No alignment, the default: an alignment can hide the very error to be matched.</summary>
     public static JobAlignment None { get; } = new(JobAlignmentKind.None, null, null, false, false, false);
 }

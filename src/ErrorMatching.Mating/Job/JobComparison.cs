@@ -1,5 +1,5 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>A comparison of the counterpart with the part beside those that every feature has.</summary>
+/// <summary>A comparison of counterpart and part in addition to those that every feature has.</summary>
 /// <param name="Name">Its name, unique among comparisons and features.</param>
 public abstract record JobComparison(string Name);

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What is made of the deviations.</summary>
-/// <param name="From">What is compensated.</param>
-/// <param name="Gain">How much of a deviation is compensated, more than 0 and at most 2.</param>
-/// <param name="Amount">The whole deviation, or what exceeds its tolerance.</param>
-/// <param name="Along">Along the normal, or along the literal difference of the points.</param>
-/// <param name="LimitMm">A larger deviation is not plausible and stops the job.</param>
+/// <summary>How deviations are compensated.</summary>
+/// <param name="From">The source of the compensation.</param>
+/// <param name="Gain">Fraction of a deviation to compensate, more than 0 and at most 2.</param>
+/// <param name="Amount">The whole deviation, or its excess over the tolerance.</param>
+/// <param name="Along">Along the normal, or along the full difference vector of the points.</param>
+/// <param name="LimitMm">A larger deviation is implausible and stops the job.</param>
 public sealed record JobCompensation(
     CompensationSource From, double Gain, CompensationAmount Amount, CompensationDirection Along, double LimitMm)
 {

@@ -48,13 +48,13 @@ internal sealed partial class JobReader
         return new(computed.Band, source) { Place = item.Place };
     }
 
-    /// <summary>The labels of a list of points; what is wrong with them becomes a problem.</summary>
+    /// <summary>The labels of a list of points; errors become problems of the job.</summary>
     public List<string> ReadPoints(JsonItem list, string feature, int least)
     {
         var labels = Labels(list);
         foreach (var (label, item) in labels)
         {
-            // A point of two features would have two normals and two corrections.
+            // A point in two features would have two normals and two corrections.
             if (!_featureOfPoint.TryAdd(label, feature))
             {
                 Refuse(

@@ -3,8 +3,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <content>Limits and uncertainties that no deviation can reach before the job stops:
-/// as good as none, and most often micrometers.</content>
+/// <content>Refuses limits and uncertainties that no deviation can reach before the job stops. They have no effect, and are usually
+/// micrometers.</content>
 internal sealed partial class JobReader
 {
     private void CheckLimits(MatingJob job)
@@ -16,7 +16,7 @@ internal sealed partial class JobReader
             CheckBand(features[i]["toleranceMm"], job.Features[i].Tolerance, job.Chain, most);
         }
 
-        // Without an alignment every point is off by what the origin is off.
+        // Without an alignment, the origin's error shifts every point.
         if (job is { OriginCheck.LimitMm: var off, Alignment.Kind: JobAlignmentKind.None } && off > most)
         {
             RefuseLimit(root["originCheck"]["limitMm"], off, most, Number(off));

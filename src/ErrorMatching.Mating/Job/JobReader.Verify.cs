@@ -2,7 +2,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <content>Comparisons beside those that every feature has.</content>
+/// <content>Comparisons in addition to those that every feature has.</content>
 internal sealed partial class JobReader
 {
     private List<JobComparison> ReadComparisons()

@@ -4,13 +4,11 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Makes a job of a document that keeps the schema, and collects what a schema cannot say:
-/// names that must be unique, points that must suffice, keys that need one another.
-/// </summary>
+/// <summary>Creates a job from a document that conforms to the schema, and collects the problems that a schema cannot detect: duplicate
+/// names, too few points, keys that require each other.</summary>
 internal sealed partial class JobReader(JsonItem root)
 {
-    /// <summary>Code of the problem of a gauge so uncertain that no deviation is significant before the job stops.</summary>
+    /// <summary>Code of the problem of a gauge so uncertain that the job stops before a deviation is significant.</summary>
     public const string UncertaintyImplausible = "uncertainty-implausible";
 
     private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
@@ -20,7 +18,7 @@ internal sealed partial class JobReader(JsonItem root)
 
     public MatingJob Read(string file, string sha256)
     {
-        // The chain comes first because features may take their limits from it.
+        // Read the chain first, because features may take their limits from it.
         var chain = root.Find("toleranceChain") is { } links ? new ToleranceChain([.. links.Items.Select(ReadLink)]) : null;
         var job = new MatingJob
         {

@@ -2,12 +2,12 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The limits of a feature's deviation: the part's actual - theoretical along the normal that points from the counterpart's
-/// material to its tool.</summary>
+/// <summary>The limits of a feature's deviation: actual - theoretical of the part, along the normal from the counterpart's material to
+/// its tool.</summary>
 /// <param name="Band">The limits.</param>
-/// <param name="Source">Where they come from.</param>
+/// <param name="Source">Their source.</param>
 public sealed record JobTolerance(ToleranceBand Band, ToleranceSource Source)
 {
-    /// <summary>Where the job states them; null for limits that are in no file.</summary>
+    /// <summary>Where the job states them; null for limits that are not in a file.</summary>
     public JsonPlace? Place { get; init; }
 }

@@ -6,10 +6,9 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What is measured, how it is judged, and which blocks of the counterpart's program follow:
-/// the file that a setter writes once for a mating.</summary>
-/// <remarks>Every key of the file is described by its schema (<see cref="JobTemplate.Schema"/>).
-/// Lengths in millimetres, angles in degrees.</remarks>
+/// <summary>The file that a setter writes once for a mating: what is measured, how it is judged, and which program blocks of the
+/// counterpart follow.</summary>
+/// <remarks>The schema (<see cref="JobTemplate.Schema"/>) describes every key. Lengths are in millimeters, angles in degrees.</remarks>
 public sealed record MatingJob
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
@@ -21,28 +20,28 @@ public sealed record MatingJob
     {
     }
 
-    /// <summary>The file as the caller named it.</summary>
+    /// <summary>The file, as the caller named it.</summary>
     public required string File { get; init; }
 
     /// <summary>SHA-256 of the file's bytes as 64 lower-case hexadecimal digits.</summary>
     public required string Sha256 { get; init; }
 
-    /// <summary>What the report calls the job.</summary>
+    /// <summary>The job's name in reports.</summary>
     public required string Name { get; init; }
 
-    /// <summary>The shop's number of the order; null if the job has none.</summary>
+    /// <summary>The shop's order number; null if the job has none.</summary>
     public string? WorkOrder { get; init; }
 
     /// <summary>The files of the part.</summary>
     public required JobPart Part { get; init; }
 
-    /// <summary>What the gauge writes and how well it measures.</summary>
+    /// <summary>The gauge's file format and accuracy.</summary>
     public required JobGauge Gauge { get; init; }
 
     /// <summary>How measured points are moved before they are compared.</summary>
     public required JobAlignment Alignment { get; init; }
 
-    /// <summary>The point that must be measured where it is designed; null if none is checked.</summary>
+    /// <summary>The point whose measured position must match its design; null if none is checked.</summary>
     public JobOriginCheck? OriginCheck { get; init; }
 
     /// <summary>The mating boundary in the order of cutting; at least one feature.</summary>
@@ -51,16 +50,16 @@ public sealed record MatingJob
     /// <summary>The piece to be cut, and its program.</summary>
     public required JobCounterpart Counterpart { get; init; }
 
-    /// <summary>What is made of the deviations.</summary>
+    /// <summary>How deviations are compensated.</summary>
     public required JobCompensation Compensation { get; init; }
 
     /// <summary>The dimensions that add up to the mating dimension; null if the job has none.</summary>
     public ToleranceChain? Chain { get; init; }
 
-    /// <summary>Rules that tell a measurement of the part from one of the counterpart; null if the job has none.</summary>
+    /// <summary>Rules that distinguish measurements of the part from those of the counterpart; null if the job has none.</summary>
     public SourceRules? Recognition { get; init; }
 
-    /// <summary>Comparisons beside those that every feature has.</summary>
+    /// <summary>Comparisons in addition to those that every feature has.</summary>
     public required IReadOnlyList<JobComparison> Verify { get; init; }
 
     /// <summary>Where the job names the measured counterpart; null if it names none.</summary>
@@ -69,32 +68,32 @@ public sealed record MatingJob
     /// <summary>Labels of all key points in the order of cutting, each once.</summary>
     public IReadOnlyList<string> KeyPoints => [.. Features.SelectMany(f => f.Points)];
 
-    /// <summary>Labels of all points that the theoretical and the measured files must have:
-    /// the key points, the datum's and the checked origin.</summary>
+    /// <summary>Labels of all points that the theoretical and measured files must contain: the key points, the datum's points and the
+    /// checked origin.</summary>
     public IReadOnlyList<string> NeededPoints =>
         [
             .. KeyPoints.Concat(
                 new[] { Alignment.Origin, Alignment.Direction, OriginCheck?.Point }.OfType<string>()).Distinct(StringComparer.Ordinal)];
 
-    /// <summary>The job in a file.</summary>
+    /// <summary>Reads a job from a file.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="JobException">As of <see cref="Parse"/>.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file must not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static MatingJob Read(string path) => Parse(JsonInput.Load(path), path);
 
-    /// <summary>The job in some bytes.</summary>
+    /// <summary>Reads a job from bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
-    /// <param name="file">Name for messages, and the place that relative paths start from.</param>
-    /// <exception cref="JobException">The bytes are no JSON, break the schema, or the job contradicts itself;
-    /// all problems are in it.</exception>
+    /// <param name="file">File name for messages, and base of relative paths.</param>
+    /// <exception cref="JobException">The bytes are not JSON, violate the schema, or the job contradicts itself; the exception lists all
+    /// problems.</exception>
     public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema.Value);
 
-    /// <summary>The job in some bytes, of which features may name no blocks yet: they are still sought.
-    /// It is no job to match with.</summary>
+    /// <summary>Reads a job whose features may not name their blocks yet, because these are still being searched for. Do not match with
+    /// it.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
-    /// <param name="file">Name for messages, and the place that relative paths start from.</param>
-    /// <exception cref="JobException">As of <see cref="Parse"/>, but for blocks that are missing.</exception>
+    /// <param name="file">File name for messages, and base of relative paths.</param>
+    /// <exception cref="JobException">As for <see cref="Parse"/>, except for missing blocks.</exception>
     public static MatingJob ParseWithoutBlocks(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, SchemaWithoutBlocks.Value);
 
     private static MatingJob Checked(ReadOnlySpan<byte> bytes, string file, JsonSchema schema)
@@ -120,8 +119,7 @@ public sealed record MatingJob
         return reader.Problems.Count == 0 ? job : throw new JobException(file, reader.Problems);
     }
 
-    /// <summary>A path of the job as seen from where the caller is: relative ones start from the job's folder,
-    /// absolute ones stay.</summary>
+    /// <summary>Resolves a path of the job: a relative path starts from the job's folder, an absolute one is unchanged.</summary>
     public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
 
     private static JsonSchema WithoutBlocks()

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What the coordinates in a gauge's file are.</summary>
+/// <summary>The meaning of the coordinates in a gauge's file.</summary>
 public enum ProbeReport
 {
     /// <summary>Points where the stylus touched the piece.</summary>

@@ -2,11 +2,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Lengths along the boundary that a path leaves at a distance to its left:
-/// each piece of the path is longer or shorter there by that distance times the angle it turns. What a joint of a polyline turns belongs
-/// half to each side, so a fine polyline is measured like the curve it stands for.
-/// </summary>
+/// <summary>Lengths along the boundary at a distance to the left of a path. There, each piece of the path is longer or shorter by that
+/// distance times the angle it turns. Each joint of a polyline contributes half its angle to either side, so a fine polyline measures the
+/// same as the curve it approximates.</summary>
 internal static class BoundaryLength
 {
     /// <summary>Length of the boundary before each motion of a pass, and at its end.</summary>
@@ -26,7 +24,7 @@ internal static class BoundaryLength
                 + (k < moving.Length - 1 ? Turn(path, moving[k], moving[k + 1]) : 0);
             var turned = (motion.IsArc ? motion.Arc.Sweep.Radians : 0) + (joints / 2);
 
-            // Where the tool rounds an inside corner the boundary has no length of its own; a little keeps the order of places.
+            // Where the tool rounds an inside corner, the boundary has no length of its own; a small length keeps the points in order.
             lengths[moving[k] - first] = Math.Max(motion.PlaneLength - (left * turned), 0.01 * motion.PlaneLength);
         }
 

@@ -4,12 +4,11 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Finds the motions of a program that cut boundaries of which the key points are known: a proposal for a person to look at, never more. Of
-/// all uninterrupted cuts that pass the points of a boundary at one distance, all on one side, it takes the nearest ones; from the first to
-/// the last point, and on as far as the boundary goes on straight or bends gently, at most by the distance of the two outermost points.
-/// </summary>
-/// <remarks>The cost is that of motions times points.</remarks>
+/// <summary>Finds the motions of a program that cut boundaries with known key points. The result is a proposal for the user to check.
+/// Candidates are all uninterrupted cuts that pass a boundary's points at one distance, all on one side; the nearest ones are chosen. A
+/// cut is taken from the first to the last point, and beyond them while the boundary continues straight or bends gently, at most by the
+/// distance between the two outermost points.</summary>
+/// <remarks>The cost is proportional to motions times points.</remarks>
 public static class BoundarySearch
 {
     /// <summary>Code of the refusal of a boundary that no cut passes.</summary>
@@ -18,27 +17,27 @@ public static class BoundarySearch
     /// <summary>Code of the refusal of a boundary that a cut passes twice without a break.</summary>
     public const string CutTwice = "boundary-cut-twice";
 
-    /// <summary>Cosine of 30 degrees: a boundary bends less from one block to the next where no key point is.</summary>
+    /// <summary>Cosine of 30 degrees: away from key points, a boundary bends less than this from one block to the next.</summary>
     public const double BendCosine = 0.866;
 
-    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner;
-    /// a match warns of such by the same word.</summary>
+    /// <summary>Code of the refusal of a straight boundary with a key point on a rounded corner; a match warns with the same
+    /// code.</summary>
     public const string PointOnCorner = "point-on-corner";
 
-    // Sine of 5.7 degrees, up to which two lines are pieces of one and an arc is tangent, as in the rewriting of the program.
+    // Sine of 5.7 degrees. Up to it two lines are pieces of one, and an arc is tangent, as in the program rewriter.
     private const double StraightSine = 0.1;
 
-    // Passes of one path at several depths: nearer to each other than an NC word can say.
+    // Passes of one path at several depths: closer to each other than an NC word can express.
     private const double SamePassMm = 0.0005;
 
-    /// <summary>Seeks boundaries.</summary>
+    /// <summary>Searches for boundaries.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="boundaries">The boundaries.</param>
-    /// <param name="toolDiameterMm">Diameter of the tool; null if it is not known yet:
-    /// then any distance will do that is the same for all points.</param>
-    /// <param name="mapMm">How far a key point may lie from where it belongs (<see cref="JobCounterpart.MapMm"/>).</param>
-    /// <returns>For each of the boundaries, in their order, the passes that cut it in the order of the program; none, and the reason, where
-    /// it was not found, and where its blocks could not be told from another one's.</returns>
+    /// <param name="toolDiameterMm">Diameter of the tool; null if unknown. Then any distance that is the same for all points is
+    /// accepted.</param>
+    /// <param name="mapMm">Allowed distance of a key point from where it belongs (<see cref="JobCounterpart.MapMm"/>).</param>
+    /// <returns>For each boundary, in order, the passes that cut it in the order of the program; or none, with the reason, if it was not
+    /// found or its blocks cannot be distinguished from another boundary's.</returns>
     public static IReadOnlyList<FoundBoundary> Find(
         NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm)
     {
@@ -51,7 +50,7 @@ public static class BoundarySearch
             (found[b], refusals[b]) = Cores(path, cuts[boundaries[b].Plane], boundaries[b], toolDiameterMm / 2, mapMm);
         }
 
-        // What leads past the key points of one boundary is no continuation of another one.
+        // Motions along the key points of one boundary do not continue another.
         var taken = found.SelectMany(f => f.Select(c => c.Core)).ToList();
         for (var b = 0; b < found.Length; b++)
         {
@@ -71,13 +70,13 @@ public static class BoundarySearch
                     : new FoundBoundary([.. f.Select(c => c.Core)]))];
     }
 
-    /// <summary>Why a match would refuse blocks that were found for a feature, by its own mapping of the points as designed.</summary>
-    /// <param name="job">The job; blocks that it names itself do not matter.</param>
+    /// <summary>Why a match would refuse the blocks found for a feature, checked by mapping the points as designed.</summary>
+    /// <param name="job">The job; blocks that it names are ignored.</param>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
-    /// <param name="feature">Number of the feature, from 0.</param>
+    /// <param name="feature">Index of the feature, from 0.</param>
     /// <param name="blocks">Selectors of the blocks.</param>
-    /// <returns>The reason, or null if a match takes them.</returns>
+    /// <returns>The reason, or null if a match accepts them.</returns>
     /// <exception cref="MeasurementException">A key point is missing, or has no coordinate in the feature's plane.</exception>
     /// <exception cref="NcException">A selector cannot be read.</exception>
     public static MatingRefusal? Try(MatingJob job, NcPath path, MeasurementFile theoretical, int feature, IReadOnlyList<string> blocks)
@@ -86,7 +85,7 @@ public static class BoundarySearch
         return FeatureMapper.Map(job with { Features = [job.Features[feature] with { Blocks = blocks }] }, path, theoretical, out _);
     }
 
-    /// <summary>A refusal at the block of a motion, which ends with what always helps.</summary>
+    /// <summary>A refusal at the block of a motion; it ends with a generally applicable remedy.</summary>
     internal static MatingRefusal Refuse(NcPath path, int motion, string code, string message, string feature, string? point = null)
     {
         var block = path.Program[path.Motions[motion].Block];
@@ -99,7 +98,7 @@ public static class BoundarySearch
             block.Line);
     }
 
-    // Why the blocks of a boundary cannot be told from another one's, or null.
+    // Why a boundary's blocks cannot be distinguished from another boundary's, or null.
     private static MatingRefusal? Shared(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, List<Pass>[] found, int boundary)
     {
         foreach (var (core, other) in found[boundary].SelectMany(
@@ -120,7 +119,7 @@ public static class BoundarySearch
         return null;
     }
 
-    // What is cut in a plane without a break: nothing but motions without length between two that cut.
+    // Uninterrupted cuts in a plane: between two cutting motions there are only motions without length.
     private static List<FoundPass> Cuts(NcPath path, CoordinatePlane plane)
     {
         var cuts = new List<FoundPass>();
@@ -144,7 +143,7 @@ public static class BoundarySearch
         return first < 0 ? cuts : [.. cuts, new(first, last)];
     }
 
-    // The nearest of all cuts that pass the boundary; or why the one that comes nearest to that does not.
+    // The nearest of all cuts that pass the boundary; or why the closest candidate does not.
     private static (List<Pass> Cores, MatingRefusal? Refusal) Cores(
         NcPath path, List<FoundPass> cuts, SoughtBoundary boundary, double? radius, double mapMm)
     {
@@ -193,8 +192,8 @@ public static class BoundarySearch
         return new(fit.Cut, fit.Core, fit.IsAgainst, fit.IsWhole, fit.WantedMm, distance, ordered[..2], [ordered[^1], ordered[^2]]);
     }
 
-    // An arc that turns is no piece of a straight boundary but a corner, which follows both elements that meet there.
-    // A point that lies beside the element before it as well does not need it.
+    // An arc that turns is not a piece of a straight boundary but a corner, which follows both adjacent elements. A point that is also
+    // beside the element before the arc does not need the arc.
     private static MatingRefusal? WithoutCorners(NcPath path, SoughtBoundary boundary, Pass pass, double mapMm, out FoundPass straight)
     {
         straight = pass.Core;
@@ -224,7 +223,7 @@ public static class BoundarySearch
     private static double DistanceMm(in NcMotion motion, Point2 point) =>
         motion.PlaneAt(motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point)).DistanceTo(point);
 
-    // The next motion, in a direction, that has a length in its plane; beyond the path if there is none.
+    // The next motion in a direction that has a length in its plane; past the path's end if there is none.
     private static int Next(NcPath path, int motion, int step)
     {
         var next = motion + step;
@@ -245,7 +244,7 @@ public static class BoundarySearch
         bool IsTaken(int motion) => taken.Exists(t => motion >= t.First && motion <= t.Last);
     }
 
-    // The last motion, in a direction, that the boundary goes on along without a bend.
+    // The last motion in a direction along which the boundary continues without a bend.
     private static int Reach(NcPath path, Pass pass, IReadOnlyList<Point2> outermost, int step, bool isStraight, Func<int, bool> isForeign)
     {
         var at = step > 0 ? pass.Core.Last : pass.Core.First;
@@ -277,8 +276,8 @@ public static class BoundarySearch
         return at;
     }
 
-    // True if an arc leads tangentially from one boundary to another one: a rounded corner belongs to neither.
-    // The rewriting of the program keeps it tangent to both.
+    // True if an arc leads tangentially from one boundary to another. Such a rounded corner belongs to neither; the program rewriter
+    // keeps it tangent to both.
     private static bool IsCorner(NcPath path, int at, int motion, int step, Func<int, bool> isForeign)
     {
         var next = Next(path, motion, step);
@@ -292,11 +291,8 @@ public static class BoundarySearch
     private static bool Overlap(NcPath path, FoundPass one, FoundPass other) =>
         path.Motions[one.First].Block <= path.Motions[other.Last].Block && path.Motions[other.First].Block <= path.Motions[one.Last].Block;
 
-    /// <summary>
-    /// A pass: the cut that it is of, what leads past all key points, whether from the last to the first and whether that is all of it,
-    /// how far it must be away, how near
-    /// it is to that, and the two outermost points at both ends.
-    /// </summary>
+    /// <summary>A pass: its cut, the motions along all key points, whether it runs from the last point to the first, whether that is the
+    /// whole boundary, its required and actual distance, and the two outermost points at both ends.</summary>
     private sealed record Pass(
         FoundPass Cut,
         FoundPass Core,

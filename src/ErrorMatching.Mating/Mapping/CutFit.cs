@@ -4,36 +4,35 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>How an uninterrupted cut lies to the key points of a sought boundary.</summary>
+/// <summary>How an uninterrupted cut fits the key points of a sought boundary.</summary>
 /// <param name="Cut">The cut.</param>
-/// <param name="Feet">Where it is nearest to each of them.</param>
-/// <param name="WantedMm">How far it must be away from all of them: a tool radius, nothing under cutter compensation, or the middle of what
-/// is found where the tool is not known.</param>
-/// <param name="Core">From the first motion that a key point needs to the last;
-/// both only what they are where <paramref name="Fault"/> is none.</param>
-/// <param name="IsAgainst">True if the cut passes the key points from the last to the first.</param>
+/// <param name="Feet">Its nearest place to each of them.</param>
+/// <param name="WantedMm">Required distance from all of them: a tool radius; 0 under cutter compensation; if the tool is unknown, the
+/// middle of the distances found.</param>
+/// <param name="Core">From the first motion that a key point needs to the last; valid only if <paramref name="Fault"/> is none.</param>
+/// <param name="IsAgainst">True if the cut passes the key points from last to first.</param>
 /// <param name="Fault">Why it does not cut the boundary.</param>
 internal sealed record CutFit(
     FoundPass Cut, IReadOnlyList<SoughtFoot> Feet, double WantedMm, FoundPass Core, bool IsAgainst, CutFault Fault)
 {
-    /// <summary>How far a key point is from where it must be, at most.</summary>
+    /// <summary>Largest difference of a key point's distance from the required one.</summary>
     public double MissMm => Feet.Max(f => Math.Abs(f.DistanceMm - WantedMm));
 
-    // Twice at one place of a path: nearer than an NC word can say.
+    // Places on a path closer than an NC word can express are the same.
     private const double SamePlaceMm = 1e-6;
 
-    // The first key point that the cut passes twice; -1 if there is none.
+    // Index of the first key point that the cut passes twice; -1 if there is none.
     private int Twice { get; init; }
 
-    /// <summary>True if the core is all that belongs to the boundary, whatever its key points bound.</summary>
+    /// <summary>True if the core is the whole boundary, regardless of where its key points end.</summary>
     public bool IsWhole { get; init; }
 
     /// <summary>Judges a cut.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="cut">The cut.</param>
     /// <param name="boundary">The boundary, with at least two key points.</param>
-    /// <param name="radius">Radius of the tool, mm; null if it is not known.</param>
-    /// <param name="mapMm">How far a key point may lie from where it belongs.</param>
+    /// <param name="radius">Radius of the tool, mm; null if unknown.</param>
+    /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
     public static CutFit Of(NcPath path, FoundPass cut, SoughtBoundary boundary, double? radius, double mapMm)
     {
         SoughtFoot[] feet = [.. boundary.Points.Select(p => SoughtFoot.Of(path, cut, p.At))];
@@ -41,10 +40,10 @@ internal sealed record CutFit(
         var (least, most) = (feet.Min(f => f.DistanceMm), feet.Max(f => f.DistanceMm));
         var wanted = compensated ? 0 : radius ?? (least + most) / 2;
 
-        // Where an end of the boundary is a corner of the path, the motion within it counts.
+        // If an end of the boundary is at a corner of the path, use the motion inside the boundary.
         var (ahead, back) = (new FoundPass(feet[0].Last, feet[^1].First), new FoundPass(feet[^1].Last, feet[0].First));
 
-        // At a joint the way in or out is as near; a key point within a motion tells which is meant.
+        // At a joint the lead-in or lead-out is just as near; a key point within a motion shows which one is meant.
         var whole = boundary.Kind?.WholeOf(path, cut, feet.Where(f => f.First == f.Last && !f.IsTwice).Append(feet[0]).First().First);
         var twice = Enumerable.Range(0, feet.Length).FirstOrDefault(
             i => whole is null ? feet[i].IsTwice : ComesBack(path, cut, whole, feet[i], boundary.Points[i].At), -1);
@@ -59,17 +58,16 @@ internal sealed record CutFit(
         return new(cut, feet, wanted, core, isAgainst, fault) { IsWhole = whole is not null, Twice = twice };
     }
 
-    // A closed contour passes the place where it begins once more where it ends, and so do the ways in and out: only a cut beyond these
-    // comes back.
+    // A closed contour passes its start again at its end, and so do lead-in and lead-out. Only a cut beyond these is a second pass.
     private static bool ComesBack(NcPath path, FoundPass cut, FoundPass whole, SoughtFoot foot, Point2 point) =>
         new[] { cut with { Last = whole.First - 2 }, cut with { First = whole.Last + 2 } }
             .Any(rest => rest.First <= rest.Last && SoughtFoot.Of(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);
 
-    /// <summary>Says why it does not cut the boundary.</summary>
+    /// <summary>Explains why it does not cut the boundary.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="boundary">The boundary.</param>
-    /// <param name="radius">Radius of the tool, mm; null if it is not known.</param>
-    /// <param name="mapMm">How far a key point may lie from where it belongs.</param>
+    /// <param name="radius">Radius of the tool, mm; null if unknown.</param>
+    /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
     public MatingRefusal Refuse(NcPath path, SoughtBoundary boundary, double? radius, double mapMm)
     {
         var worst = Enumerable.Range(0, Feet.Count).MaxBy(i => Math.Abs(Feet[i].DistanceMm - WantedMm));

@@ -5,11 +5,9 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Finds where each theoretical key point belongs on the path of its feature's blocks.
-/// Without cutter compensation it must lie one tool radius from the path, all on one side: that side holds the counterpart's material.
-/// Under G41 or G42 it lies on the path, and the code says where the material is.
-/// </summary>
+/// <summary>Finds the place of each theoretical key point on the path of its feature's blocks. Without cutter compensation, all points
+/// must be one tool radius from the path and on the same side, which is the side of the counterpart's material. Under G41 or G42 they are
+/// on the path, and the code defines the material side.</summary>
 internal static class FeatureMapper
 {
     /// <summary>Code of the refusal of a key point that is too far from its blocks.</summary>
@@ -18,7 +16,7 @@ internal static class FeatureMapper
     /// <summary>Code of the refusal of key points on both sides of the path.</summary>
     public const string SidesDiffer = "sides-differ";
 
-    /// <summary>Code of the refusal of blocks that cut in another plane than the feature's.</summary>
+    /// <summary>Code of the refusal of blocks in another plane than the feature's.</summary>
     public const string PlaneDiffers = "plane-differs";
 
     /// <summary>Code of the refusal of blocks that two features name.</summary>
@@ -27,17 +25,17 @@ internal static class FeatureMapper
     /// <summary>Cosine of the angle from which a point counts as beside its motion: 5 degrees.</summary>
     private const double CornerCosine = 0.996;
 
-    // Motions meet where no word of a program could tell their ends apart.
+    // Motions meet if no word of a program could separate their ends.
     private const double SamePlaceMm = 1e-6;
 
     /// <summary>Maps all features of a job.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
-    /// <param name="maps">For each feature of the job, in its order, its map; complete only if nothing is refused.</param>
-    /// <returns>The reason why a feature cannot be mapped, or null.</returns>
-    /// <exception cref="MeasurementException">A key point is missing in the theoretical file,
-    /// or has no coordinate in the feature's plane.</exception>
+    /// <param name="maps">For each feature of the job, in order, its map; complete only if nothing is refused.</param>
+    /// <returns>Why a feature cannot be mapped, or null.</returns>
+    /// <exception cref="MeasurementException">A key point is missing in the theoretical file, or has no coordinate in the feature's
+    /// plane.</exception>
     /// <exception cref="NcException">A selector cannot be read.</exception>
     public static MatingRefusal? Map(MatingJob job, NcPath path, MeasurementFile theoretical, out IReadOnlyList<FeatureMap> maps)
     {
@@ -148,7 +146,7 @@ internal static class FeatureMapper
         return feature.RefuseMap(path, map);
     }
 
-    // Why it cannot be said where a motion lies in the feature's plane, or null.
+    // Why the position of a motion in the feature's plane is unknown, or null.
     private static (string Code, string Message)? Unplaceable(in NcMotion motion, CoordinatePlane plane) => motion switch
     {
         _ when motion.Has(MotionFlags.Expression) =>
@@ -167,7 +165,7 @@ internal static class FeatureMapper
         _ => null,
     };
 
-    // Named cuts that follow one another without a motion between them.
+    // Named cuts that follow one another with no motion in between.
     private static List<(int First, int Last)> Passes(NcPath path, int[] blocks)
     {
         var passes = new List<(int First, int Last)>();
@@ -191,7 +189,7 @@ internal static class FeatureMapper
         return passes;
     }
 
-    // True if nothing but blocks without length, as some CAM systems and cut corners leave them, lies between two cuts.
+    // True if only blocks without length are between two cuts; some CAM systems and cut corners leave such blocks.
     private static bool Continues(NcPath path, int last, int next)
     {
         for (var i = last + 1; i < next; i++)
@@ -257,7 +255,7 @@ internal static class FeatureMapper
         { DistanceMm = nearestDistance };
     }
 
-    // Of the motions that meet at the vertex the one that the point is least beyond: the first of them need not be the point's own.
+    // Of the motions that meet at the vertex, use the one that the point is least beyond; the first need not be the point's own.
     private static double BeyondEnd(NcPath path, Point2 point, int nearest, int last, double distance)
     {
         var least = double.PositiveInfinity;

@@ -2,15 +2,16 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A boundary whose blocks are sought in a program.</summary>
+/// <summary>A boundary whose blocks are to be found in a program.</summary>
 /// <param name="Name">Name of its feature, for messages.</param>
-/// <param name="Plane">The plane that it lies in.</param>
-/// <param name="Points">Its key points in the order of cutting or against it: their labels, and where they lie in the program, mm.</param>
+/// <param name="Plane">Its plane.</param>
+/// <param name="Points">Its key points in the order of cutting or in reverse: their labels and their positions in the program,
+/// mm.</param>
 public sealed record SoughtBoundary(string Name, CoordinatePlane Plane, IReadOnlyList<(string Label, Point2 At)> Points)
 {
-    /// <summary>Its kind; null if it is not known.</summary>
+    /// <summary>Its kind; null if unknown.</summary>
     public FeatureKind? Kind { get; init; }
 
-    /// <summary>True if it is straight at both ends, as a line and the flanks of a triangle are: no arc and no bend continues it.</summary>
+    /// <summary>True if both ends are straight, like a line and the flanks of a triangle, so that no arc or bend continues it.</summary>
     public bool IsStraight => Kind?.IsStraight == true;
 }

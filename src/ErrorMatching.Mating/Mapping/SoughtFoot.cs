@@ -3,19 +3,19 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Where an uninterrupted cut is nearest to a key point.</summary>
-/// <param name="DistanceMm">How near that is.</param>
-/// <param name="First">The first motion that comes so near.</param>
-/// <param name="Last">The last one: another one where two motions meet at that place.</param>
-/// <param name="IsCompensated">True if the control displaces the tool there: then the path is the boundary.</param>
-/// <param name="IsLeft">True if the point lies to the left of travel.</param>
-/// <param name="IsTwice">True if the cut comes as near again elsewhere.</param>
+/// <summary>The place where an uninterrupted cut is nearest to a key point.</summary>
+/// <param name="DistanceMm">The distance there.</param>
+/// <param name="First">The first motion at that distance.</param>
+/// <param name="Last">The last one; differs from the first if two motions meet there.</param>
+/// <param name="IsCompensated">True if the control offsets the tool there, so that the path is the boundary.</param>
+/// <param name="IsLeft">True if the point is to the left of travel.</param>
+/// <param name="IsTwice">True if the cut is equally near elsewhere.</param>
 internal readonly record struct SoughtFoot(double DistanceMm, int First, int Last, bool IsCompensated, bool IsLeft, bool IsTwice)
 {
-    // One place, where two motions meet.
+    // The same place, where two motions meet.
     private const double SamePlaceMm = 1e-6;
 
-    /// <summary>Finds it.</summary>
+    /// <summary>Finds the foot.</summary>
     public static SoughtFoot Of(NcPath path, FoundPass cut, Point2 point)
     {
         var (best, first, last, left, isTwice) = (double.PositiveInfinity, cut.First, cut.First, 0.0, false);
@@ -35,7 +35,7 @@ internal readonly record struct SoughtFoot(double DistanceMm, int First, int Las
             }
             else if (off.Length <= best + SamePlaceMm)
             {
-                // Beside a corner the point may lie in line with one of both motions.
+                // Beside a corner the point may be in line with one of the two motions.
                 (last, left, isTwice) = Joined(path, last, m) ? (m, left + off.Dot(tangent.Left), isTwice) : (last, left, true);
             }
         }

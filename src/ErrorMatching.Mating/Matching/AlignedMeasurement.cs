@@ -3,21 +3,21 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A measurement as it is compared: contact points in the plane of their feature, aligned as the job asks.</summary>
+/// <summary>A measurement prepared for comparison: contact points in the plane of their feature, aligned as the job requests.</summary>
 /// <param name="File">The measurement.</param>
-/// <param name="Alignment">What was applied, and what is left, over the key points in the order of the job.</param>
+/// <param name="Alignment">The alignment applied and its residuals over the key points, in the order of the job.</param>
 /// <param name="Points">The aligned points by label.</param>
-/// <param name="StandsOut">Points that stand out of their feature's plane, with how far; empty where the file has no Z.</param>
+/// <param name="StandsOut">Points out of their feature's plane, with their distance from it; empty if the file has no Z.</param>
 public sealed record AlignedMeasurement(
     MeasurementFile File,
     Alignment Alignment,
     IReadOnlyDictionary<string, Point2> Points,
     IReadOnlyList<(string Label, double Millimeters)> StandsOut)
 {
-    /// <summary>Code of the refusal of an alignment over features of several planes.</summary>
+    /// <summary>Code of the refusal of an alignment across features in several planes.</summary>
     public const string AlignmentNeedsOnePlane = "alignment-needs-one-plane";
 
-    /// <summary>Height over the plane from which a point is reported, mm.</summary>
+    /// <summary>Distance from the plane above which a point is reported, mm.</summary>
     private const double Flat = 0.001;
 
     /// <summary>Why a job's alignment cannot be computed, or null.</summary>
@@ -31,12 +31,12 @@ public sealed record AlignedMeasurement(
                 "The features lie in several planes, so one alignment cannot serve all. Make a job for each plane, or align in the gauge.");
     }
 
-    /// <summary>Takes a measurement to the part's frame.</summary>
+    /// <summary>Transforms a measurement to the part's frame.</summary>
     /// <param name="job">The job.</param>
-    /// <param name="maps">The features on the program, for the normals along which a ball touches.</param>
+    /// <param name="maps">The mapped features, for the normals along which a ball touches.</param>
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="measured">The measurement.</param>
-    /// <param name="piece">Which piece it is of.</param>
+    /// <param name="piece">The piece that was measured.</param>
     /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
     internal static AlignedMeasurement Of(
@@ -67,8 +67,8 @@ public sealed record AlignedMeasurement(
             }
         }
 
-        // Balls are aligned with where their centers should be, and only then taken to the contact: the normals are those of the part's
-        // frame, which a piece reaches by its alignment.
+        // Align balls with where their centers should be, and only then move them to the contact: the normals are in the part's frame,
+        // which a piece reaches by its alignment.
         var alignment = Align(job, theoretical, measured, actual, nominal);
         var points = labels.Select((label, i) => (label, alignment.Aligned[i] + toContact[i]));
         return new(measured, alignment, points.ToDictionary(p => p.label, p => p.Item2, StringComparer.Ordinal), standsOut);

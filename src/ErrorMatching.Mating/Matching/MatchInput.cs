@@ -4,7 +4,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Everything a match is computed from. The result is a function of nothing else.</summary>
+/// <summary>The complete input of a match. The result depends on nothing else.</summary>
 /// <param name="Job">The job.</param>
 /// <param name="Theoretical">The key points as designed.</param>
 /// <param name="Part">The key points as measured on the part.</param>
@@ -19,14 +19,14 @@ public sealed record MatchInput(
     string ProgramFile,
     ReadOnlyMemory<byte> Program)
 {
-    /// <summary>The dialect of the program where the job names a file of the shop (<see cref="NcDialects.IsFile"/>);
-    /// else null, and the job's name says which.</summary>
+    /// <summary>The program's dialect if the job names a file of the shop (<see cref="NcDialects.IsFile"/>); otherwise null, and the job
+    /// names a built-in dialect.</summary>
     public NcDialect? OwnDialect { get; init; }
 
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
     public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
 
-    /// <summary>The measurement that is compensated: the part's in feed-forward, the counterpart's in feedback.</summary>
+    /// <summary>The measurement to compensate: the part's in feed-forward, the counterpart's in feedback.</summary>
     /// <exception cref="ArgumentException">The job is feedback and there is no measured counterpart.</exception>
     public MeasurementFile Compensated => Job.Compensation.From == CompensationSource.Part ? Part : RequireCounterpart();
 
@@ -36,6 +36,6 @@ public sealed record MatchInput(
         Counterpart ?? throw new ArgumentException("Feedback needs a measured counterpart.", nameof(Counterpart));
 
     /// <summary>Interprets the program in the job's dialect.</summary>
-    /// <exception cref="NcException">The dialect is not known, or the program is too large.</exception>
+    /// <exception cref="NcException">The dialect is unknown, or the program is too large.</exception>
     public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), Job.Counterpart.DialectOf(OwnDialect));
 }

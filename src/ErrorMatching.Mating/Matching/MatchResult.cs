@@ -2,18 +2,18 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A match that may be used: the program to cut, and everything that led to it.</summary>
-/// <param name="Input">What it was computed from.</param>
+/// <summary>A usable match: the program to cut, and how it was computed.</summary>
+/// <param name="Input">The input.</param>
 /// <param name="Before">The original program, interpreted.</param>
-/// <param name="After">The program to cut, interpreted; the original itself where nothing is compensated.</param>
-/// <param name="Maps">The features on the program, in the order of the job.</param>
-/// <param name="Part">The part as compared.</param>
-/// <param name="Counterpart">The measured counterpart as compared; null in feed-forward without one.</param>
-/// <param name="Decision">What was decided for each feature.</param>
-/// <param name="Wish">What was asked of the rewriter; null where nothing is compensated.</param>
-/// <param name="Rewrite">What was changed, before the marker was inserted; null where nothing is compensated.</param>
-/// <param name="Marker">The comment that was inserted; null where nothing was changed.</param>
-/// <param name="Proof">What the comparison of both programs showed.</param>
+/// <param name="After">The program to cut, interpreted; the original itself if nothing is compensated.</param>
+/// <param name="Maps">The features mapped onto the program, in the order of the job.</param>
+/// <param name="Part">The part's measurement as compared.</param>
+/// <param name="Counterpart">The counterpart's measurement as compared; null in feed-forward without one.</param>
+/// <param name="Decision">The decisions on the features.</param>
+/// <param name="Wish">The wish passed to the rewriter; null if nothing is compensated.</param>
+/// <param name="Rewrite">The changes, before the marker was inserted; null if nothing is compensated.</param>
+/// <param name="Marker">The inserted comment; null if nothing was changed.</param>
+/// <param name="Proof">The result of comparing the two programs.</param>
 public sealed record MatchResult(
     MatchInput Input,
     NcPath Before,
@@ -30,8 +30,7 @@ public sealed record MatchResult(
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 
-    /// <summary>What was asked, as a file from which the proof can be made again;
-    /// it asks for nothing where nothing is compensated.</summary>
+    /// <summary>The wish as a file from which the proof can be repeated; empty if nothing is compensated.</summary>
     public WishFile WishFile() => Nc.WishFile.Of(
         Before,
         Wish ?? DisplacementWish.OfElements([]),

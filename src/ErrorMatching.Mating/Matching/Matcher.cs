@@ -4,8 +4,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The pure core: job, measurement and base program make a program with its proof, or a refusal.
-/// No clock, disk or culture.</summary>
+/// <summary>The pure core: computes a program with its proof, or a refusal, from job, measurement and base program. Independent of clock,
+/// disk and culture.</summary>
 public static class Matcher
 {
     /// <summary>Computes a match.</summary>
@@ -127,7 +127,7 @@ public static class Matcher
 
         if (rewrite.Value.Patches.Count == 0)
         {
-            // Every correction is less than half an increment: the program already is what it should be.
+            // Every correction is less than half an increment, so the program is already right.
             return Unchanged(input, path, maps, part, counterpart, decision);
         }
 
@@ -152,7 +152,7 @@ public static class Matcher
             : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
     }
 
-    // The limit holds between the points and behind them as well: a course that swings out there is nothing that anybody measured.
+    // The limit applies between and beyond the points too: a course that swings out there follows no measurement.
     private static MatingRefusal? BeyondLimit(MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
     {
         var compensation = input.Job.Compensation;
@@ -176,7 +176,7 @@ public static class Matcher
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
 
-    // With the name of the feature whose block it is about, if it is about one.
+    // Adds the name of the feature that owns the refused block, if any.
     private static MatingRefusal Named(NcRefusal refusal, IReadOnlyList<FeatureMap> maps) =>
         MatingRefusal.Of(refusal, maps.FirstOrDefault(m => m.Blocks.Contains(refusal.Line - 1))?.Feature.Name);
 

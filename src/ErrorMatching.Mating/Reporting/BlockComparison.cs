@@ -2,12 +2,12 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Shows what a rewriting changed, block by block, with the changed words marked.</summary>
+/// <summary>Shows the changes of a rewrite block by block, with the changed words marked.</summary>
 internal static class BlockComparison
 {
     /// <summary>The changed blocks, in the order of the program.</summary>
     /// <param name="before">The original program.</param>
-    /// <param name="rewrite">What was changed in it.</param>
+    /// <param name="rewrite">The changes.</param>
     public static IReadOnlyList<ReportBlock> Of(NcProgram before, Rewrite rewrite)
     {
         var blocks = new List<ReportBlock>();
@@ -39,7 +39,7 @@ internal static class BlockComparison
         return blocks;
     }
 
-    // One character a byte, so that spans count the same in both; comments in other encodings are shown by their bytes.
+    // One character per byte, so that spans match in both; comments in other encodings show their bytes.
     private static string CharacterPerByte(NcProgram program, NcBlock block) =>
         System.Text.Encoding.Latin1.GetString(program.BytesOf(block));
 }

@@ -3,16 +3,14 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What the new program really does at the key points, measured on its motions.</summary>
+/// <summary>The actual effect of the new program at the key points, measured on its motions.</summary>
 internal static class Correction
 {
     private const int Iterations = 6;
 
-    /// <summary>
-    /// By how much the boundary moved at a key point, along the normal from the counterpart's material to its tool: how far one has to go
-    /// along it until the new path is as far away as the old one was from the point (secant method;
-    /// the distance falls by nearly what one goes).
-    /// </summary>
+    /// <summary>Displacement of the boundary at a key point along the normal from the counterpart's material to its tool: the distance to
+    /// go along it until the new path is as far away as the old one was from the point. Secant method; the distance falls by nearly the
+    /// length of each step.</summary>
     public static double NormalMm(MatingJob job, NcPath before, NcPath after, FeaturePass pass, KeyPointFoot foot, Point2 theoretical)
     {
         var point = job.Counterpart.Frame.Apply(theoretical);
@@ -30,7 +28,7 @@ internal static class Correction
         return at;
     }
 
-    // Signed: positive where the path lies on the tool's side of the point, as it does without cutter compensation.
+    // Signed: positive if the path is on the tool's side of the point, as it is without cutter compensation.
     private static double Distance(NcPath path, FeaturePass pass, KeyPointFoot foot, Point2 point)
     {
         var nearest = double.PositiveInfinity;

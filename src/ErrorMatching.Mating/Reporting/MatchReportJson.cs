@@ -3,8 +3,8 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a match as JSON, schema <c>errormatch/match/1</c>.</summary>
-/// <remarks>Lengths in millimetres, angles in degrees, numbers rounded to the ninth decimal.
-/// UTF-8 without a byte order mark, lines end with a line feed.</remarks>
+/// <remarks>Lengths are in millimeters, angles in degrees, numbers rounded to the ninth decimal. UTF-8 without a byte order mark, lines
+/// end with a line feed.</remarks>
 public static class MatchReportJson
 {
     /// <summary>Name of the schema.</summary>
@@ -48,7 +48,7 @@ public static class MatchReportJson
         });
     }
 
-    /// <summary>The part's alignment stands at the top; the others, aligned in the same way, follow.</summary>
+    /// <summary>The part's alignment is at the top level; the others, aligned in the same way, follow.</summary>
     private static void WriteAlignments(ReportWriter w, IReadOnlyList<ReportAlignment> alignments)
     {
         if (alignments.Count > 0)

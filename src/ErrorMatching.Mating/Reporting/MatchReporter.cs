@@ -6,13 +6,13 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Makes the report of a match.</summary>
+/// <summary>Creates the report of a match.</summary>
 public static class MatchReporter
 {
-    /// <summary>Makes the report.</summary>
+    /// <summary>Creates the report.</summary>
     /// <param name="result">The match.</param>
-    /// <param name="programFile">Where the program to cut is, or will be, written.</param>
-    /// <param name="calculatingS">How long the calculation took, for the core has no clock; null if nobody timed it.</param>
+    /// <param name="programFile">Path of the program to cut, which may not be written yet.</param>
+    /// <param name="calculatingS">Duration of the calculation, because the core has no clock; null if it was not timed.</param>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
     public static MatchReport Report(MatchResult result, string programFile, double? calculatingS)
     {
@@ -105,8 +105,8 @@ public static class MatchReporter
         };
     }
 
-    // Corrected: the same quantity of the key points where the original program puts the boundary (as designed, or as measured on the
-    // counterpart that it cut), moved as the new program moves it.
+    // Corrected: the same quantity, from key points on the original program's boundary (as designed, or as measured on the counterpart
+    // that it cut), moved as the new program moves it.
     private static IEnumerable<ReportQuantity> Quantities(
         MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
     {

@@ -8,11 +8,10 @@ internal static class Outlines
 {
     private const int PointsOfAnArc = 24;
 
-    /// <summary>The boundary that a path leaves along a pass: the path offset by the tool's radius,
-    /// or the path itself under cutter compensation.</summary>
+    /// <summary>The boundary along a pass: the path offset by the tool radius, or the path itself under cutter compensation.</summary>
     public static IReadOnlyList<Point2> Boundary(MatingJob job, NcPath path, FeaturePass pass) => Boundary(job, path, pass, _ => 0);
 
-    /// <summary>That boundary, nearer to the tool by so much at each length along the pass.</summary>
+    /// <summary>That boundary, moved toward the tool by a distance that depends on the length along the pass.</summary>
     public static IReadOnlyList<Point2> Boundary(MatingJob job, NcPath path, FeaturePass pass, Func<double, double> towardTool)
     {
         var toPart = job.Counterpart.Frame.Inverse();

@@ -1,11 +1,10 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What reports say of key points that a program is predicted to leave outside of their limits,
-/// and what a person can do about them.</summary>
+/// <summary>Report texts on key points that a program is predicted to leave outside their limits, and on what the user can do.</summary>
 public static class OutsideWords
 {
-    /// <summary>Sentences: one of the points that the compensation itself drives out, one of those that stay outside;
-    /// none where no point is.</summary>
+    /// <summary>One sentence on the points that the compensation drives out, and one on those that stay outside; none if there are no
+    /// such points.</summary>
     public static IEnumerable<string> Of(OutsideLimits outside)
     {
         ArgumentNullException.ThrowIfNull(outside);
@@ -22,7 +21,7 @@ public static class OutsideWords
         }
     }
 
-    /// <summary>What to decide before the program is used; null where no point will be outside.</summary>
+    /// <summary>What to decide before using the program; null if no point will be outside.</summary>
     public static string? ToDecide(OutsideLimits outside)
     {
         ArgumentNullException.ThrowIfNull(outside);

@@ -3,10 +3,10 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The blocks in which any two programs differ, with those around them, as reports show them side by side.</summary>
+/// <summary>The blocks in which two programs differ, with context, for reports to show side by side.</summary>
 internal static class ProgramRows
 {
-    /// <summary>Rows of context before and behind a row that differs.</summary>
+    /// <summary>Rows of context before and after a row that differs.</summary>
     private const int Context = 3;
 
     /// <summary>The rows, in the order of the programs.</summary>
@@ -60,6 +60,6 @@ internal static class ProgramRows
         return spans;
     }
 
-    // One character a byte, so that spans count the same in both.
+    // One character per byte, so that spans match in both.
     private static string Text(NcProgram program, NcBlock block) => Encoding.Latin1.GetString(program.BytesOf(block));
 }

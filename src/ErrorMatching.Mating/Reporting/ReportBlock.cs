@@ -1,12 +1,12 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>A block of the program before and after, for showing side by side.</summary>
+/// <summary>A block of the program before and after, to show side by side.</summary>
 /// <param name="Number">Its number as written (<c>N110</c>); empty if it has none.</param>
 /// <param name="Line">Its line in the original program, from 1.</param>
 /// <param name="Original">Its text in the original program; empty for an inserted block.</param>
 /// <param name="Modified">Its text in the new program.</param>
-/// <param name="OriginalSpans">What was replaced in the original text.</param>
-/// <param name="ModifiedSpans">What stands there in the new text.</param>
+/// <param name="OriginalSpans">The replaced parts of the original text.</param>
+/// <param name="ModifiedSpans">Their replacements in the new text.</param>
 public sealed record ReportBlock(
     string Number,
     int Line,

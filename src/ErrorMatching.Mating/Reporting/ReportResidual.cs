@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What an alignment leaves at a point.</summary>
+/// <summary>The residual of an alignment at a point.</summary>
 /// <param name="Point">Label of the point.</param>
 /// <param name="Left">Aligned - theoretical.</param>
 public readonly record struct ReportResidual(string Point, Vector2 Left);

@@ -3,7 +3,7 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The words that reports use for values of enumerations: those of the job where the job has them.</summary>
+/// <summary>The words for enumeration values in reports: those of the job, if it has them.</summary>
 public static class ReportWords
 {
     /// <summary>compensated, within-tolerance or not-significant.</summary>
@@ -40,7 +40,7 @@ public static class ReportWords
         _ => "follows",
     };
 
-    /// <summary>What a neighbor did, as a sentence behind its block and before how far: <c>slid along itself</c>.</summary>
+    /// <summary>A neighbor's role as a phrase after its block and before the distance: <c>slid along itself</c>.</summary>
     public static string Sentence(NeighborRole role) => role switch
     {
         NeighborRole.Slides => "slid along itself",

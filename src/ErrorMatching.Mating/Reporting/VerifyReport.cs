@@ -2,15 +2,15 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Everything that a verification has to say.</summary>
+/// <summary>The contents of a verification report.</summary>
 /// <param name="Job">The job.</param>
-/// <param name="Inputs">The files it was made from.</param>
-/// <param name="Result">How well both counterparts fit the part.</param>
-/// <param name="Warnings">What a person should know, in sentences.</param>
+/// <param name="Inputs">The input files.</param>
+/// <param name="Result">The fit of both counterparts to the part.</param>
+/// <param name="Warnings">Warnings for the user, in sentences.</param>
 public sealed record VerifyReport(
     ReportJob Job, IReadOnlyList<ReportInput> Inputs, VerificationResult Result, IReadOnlyList<string> Warnings)
 {
-    /// <summary>True if the counterpart before was measured, false if it is taken as designed.</summary>
+    /// <summary>True if the counterpart before was measured; false if the designed one is used.</summary>
     public bool IsBeforeMeasured { get; init; } = true;
 
     /// <summary>The boundaries of the features, for plots and drawings.</summary>

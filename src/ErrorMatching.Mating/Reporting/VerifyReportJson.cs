@@ -3,8 +3,8 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a verification as JSON, schema <c>errormatch/verify/1</c>.</summary>
-/// <remarks>Lengths in millimetres, angles in degrees, numbers rounded to the ninth decimal.
-/// UTF-8 without a byte order mark, lines end with a line feed.</remarks>
+/// <remarks>Lengths are in millimeters, angles in degrees, numbers rounded to the ninth decimal. UTF-8 without a byte order mark, lines
+/// end with a line feed.</remarks>
 public static class VerifyReportJson
 {
     /// <summary>Name of the schema.</summary>

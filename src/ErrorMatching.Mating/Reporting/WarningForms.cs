@@ -2,8 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The sentences of a report's warnings. They go into the cell's records as well, and are read back from there by the same forms;
-/// each is named by its warning's code.</summary>
+/// <summary>The sentences of report warnings, each named by its warning's code. The cell's records store them too, and the same forms
+/// read them back.</summary>
 public static class WarningForms
 {
     /// <summary>Feature, count of key points, length and recommended spacing in mm.</summary>
@@ -21,13 +21,13 @@ public static class WarningForms
             + "met exactly. This part is measured: see what is left over there before you cut. For the next parts, choose a key point "
             + "further from the corner in the job.");
 
-    /// <summary>Kind of alignment, and what is left in mm.</summary>
+    /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(
         "aligned",
         "The part was aligned ({0}) before it was compared: what the alignment took away is not compensated. {1} mm (root mean square) "
             + "are left.");
 
-    /// <summary>The file of the measured counterpart as the job names it.</summary>
+    /// <summary>The file of the measured counterpart, as the job names it.</summary>
     public static SentenceForm MeasuredNotThere { get; } = new(
         "measured-not-there",
         "The measured counterpart \"{0}\" is not there; expected the file of the one that was cut without compensation, or no key "

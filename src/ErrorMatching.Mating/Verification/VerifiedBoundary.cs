@@ -2,10 +2,10 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The boundary of a feature whose key points were verified, in the part's frame, for plots and drawings.</summary>
+/// <summary>The boundary of a verified feature, in the part's frame, for plots and drawings.</summary>
 /// <param name="Name">Name of the feature.</param>
 /// <param name="Band">The limits of the part's deviation: actual - theoretical along the normal.</param>
-/// <param name="Points">Its key points in the order of cutting, where they are designed.</param>
+/// <param name="Points">Its key points as designed, in the order of cutting.</param>
 /// <param name="Outline">The boundary that the nominal program cuts, as a polyline.</param>
 public sealed record VerifiedBoundary(
     string Name, ToleranceBand Band, IReadOnlyList<(string Label, Point2 Theoretical)> Points, IReadOnlyList<Point2> Outline)

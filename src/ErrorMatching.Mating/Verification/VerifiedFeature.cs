@@ -2,17 +2,16 @@ namespace ErrorMatching.Mating;
 
 /// <summary>One quantity of the counterpart, before and after.</summary>
 /// <param name="Name">Name of the feature or of the job's comparison.</param>
-/// <param name="Quantity">What is compared.</param>
+/// <param name="Quantity">The compared quantity.</param>
 /// <param name="Wanted">The part's value; zero for deviations.</param>
-/// <param name="Before">The value of the counterpart that was cut without compensation.</param>
-/// <param name="After">The value of the counterpart that was cut with it.</param>
+/// <param name="Before">The value of the counterpart cut without compensation.</param>
+/// <param name="After">The value of the counterpart cut with compensation.</param>
 public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, double Wanted, double Before, double After)
 {
-    /// <summary>Labels of the key points whose largest deviation it is; empty for lengths and angles.</summary>
+    /// <summary>Labels of the key points for a largest deviation; empty for lengths and angles.</summary>
     public IReadOnlyList<string> Points { get; init; } = [];
 
-    /// <summary>By how much of the error before the error after is smaller, in percent;
-    /// negative where it grew, null where there was none.</summary>
+    /// <summary>Reduction of the error, in percent of the error before; negative if it grew, null if it was zero.</summary>
     public double? ImprovementPercent
     {
         get

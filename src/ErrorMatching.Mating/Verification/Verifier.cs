@@ -2,16 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Compares counterparts with the part (Wang 2021, section 4): deviations of every feature, what its kind has besides (for a line its
-/// length, for a triangle its angle), and what the job asks for.
-/// </summary>
+/// <summary>Compares counterparts with the part (Wang 2021, section 4): the deviations of every feature, the quantities of its kind
+/// (length of a line, angle of a triangle), and the comparisons that the job requests.</summary>
 internal static class Verifier
 {
     /// <summary>Compares two counterparts with the part.</summary>
     /// <param name="job">The job.</param>
     /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
-    /// <exception cref="ArgumentException">The lists do not correspond to the job's features and points.</exception>
+    /// <exception cref="ArgumentException">The lists do not match the job's features and points.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names the feature.</exception>
     public static VerificationResult Verify(MatingJob job, IReadOnlyList<IReadOnlyList<VerifiedPoint>> points)
     {

@@ -6,19 +6,17 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Compares two measured counterparts with the part: normals from the program, points aligned as the job says,
-/// then <see cref="Verifier"/>.</summary>
+/// <summary>Compares two measured counterparts with the part: takes normals from the program, aligns points as the job requests, then
+/// runs <see cref="Verifier"/>.</summary>
 public static class VerifyRun
 {
     private const string BeforeAsDesigned = "No counterpart that was cut without compensation is measured: before is the counterpart as "
         + "designed, which no machine cuts exactly.";
 
-    /// <summary>Makes the report of a verification.</summary>
-    /// <param name="input">What it is computed from.</param>
-    /// <param name="refusals">
-    /// Why nothing can be compared: an origin that is off, points in another unit, or features that are not on the program;
-    /// empty where there is a report.
-    /// </param>
+    /// <summary>Creates the report of a verification.</summary>
+    /// <param name="input">The input.</param>
+    /// <param name="refusals">Why nothing can be compared: an origin outside its limit, points in another unit, or features not on the
+    /// program; empty if there is a report.</param>
     /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
     /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>

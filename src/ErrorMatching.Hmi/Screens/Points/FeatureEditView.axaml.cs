@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where a feature is named, moved up or removed, and its points are counted.</summary>
+/// <summary>The controls to name, move up or remove a feature, and to set its numbers of points.</summary>
 public sealed partial class FeatureEditView : UserControl
 {
-    /// <summary>The view.</summary>
     public FeatureEditView() => InitializeComponent();
 }

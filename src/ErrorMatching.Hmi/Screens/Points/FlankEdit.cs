@@ -3,7 +3,7 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>How many points a feature has, or a flank of it.</summary>
+/// <summary>The number of points of a feature, or of one of its flanks.</summary>
 public sealed class FlankEdit : Observable
 {
     private const int Most = 1000;
@@ -11,10 +11,6 @@ public sealed class FlankEdit : Observable
     private readonly int _flank;
     private readonly bool _isOne;
 
-    /// <summary>The points of a flank.</summary>
-    /// <param name="editing">The job that is edited.</param>
-    /// <param name="feature">Number of the feature in the draft.</param>
-    /// <param name="flank">Number of the flank in the feature.</param>
     public FlankEdit(JobEditing editing, int feature, int flank)
     {
         ArgumentNullException.ThrowIfNull(editing);
@@ -40,22 +36,17 @@ public sealed class FlankEdit : Observable
             () => editing.CanEdit && CountOf(editing.Draft) < Most);
     }
 
-    /// <summary>How many.</summary>
     public TextField Count { get; }
 
-    /// <summary>One less.</summary>
     public Command Less { get; }
 
-    /// <summary>One more.</summary>
     public Command More { get; }
 
-    /// <summary>Identifies the button for one less.</summary>
     public string LessId => string.Create(CultureInfo.InvariantCulture, $"feature-{_feature}-flank-{_flank}-less");
 
-    /// <summary>Identifies the button for one more.</summary>
     public string MoreId => string.Create(CultureInfo.InvariantCulture, $"feature-{_feature}-flank-{_flank}-more");
 
-    /// <summary>Shows what can be done.</summary>
+    /// <summary>Updates the commands.</summary>
     internal void Refresh()
     {
         Less.Refresh();

@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where the points of a flank, or of all of a feature, are counted.</summary>
+/// <summary>The controls to set the number of points of a flank, or of a whole feature.</summary>
 public sealed partial class FlankEditView : UserControl
 {
-    /// <summary>The view.</summary>
     public FlankEditView() => InitializeComponent();
 }

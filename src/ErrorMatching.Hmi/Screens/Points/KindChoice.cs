@@ -7,19 +7,15 @@ namespace ErrorMatching.Hmi;
 /// <param name="add">Adds a feature of it.</param>
 public sealed class KindChoice(FeatureKind kind, Command add) : Observable
 {
-    /// <summary>Adds a feature of it.</summary>
     public Command Add { get; } = add;
 
-    /// <summary>What its button says.</summary>
     public string Name => Texts.Current["Points.Add." + kind];
 
-    /// <summary>Key of its icon.</summary>
     public string Icon => "Icon.kind-" + kind;
 
-    /// <summary>Identifies its button.</summary>
     public string Id => "add-" + kind;
 
-    /// <summary>Shows whether it can be added, in the language of the station.</summary>
+    /// <summary>Updates its availability and its text in the display language.</summary>
     internal void Refresh()
     {
         Add.Refresh();

@@ -1,8 +1,7 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where features and their points are counted.</summary>
+/// <summary>The screen to enter features and their numbers of points.</summary>
 public sealed partial class PointsView : SetupView
 {
-    /// <summary>The view.</summary>
     public PointsView() => InitializeComponent();
 }

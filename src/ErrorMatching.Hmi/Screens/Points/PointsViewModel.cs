@@ -4,7 +4,7 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Point set-up: which features the part has and how many points each is measured at, and the part drawn as it grows.</summary>
+/// <summary>Point setup: the part's features and their numbers of points, with a drawing of the part as it grows.</summary>
 public sealed class PointsViewModel : SetupViewModel, ITakesCodes
 {
     private readonly ITimer _minute;
@@ -12,7 +12,6 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
     private readonly NoteField _features;
     private MatingDraft? _drawn;
 
-    /// <summary>The screen.</summary>
     public PointsViewModel(ShellViewModel shell)
         : base(shell)
     {
@@ -26,31 +25,26 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         Begin();
     }
 
-    /// <summary>The work order.</summary>
     public TextField WorkOrder { get; }
 
     /// <summary>The workpiece: the job's name.</summary>
     public TextField Workpiece { get; }
 
-    /// <summary>Who sits here.</summary>
     public string Operator => Shell.UserName;
 
-    /// <summary>The time.</summary>
     public string Time => Shown.Time(Station.Clock.GetUtcNow(), Station.Clock);
 
     /// <summary>The features in the order of cutting.</summary>
     public ObservableCollection<FeatureEdit> Features { get; } = [];
 
-    /// <summary>What is wrong with the list as a whole.</summary>
+    /// <summary>Problems with the list as a whole.</summary>
     public NoteField FeaturesNote => _features;
 
-    /// <summary>True if there are none yet.</summary>
     public bool IsEmpty => Features.Count == 0;
 
-    /// <summary>The kinds of features that can be added.</summary>
     public IReadOnlyList<KindChoice> Adds { get; }
 
-    /// <summary>A code that is scanned is the work order.</summary>
+    /// <summary>A scanned code becomes the work order.</summary>
     public void TakeCode(string code)
     {
         if (Editing.CanEdit)
@@ -59,10 +53,10 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         }
     }
 
-    /// <summary>The part as far as it is known.</summary>
+    /// <summary>The part, as far as it is known.</summary>
     public PartDrawing Drawing { get; private set; } = PartDrawing.Of(new());
 
-    /// <summary>How the part is drawn, in words.</summary>
+    /// <summary>Caption that explains how the part is drawn.</summary>
     public string DrawingCaption => Drawing switch
     {
         { Total: 0 } => Texts.Current["Points.DrawnNothing"],
@@ -71,13 +65,10 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         _ => Texts.Current.With("Points.DrawnTrue", Drawing.Total),
     };
 
-    /// <inheritdoc/>
     protected override string Key => Screens.Points;
 
-    /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields => [WorkOrder, Workpiece, _features, .. Features.SelectMany(f => f.Fields)];
 
-    /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
     {
         _minute.Dispose();
@@ -85,10 +76,8 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         base.Dispose(isDisposing);
     }
 
-    /// <inheritdoc/>
     protected override string ShapeOf(MatingDraft draft) => string.Join(' ', draft.Features.Select(f => f.Kind));
 
-    /// <inheritdoc/>
     protected override void MakeRows()
     {
         Features.Clear();
@@ -98,12 +87,11 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         }
     }
 
-    /// <inheritdoc/>
     protected override void ShowMore()
     {
         if (!ReferenceEquals(_drawn, Editing.Draft))
         {
-            // What is looked at closely stays so while nothing changes.
+            // Keep a zoomed view while nothing changes.
             (_drawn, Drawing) = (Editing.Draft, PartDrawing.Of(Editing.Draft));
         }
 
@@ -118,7 +106,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         }
     }
 
-    // A new job is filled in from its beginning.
+    // A new job starts at its first field.
     private void GoToFirstField()
     {
         if (Shell.Current == this)

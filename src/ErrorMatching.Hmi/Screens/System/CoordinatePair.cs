@@ -1,12 +1,12 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>Points that stand beside each other in the system set-up: a small screen shows twice as many.</summary>
+/// <summary>Points side by side in the system setup, so that a small screen shows twice as many.</summary>
 /// <param name="First">The first one.</param>
-/// <param name="Second">The one behind it; null if there is none, or three coordinates take the width.</param>
-/// <param name="Columns">How many have room side by side.</param>
+/// <param name="Second">The next one; null if there is none, or if three coordinates take up the width.</param>
+/// <param name="Columns">Number that fits side by side.</param>
 public sealed record CoordinatePair(CoordinateRow First, CoordinateRow? Second, int Columns)
 {
-    /// <summary>Points beside each other, line by line in their order.</summary>
+    /// <summary>Arranges points side by side, line by line in order.</summary>
     public static IEnumerable<CoordinatePair> Of(IReadOnlyCollection<CoordinateRow> rows)
     {
         var columns = rows.Any(r => r.HasZ) ? 1 : 2;

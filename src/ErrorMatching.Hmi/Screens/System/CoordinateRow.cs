@@ -2,18 +2,16 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A theoretical point in the system set-up.</summary>
-/// <param name="Feature">Name of its feature; empty for a point of none.</param>
+/// <summary>A theoretical point in the system setup.</summary>
+/// <param name="Feature">Name of its feature; empty if it has none.</param>
 /// <param name="Label">Its label.</param>
 /// <param name="X">Its first coordinate.</param>
 /// <param name="Y">Its second coordinate.</param>
-/// <param name="Z">Its third coordinate, where points have one; else null.</param>
+/// <param name="Z">Its third coordinate, or null.</param>
 public sealed record CoordinateRow(string Feature, TextField Label, TextField X, TextField Y, TextField? Z)
 {
-    /// <summary>True if points have a third coordinate.</summary>
     public bool HasZ => Z is not null;
 
-    /// <summary>Its fields.</summary>
     internal IEnumerable<EditField> Fields => Z is null ? [Label, X, Y] : [Label, X, Y, Z];
 
     /// <summary>The rows of a draft, in the order of its points.</summary>

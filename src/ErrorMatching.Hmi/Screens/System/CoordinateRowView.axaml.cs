@@ -2,9 +2,8 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A theoretical point: its feature, and fields for its label and its coordinates.</summary>
+/// <summary>A theoretical point: its feature, and the fields for label and coordinates.</summary>
 public sealed partial class CoordinateRowView : UserControl
 {
-    /// <summary>The view.</summary>
     public CoordinateRowView() => InitializeComponent();
 }

@@ -2,12 +2,10 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Fields beside each other.</summary>
+/// <summary>Fields side by side.</summary>
 public sealed partial class FieldRowView : Border
 {
-    /// <summary>The view.</summary>
     public FieldRowView() => InitializeComponent();
 
-    /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(Border);
 }

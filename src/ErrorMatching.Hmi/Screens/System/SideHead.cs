@@ -1,21 +1,18 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>The head of a side of a screen: its name, how much is to be corrected and to be filled in there,
-/// and whether something is asked about.</summary>
-/// <param name="title">Key of its name.</param>
+/// <summary>The head of a tab: its name, how much is to be corrected and filled in there, and whether there are questions.</summary>
+/// <param name="title">Text key of its name.</param>
 public sealed class SideHead(string title) : Observable
 {
     private int _wrong;
     private int _missing;
     private int _asked;
 
-    /// <summary>Its name.</summary>
     public string Title => Texts.Current[title];
 
-    /// <summary>How much is still to be filled in there.</summary>
     public string Missing => Shown.Count(_missing);
 
-    /// <summary>All in words; null if there is nothing.</summary>
+    /// <summary>All counts in words, or null.</summary>
     public string? Problem =>
         HasWrong || HasMissing || HasAsked
             ? string.Join(
@@ -27,23 +24,20 @@ public sealed class SideHead(string title) : Observable
                 }.Where(t => t.Length > 0))
             : null;
 
-    /// <summary>True if something is to be corrected there.</summary>
     public bool HasWrong => _wrong > 0;
 
-    /// <summary>True if something is still to be filled in there.</summary>
     public bool HasMissing => _missing > 0;
 
-    /// <summary>True if something can be saved there and is hardly meant.</summary>
+    /// <summary>True if something there is valid but probably unintended.</summary>
     public bool HasAsked => _asked > 0;
 
-    /// <summary>True where that much is shown: there is room for the worst alone.</summary>
+    /// <summary>True if the count is shown; there is space only for the most severe mark.</summary>
     public bool ShowsMissing => HasMissing && !HasWrong;
 
-    /// <summary>True where it is shown that something is asked about.</summary>
+    /// <summary>True if the mark for questions is shown.</summary>
     public bool ShowsAsked => HasAsked && !HasWrong && !HasMissing;
 
-    /// <summary>Says how much is to be corrected and to be filled in there, and how much is asked about,
-    /// in the language of the screen.</summary>
+    /// <summary>Sets how much is to be corrected, filled in and asked about there, in the display language.</summary>
     internal void Show(int wrong, int missing, int asked)
     {
         (_wrong, _missing, _asked) = (wrong, missing, asked);

@@ -2,12 +2,10 @@ using Avalonia.Controls;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The head of a side of a screen.</summary>
+/// <summary>The head of a tab.</summary>
 public sealed partial class SideHeadView : StackPanel
 {
-    /// <summary>The view.</summary>
     public SideHeadView() => InitializeComponent();
 
-    /// <inheritdoc/>
     protected override Type StyleKeyOverride => typeof(StackPanel);
 }

@@ -4,13 +4,12 @@ using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The fields of the system set-up, side by side, as they stand in the job.</summary>
+/// <summary>The fields of the system setup, tab by tab, in the job's order.</summary>
 internal sealed class SystemFields(JobEditing editing)
 {
-    // What every feature has, and the keys of the kind that has most.
+    // The fields of every feature, and the keys of the kind with the most.
     private static readonly int ToleranceColumns = 4 + FeatureKinds.All.Max(k => k.Keys.Count);
 
-    /// <summary>The blocks of each feature.</summary>
     public IReadOnlyList<TextField> Blocks() => [.. Features().Select(f =>
         new TextField(
             editing,
@@ -23,10 +22,8 @@ internal sealed class SystemFields(JobEditing editing)
             Row = () => FeatureEdit.NameOf(editing, f),
         })];
 
-    /// <summary>Limits and fit of each feature.</summary>
     public IReadOnlyList<FieldRow> Tolerances() => [.. Features().Select(Tolerance)];
 
-    /// <summary>The tolerance chain.</summary>
     public IReadOnlyList<FieldRow> Chain() => [.. Enumerable.Range(0, editing.Draft.Chain.Count).Select(i => Row(
         "chain",
         i,
@@ -44,7 +41,6 @@ internal sealed class SystemFields(JobEditing editing)
                 (d, t) => d with { Chain = d.Chain.Replaced(i, d.Chain[i] with { Sign = t }) }),
         ]))];
 
-    /// <summary>Frame and tool.</summary>
     public IReadOnlyList<EditField> Frame() =>
     [
         Text(
@@ -84,7 +80,6 @@ internal sealed class SystemFields(JobEditing editing)
             (d, t) => d with { Counterpart = d.Counterpart with { TranslateY = t } }),
     ];
 
-    /// <summary>Alignment and the check of the origin.</summary>
     public IReadOnlyList<EditField> Alignment() =>
     [
         Choice(
@@ -132,7 +127,6 @@ internal sealed class SystemFields(JobEditing editing)
         Text("$.originCheck.limitMm", "System.OriginLimit", otherwise: null, d => d.OriginLimit, (d, t) => d with { OriginLimit = t }),
     ];
 
-    /// <summary>What is made of the deviations.</summary>
     public IReadOnlyList<EditField> Compensation() =>
     [
         Choice(
@@ -166,7 +160,7 @@ internal sealed class SystemFields(JobEditing editing)
             d => d.Compensation.Along,
             (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
 
-        // It counts with either choice: verifications compare with it.
+        // Applies to either choice, because verifications compare with it.
         Text(
             "$.counterpart.measured",
             "System.CounterpartMeasured",
@@ -175,7 +169,6 @@ internal sealed class SystemFields(JobEditing editing)
             (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }),
     ];
 
-    /// <summary>The gauge.</summary>
     public IReadOnlyList<EditField> Gauge() =>
     [
         .. editing.Draft.Gauge.FormatJson.Length > 0
@@ -237,7 +230,6 @@ internal sealed class SystemFields(JobEditing editing)
             (d, t) => d with { Gauge = d.Gauge with { Calculating = t } }),
     ];
 
-    /// <summary>Contributions to the uncertainty.</summary>
     public IReadOnlyList<FieldRow> Contributions() => [.. Enumerable.Range(0, editing.Draft.Gauge.Contributions.Count).Select(i => Row(
         "contribution",
         i,
@@ -247,7 +239,7 @@ internal sealed class SystemFields(JobEditing editing)
             Contribution(i, "valueMm", "System.Uncertainty", c => c.Value, (c, t) => c with { Value = t }),
         ]))];
 
-    /// <summary>Comparisons beside those of the features.</summary>
+    /// <summary>Comparisons in addition to those of the features.</summary>
     public IReadOnlyList<FieldRow> Comparisons() => [.. Enumerable.Range(0, editing.Draft.Comparisons.Count).Select(i => Row(
         "comparison",
         i,
@@ -292,7 +284,7 @@ internal sealed class SystemFields(JobEditing editing)
         }
         else
         {
-            // Empty places: what follows stands under that of other features.
+            // Empty cells, so that the following fields align with those of other features.
             cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[0]"), "System.Lower"));
             cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[1]"), "System.Upper"));
         }
@@ -388,7 +380,7 @@ internal sealed class SystemFields(JobEditing editing)
         string path, string label, string? otherwise, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) =>
         new(editing, path, label, get, set) { Default = otherwise, MayBeEmpty = d => MayBeEmpty(d, path) };
 
-    // One coordinate goes with the other, and a point with its limit.
+    // One coordinate requires the other, and a point its limit.
     private static bool MayBeEmpty(MatingDraft draft, string path) => path switch
     {
         "$.counterpart.frame.translateMm[0]" or "$.counterpart.frame.translateMm[1]" =>

@@ -4,17 +4,15 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Where coordinates, blocks and limits are entered and tried out.</summary>
+/// <summary>The screen to enter and try out coordinates, blocks and limits.</summary>
 public sealed partial class SystemView : SetupView
 {
-    /// <summary>The view.</summary>
     public SystemView()
     {
         InitializeComponent();
         PointList.AddHandler(TextBox.PastingFromClipboardEvent, OnPasting);
     }
 
-    /// <inheritdoc/>
     protected override void ShowRow(string id)
     {
         if (DataContext is SystemViewModel system && system.RowOf(id) is >= 0 and var row && row < PointList.ItemCount)
@@ -25,7 +23,7 @@ public sealed partial class SystemView : SetupView
 
     private void OnPaste(object? sender, RoutedEventArgs e) => _ = PasteAsync(null).Watched();
 
-    // A table that is pasted into a field goes to all fields that it has coordinates for.
+    // A table pasted into a field fills all fields that it has coordinates for.
     private void OnPasting(object? sender, RoutedEventArgs e)
     {
         e.Handled = true;

@@ -4,13 +4,13 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>The dry run: what the draft would make of a measurement. Nothing is saved or sent.</content>
+/// <content>The dry run: the draft's result for a measurement. Nothing is saved or sent.</content>
 public sealed partial class SystemViewModel
 {
     private const int Latest = 1000;
     private CorrectionDetail? _detail;
 
-    /// <summary>What the dry run came to; null while none is shown.</summary>
+    /// <summary>The result of the dry run; null while none is shown.</summary>
     public CorrectionDetail? Detail
     {
         get => _detail;
@@ -24,32 +24,29 @@ public sealed partial class SystemViewModel
         }
     }
 
-    /// <summary>True while the form is shown, and not a dry run.</summary>
+    /// <summary>True while the form is shown instead of a dry run.</summary>
     public bool IsForm => Detail is null;
 
-    /// <summary>Why the dry run is hardly what was meant: of points that were measured not every one is as designed;
-    /// null if it may be.</summary>
+    /// <summary>Warning that the dry run probably used a drawing: every point is exactly as designed, which no measurement is. Null
+    /// otherwise.</summary>
     public string? DryRunDoubt =>
         Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file }
             && report.Points.All(p => p.Actual == p.Theoretical)
             ? Texts.Current.With("System.DryRunDrawing", file)
             : null;
 
-    /// <summary>Tries the draft with the last measurement of the job in the store.</summary>
+    /// <summary>Tries the draft with the job's last measurement in the store.</summary>
     public LongCommand DryRun { get; }
 
-    /// <summary>Tries the draft with a file.</summary>
     public LongCommand DryRunFile { get; }
 
-    /// <summary>Back to the form.</summary>
     public Command Back { get; }
 
-    /// <inheritdoc/>
     protected override void Translate()
     {
         Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
 
-        // Rows are made anew in other words; who picks blocks for a feature goes on doing so.
+        // Rows are recreated in the new language; picking blocks for a feature continues.
         var picked = _picked;
         base.Translate();
         _picked = picked;
@@ -151,7 +148,7 @@ public sealed partial class SystemViewModel
     {
         var report = KeptReport.Read(matched.ReportJson())!;
 
-        // What the store has of the measurement came of the job as it was: the figures are those of the trial.
+        // The stored result was computed with the previous job; show the figures of the dry run.
         var move = LargestMove.Of(matched);
         var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
         return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker))

@@ -13,17 +13,17 @@ public sealed partial class SystemViewModel
     private string _marked = "";
     private int _picked;
 
-    /// <summary>The program; null while there is none, or it is being opened.</summary>
+    /// <summary>The program; null while there is none, or while it is being opened.</summary>
     public ProgramPicture? Picture
     {
         get => _picture;
         private set => Set(ref _picture, value);
     }
 
-    /// <summary>Done when the program is opened and its features are marked.</summary>
+    /// <summary>Completes when the program is open and its features are marked.</summary>
     internal Task Opening { get; private set; } = Task.CompletedTask;
 
-    // A feature without blocks is the next to be picked for.
+    // Picking continues with the next feature without blocks.
     private int NextPicked(int otherwise) =>
         Editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
 
@@ -87,12 +87,12 @@ public sealed partial class SystemViewModel
         }
         catch (Exception e) when (e is InputException or NcException or JsonDocumentException or ArgumentException)
         {
-            // What is wrong with the program or its control is told at their fields.
+            // Problems with the program or its control are shown at their fields.
             return null;
         }
     }
 
-    // One after the other, so that the last marks are those of the last draft.
+    // Mark drafts one after the other, so that the last marks are those of the last draft.
     private void Mark(ProgramPicture picture, MatingDraft draft)
     {
         var marked = string.Join(
@@ -102,7 +102,7 @@ public sealed partial class SystemViewModel
         {
             _marked = marked;
 
-            // Blocks that a feature got otherwise are not to be taken for the next one.
+            // Do not take blocks that a feature got in another way for the next one.
             picture.Unlight();
             _marking = MarkAsync(_marking, picture, draft).Watched();
         }
@@ -129,7 +129,7 @@ public sealed partial class SystemViewModel
         }
     }
 
-    // A proposal: whoever sits here looks at it, and what was found can be undone in one step.
+    // A proposal: the user checks it, and can undo it in one step.
     private async Task FindBlocksAsync(CancellationToken end)
     {
         var path = Picture!.Program.Path;
@@ -153,6 +153,6 @@ public sealed partial class SystemViewModel
             missed.Length > 0 ? Texts.Current.With("System.BlocksMissed", Texts.Current.Listed(missed)) : ""));
     }
 
-    /// <summary>What a picture is of: while it is the same, it stays.</summary>
+    /// <summary>What a picture depends on; while it is unchanged, the picture stays.</summary>
     private sealed record PictureOf(string? Job, string Program, DraftProgram? Imported, string Dialect, string BlockSkip);
 }

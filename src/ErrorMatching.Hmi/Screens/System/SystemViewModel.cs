@@ -6,17 +6,16 @@ using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>System set-up: where each point is designed, which blocks cut each feature, and how deviations are judged and followed;
-/// tried out before it is saved.</summary>
+/// <summary>System setup: coordinates of each point, blocks of each feature, and how deviations are judged and compensated; tried out
+/// before saving.</summary>
 public sealed partial class SystemViewModel : SetupViewModel
 {
-    // As many as stand in two lines; which others there are is seen at their fields.
+    // The number that fits in two lines; the others are marked at their fields.
     private const int MostCorners = 6;
 
     private readonly SystemFields _fields;
     private int _side;
 
-    /// <summary>The screen.</summary>
     public SystemViewModel(ShellViewModel shell)
         : base(shell)
     {
@@ -61,13 +60,12 @@ public sealed partial class SystemViewModel : SetupViewModel
         Editing.Begun += GoToFirstSide;
     }
 
-    /// <summary>Which side is open.</summary>
     public int Side
     {
         get => _side;
         set
         {
-            // What was said on a side is read once another one is turned to; what can be done about it stays.
+            // Clear the notice when another tab is opened, unless it offers an action.
             if (TurnTo(value) && Editing.FirstWaiting is null)
             {
                 Editing.ForgetNotice();
@@ -75,112 +73,90 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    /// <summary>The heads of the sides, with what is to be corrected and to be filled in on each.</summary>
+    /// <summary>The heads of the tabs, with what is to be corrected and filled in on each.</summary>
     public IReadOnlyList<SideHead> Heads { get; } = [
         new("System.Coordinates"), new("System.ProgramAndBlocks"), new("System.Tolerances"), new("System.Machine"), new("System.Gauge")];
 
-    /// <summary>The theoretical points.</summary>
     public ObservableCollection<CoordinateRow> Coordinates { get; } = [];
 
-    /// <summary>The same, as they stand beside each other.</summary>
+    /// <summary>The same points, arranged side by side.</summary>
     public ObservableCollection<CoordinatePair> Pairs { get; } = [];
 
-    /// <summary>True if points have a third coordinate.</summary>
     public bool HasZ => Coordinates.Any(c => c.HasZ);
 
-    /// <summary>True before there are features: coordinates have no points to go to.</summary>
+    /// <summary>True before there are features, when coordinates have no points to go to.</summary>
     public bool NeedsFeatures => Editing.Job is not null && Editing.Draft.Features.Count == 0;
 
-    /// <summary>What is wrong with the points as a whole.</summary>
+    /// <summary>Problems with the points as a whole.</summary>
     public NoteField Points { get; }
 
-    /// <summary>Which points lie on rounded corners, and how much further from these they can be met, in words;
-    /// null if none does.</summary>
+    /// <summary>Text with the points on rounded corners and how much farther from these their deviation can be compensated, or
+    /// null.</summary>
     public string? Corners =>
         Editing.Doubts.Where(d => d.Code == WarningForms.PointOnCorner.Name)
             .Select(d => Texts.Current.With("System.Corner", d.Found, d.Amount))
             .ToArray() is { Length: > 0 } corners
         ? Texts.Current.With("System.Corners", TableText.Listed(corners, MostCorners)) : null;
 
-    /// <summary>What is wrong with the program.</summary>
     public NoteField Program { get; }
 
-    /// <summary>What is wrong with its control.</summary>
     public NoteField Dialect { get; }
 
-    /// <summary>What is wrong with the rules that are kept as they are.</summary>
+    /// <summary>Problems with the source rules, which cannot be edited.</summary>
     public NoteField Rules { get; }
 
-    /// <summary>Which program it is.</summary>
     public string ProgramText => Editing.Draft.Counterpart.Program.Length == 0 ? Texts.Current["System.NoProgram"]
         : Editing.Draft.Program is { } program
             ? Texts.Current.With("System.ProgramImported", Editing.Draft.Counterpart.Program, Shown.Count(program.Bytes.Length))
         : Editing.Draft.Counterpart.Program;
 
-    /// <summary>The control that it is for.</summary>
     public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft.Counterpart.Dialect);
 
-    /// <summary>The blocks of each feature.</summary>
     public IReadOnlyList<BlocksRow> Blocks { get; private set; } = [];
 
-    /// <summary>Limits and fit of each feature.</summary>
     public IReadOnlyList<FieldRow> Tolerances { get; private set; } = [];
 
-    /// <summary>The tolerance chain.</summary>
     public IReadOnlyList<FieldRow> Chain { get; private set; } = [];
 
-    /// <summary>Frame and tool.</summary>
     public IReadOnlyList<EditField> Frame { get; private set; } = [];
 
-    /// <summary>Alignment and origin.</summary>
     public IReadOnlyList<EditField> Alignment { get; private set; } = [];
 
-    /// <summary>What is made of the deviations.</summary>
     public IReadOnlyList<EditField> Compensation { get; private set; } = [];
 
-    /// <summary>The gauge.</summary>
     public IReadOnlyList<EditField> Gauge { get; private set; } = [];
 
-    /// <summary>Contributions to its uncertainty.</summary>
     public IReadOnlyList<FieldRow> Contributions { get; private set; } = [];
 
-    /// <summary>Comparisons beside those of the features.</summary>
+    /// <summary>Comparisons in addition to those of the features.</summary>
     public IReadOnlyList<FieldRow> Comparisons { get; private set; } = [];
 
-    /// <summary>Adds a point that belongs to no feature.</summary>
+    /// <summary>Adds a point without a feature.</summary>
     public Command AddPoint { get; }
 
-    /// <summary>Takes the last of them away.</summary>
+    /// <summary>Removes the last of these points.</summary>
     public Command RemovePoint { get; }
 
-    /// <summary>Adds a dimension to the tolerance chain.</summary>
     public Command AddLink { get; }
 
     /// <summary>Gives all features the limits of the first.</summary>
     public Command SameLimits { get; }
 
-    /// <summary>Adds a comparison.</summary>
     public Command AddComparison { get; }
 
-    /// <summary>Adds a contribution to the uncertainty.</summary>
     public Command AddContribution { get; }
 
-    /// <summary>Reads coordinates from a file.</summary>
     public LongCommand ReadPoints { get; }
 
-    /// <summary>Imports a program.</summary>
     public LongCommand ReadProgram { get; }
 
-    /// <summary>Finds the blocks of the features that have none by their key points.</summary>
+    /// <summary>Finds the blocks of features without blocks by their key points.</summary>
     public LongCommand FindBlocks { get; }
 
-    /// <inheritdoc/>
     protected override string Key => Screens.System;
 
-    /// <inheritdoc/>
     protected override int OpenSide => Side;
 
-    /// <inheritdoc/>
     protected override IEnumerable<EditField> Fields =>
     [
         Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks),
@@ -188,7 +164,6 @@ public sealed partial class SystemViewModel : SetupViewModel
         .. Gauge, .. Contributions.Concat(Comparisons).SelectMany(r => r.Cells), Rules,
     ];
 
-    /// <summary>Takes coordinates from the clipboard.</summary>
     public void Paste(string? text)
     {
         if (Editing.CanEdit)
@@ -197,7 +172,6 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    /// <summary>Takes coordinates from a file.</summary>
     public async Task ImportPointsAsync(string path)
     {
         PointTable? table = null;
@@ -209,7 +183,6 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    /// <summary>Imports a program from a file.</summary>
     public async Task ImportProgramAsync(string path)
     {
         DraftProgram? program = null;
@@ -219,18 +192,16 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    /// <summary>The row of <see cref="Pairs"/> that a field stands in; -1 if it is no coordinate's.</summary>
+    /// <summary>The row of <see cref="Pairs"/> that contains a field; -1 if it is not a coordinate's.</summary>
     internal int RowOf(string automationId) => Pairs.ToList().FindIndex(
         p => new[] { p.First, p.Second }.OfType<CoordinateRow>().SelectMany(c => c.Fields).Any(f => f.AutomationId == automationId));
 
-    /// <inheritdoc/>
     protected override string ShapeOf(MatingDraft draft) =>
         string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
         + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}"
         + $"/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}"
         + $"/{draft.Points.Any(p => p.Z.Length > 0) || draft.Features.Any(f => f.Plane != "XY")}";
 
-    /// <inheritdoc/>
     protected override void MakeRows()
     {
         Coordinates.Clear();
@@ -250,7 +221,6 @@ public sealed partial class SystemViewModel : SetupViewModel
         (Gauge, Contributions, Comparisons) = (_fields.Gauge(), _fields.Contributions(), _fields.Comparisons());
     }
 
-    /// <inheritdoc/>
     protected override void ShowMore()
     {
         foreach (var command in new[]
@@ -287,7 +257,6 @@ public sealed partial class SystemViewModel : SetupViewModel
         ShowPicture();
     }
 
-    /// <inheritdoc/>
     protected override void Turn(int side)
     {
         Detail = null;
@@ -302,14 +271,13 @@ public sealed partial class SystemViewModel : SetupViewModel
         return isOther;
     }
 
-    /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
     {
         Editing.Begun -= GoToFirstSide;
         base.Dispose(isDisposing);
     }
 
-    // A new job is read from the beginning.
+    // A new job starts on the first tab.
     private void GoToFirstSide() => Turn(0);
 
     private Command Doing(Action act) => new(act, () => Editing.CanEdit);
@@ -322,14 +290,14 @@ public sealed partial class SystemViewModel : SetupViewModel
         }
     }
 
-    // It stands at the end of the list, which is seldom in sight, and has no label yet.
+    // Go to the new point: it is at the end of the list, usually out of sight, and has no label yet.
     private void AddOtherPoint()
     {
         Editing.Change("", d => d with { OtherPoints = [.. d.OtherPoints, new("")] });
         GoTo(Coordinates[^1].Label);
     }
 
-    // Before there are features no file has to be looked for.
+    // Without features, do not ask for a file.
     private async Task ReadPointsAsync()
     {
         if (NeedsFeatures)
@@ -350,7 +318,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         var refused = TableText.Refused(table, taken);
         Tell(refused);
 
-        // What was said of a table before is over, also where nothing was taken of this one.
+        // Clear the note on the previous table even if nothing was taken from this one.
         Editing.Note(refused is not null ? null : () => Sentence.Joined(
             file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
             TableText.Taken(table, taken)));
@@ -358,7 +326,7 @@ public sealed partial class SystemViewModel : SetupViewModel
         Show();
     }
 
-    // What was measured reads like a drawing, and is one for nobody: the job itself says how its measurements are called.
+    // A measurement has the format of a drawing but must not be used as one. The job names its measurements.
     private bool IsMeasurement(string file) =>
         new[]
         {

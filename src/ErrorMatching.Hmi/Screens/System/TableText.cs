@@ -2,15 +2,15 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What came of a table of coordinates, in words.</summary>
+/// <summary>Texts on the result of taking a table of coordinates.</summary>
 internal static class TableText
 {
-    // So much of a line tells which one it is, and so many labels and features which are meant.
+    // Enough of a line to recognize it, and enough labels and features to know which ones are meant.
     private const int MostShown = 60, MostLabels = 12, MostFeatures = 6, MostRefused = 4;
 
-    /// <summary>Why nothing of a table was taken, and what to do; null if it was.</summary>
+    /// <summary>Why nothing was taken from a table, and what to do; null if it was taken.</summary>
     /// <param name="table">The table.</param>
-    /// <param name="taken">What came of it.</param>
+    /// <param name="taken">The result.</param>
     public static Func<string>? Refused(PointTable table, TakenTable taken) => table switch
     {
         { Fault: { } fault } =>
@@ -33,9 +33,9 @@ internal static class TableText
         },
     };
 
-    /// <summary>What was taken of a table, and what table and features do not have in common.</summary>
+    /// <summary>What was taken from a table, and the differences between table and features.</summary>
     /// <param name="table">The table.</param>
-    /// <param name="taken">What came of it.</param>
+    /// <param name="taken">The result.</param>
     public static string Taken(PointTable table, TakenTable taken) => Sentence.Joined(
         Texts.Current.With("System.Table", table.Count),
         taken.HasNewLabels
@@ -45,9 +45,7 @@ internal static class TableText
         taken.OnlyInTable.Count > 0 ? Texts.Current.With("System.TableOther", Listed(taken.OnlyInTable)) : "",
         taken.OnlyInFeatures.Count > 0 ? Texts.Current.With("System.TableMissing", Listed(taken.OnlyInFeatures)) : "");
 
-    /// <summary>The first of many words.</summary>
-    /// <param name="words">The words.</param>
-    /// <param name="most">How many are listed.</param>
+    /// <summary>The first words of a list, at most <paramref name="most"/>.</summary>
     public static string Listed(IReadOnlyList<string> words, int most = MostLabels) =>
         Texts.Current.Listed(words.Take(most)) + (words.Count > most ? " …" : "");
 

@@ -4,13 +4,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A bore or a boss, cut by arcs of one circle, which follow by a shift of their center and a growth of their radius.</summary>
+/// <summary>A bore or a boss, cut by arcs of one circle. They follow by a shift of their center and a growth of their radius.</summary>
 /// <param name="Name">Its name, unique in the job.</param>
 /// <param name="Blocks">Selectors of the blocks that cut it.</param>
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least three labels around it.</param>
-/// <param name="Method">Which circle stands for its points.</param>
+/// <param name="Method">Which circle represents its points.</param>
 public sealed record CircleFeature(
     string Name,
     IReadOnlyList<string> Blocks,
@@ -20,23 +20,21 @@ public sealed record CircleFeature(
     CircleMethod Method)
     : JobFeature(Name, Blocks, Tolerance, Plane)
 {
-    /// <summary>Code of the refusal of key points that say too little about their circle.</summary>
+    /// <summary>Code of the refusal of key points that span too small an angle of their circle.</summary>
     public const string AngleTooSmall = "angle-too-small";
 
     /// <summary>Code of the refusal of blocks that are not arcs of one circle.</summary>
     public const string NotOneCircle = "not-one-circle";
 
-    /// <summary>Code of the refusal of a circle that would have no radius any more.</summary>
+    /// <summary>Code of the refusal of a circle that would have no radius left.</summary>
     public const string RadiusVanishes = "radius-vanishes";
 
-    /// <summary>
-    /// What points must cover for least squares, degrees: over less, the radius is more than ten times as uncertain as the mean of the
-    /// points, for over 90 degrees the cosine, which a
-    /// shift follows, spreads about its mean by 0.088.
-    /// </summary>
+    /// <summary>Smallest angle, degrees, that the points must cover for least squares. Below it, the radius is more than ten times as
+    /// uncertain as the mean of the points: over 90 degrees the cosine, which a shift follows, spreads about its mean by only
+    /// 0.088.</summary>
     private const double LeastAngle = 90;
 
-    /// <summary>A circle inside of points, or around them, needs them on more than this, degrees.</summary>
+    /// <summary>An inscribed or circumscribed circle needs points over more than this angle, degrees.</summary>
     private const double HalfTurn = 180;
 
     /// <inheritdoc/>
@@ -45,14 +43,11 @@ public sealed record CircleFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points { get; } = Points;
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(CircleKind.ComparedDiameter, points => 2 * Fit(points, 0).Circle.Radius)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
@@ -67,7 +62,6 @@ public sealed record CircleFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
@@ -96,7 +90,6 @@ public sealed record CircleFeature(
             Name);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseCut(FeatureCut cut)
     {
         var path = CutCircle.Of(cut);
@@ -114,14 +107,12 @@ public sealed record CircleFeature(
             Name);
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut)
     {
         var path = CutCircle.Of(cut);
         return path.Wishes(cut, Fit(path.Moved(cut.Corrections), 0).Circle);
     }
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured)
     {
         var (wanted, found) = (Fit(measured.Theoretical, 0).Circle, Fit(measured.Actual, 0).Circle);

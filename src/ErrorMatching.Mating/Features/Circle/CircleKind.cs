@@ -12,7 +12,7 @@ public sealed class CircleKind : FeatureKind
 
     private const string Inscribed = "inscribed", Circumscribed = "circumscribed";
 
-    // So many pieces of a whole circle look round.
+    // Number of pieces that make a whole circle look round.
     private const int Pieces = 72;
 
     private CircleKind()
@@ -49,7 +49,6 @@ public sealed class CircleKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [ComparedDiameter];
 
-    /// <inheritdoc/>
     internal override string? ElementWords => null;
 
     /// <inheritdoc/>
@@ -62,7 +61,7 @@ public sealed class CircleKind : FeatureKind
         }
         catch (GeometryException)
         {
-            // Points that are still being typed need not lie on a circle.
+            // Points that are still being entered need not be on a circle.
             return lists[0];
         }
     }
@@ -72,14 +71,13 @@ public sealed class CircleKind : FeatureKind
     {
         ArgumentNullException.ThrowIfNull(counts);
 
-        // As large as its points need, one step apart.
+        // Large enough for its points, one step apart.
         var radius = Math.Max(height, step * counts[0] / (2 * Math.PI));
         var circle = new Circle2(new(radius, 0), radius);
         Point2[] points = [.. Enumerable.Range(0, counts[0]).Select(i => circle.At(Angle.FromDegrees(180 - (360.0 * i / counts[0]))))];
         return new(points, Around(circle), (2 * radius) + step);
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading) => new CircleFeature(
         reading.Name,
         reading.Blocks,
@@ -93,7 +91,6 @@ public sealed class CircleKind : FeatureKind
             _ => CircleMethod.LeastSquares,
         });
 
-    /// <inheritdoc/>
     internal override FoundPass? WholeOf(NcPath path, FoundPass cut, int motion)
     {
         if (!path.Motions[motion].IsArc)
@@ -115,7 +112,7 @@ public sealed class CircleKind : FeatureKind
         return new(first, last);
     }
 
-    /// <summary>True if a motion runs on the circle of an arc, the same way round, or has no length.</summary>
+    /// <summary>True if a motion is on the circle of an arc and in the same direction, or has no length.</summary>
     internal static bool BelongsTo(NcPath path, int arc, int motion)
     {
         const double Same = 0.01;

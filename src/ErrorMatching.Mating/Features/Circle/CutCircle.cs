@@ -5,8 +5,8 @@ namespace ErrorMatching.Mating;
 
 /// <summary>A circle as a pass cuts it, in the program's frame.</summary>
 /// <param name="Path">The circle of the tool's path.</param>
-/// <param name="Boundary">The circle that it leaves: a tool radius larger or smaller, or the same under cutter compensation.</param>
-/// <param name="Rays">From the center to each key point, of length 1.</param>
+/// <param name="Boundary">The resulting circle: a tool radius larger or smaller, or the same under cutter compensation.</param>
+/// <param name="Rays">Unit vectors from the center to each key point.</param>
 internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<Vector2> Rays)
 {
     /// <summary>The circle of a cut whose motions are arcs of one.</summary>
@@ -16,23 +16,20 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         var isOutside = cut.Pass.Feet[0].MaterialIsLeft == (motion.Kind == MotionKind.ArcClockwise);
         var aside = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : cut.Job.Counterpart.ToolDiameterMm / 2;
 
-        // The normals point from the material to the tool: inwards where the material is outside.
+        // The normals point from the material to the tool: inward if the material is outside.
         return new(
             motion.Arc.Circle,
             new(motion.Arc.Center, Math.Max(0, motion.Arc.Radius + (isOutside ? aside : -aside))),
             [.. cut.Pass.Feet.Select(f => isOutside ? -f.Normal : f.Normal)]);
     }
 
-    /// <summary>The places of the boundary at the key points, each moved by its correction.</summary>
+    /// <summary>The boundary points at the key points, each moved by its correction.</summary>
     public Point2[] Moved(IReadOnlyList<Vector2> corrections) =>
         [.. Rays.Select((ray, i) => Boundary.Center + (ray * Boundary.Radius) + corrections[i])];
 
-    /// <summary>
-    /// The wishes that make another circle of the boundary; path and boundary share the shift of the center and the growth of the radius.
-    /// Ends move along their own rays, so that
-    /// tangent ways in and out move across their direction only. Of a circle of one block a wish says a diameter: its middle goes where
-    /// that of the new circle ends.
-    /// </summary>
+    /// <summary>The wishes that change the boundary's circle; path and boundary share the center's shift and the radius's growth. Ends
+    /// move along their own rays, so tangent lead-ins and lead-outs move only across their direction. A wish for a one-block circle gives a
+    /// diameter: its middle is the opposite point of the new circle.</summary>
     public IEnumerable<ElementWish> Wishes(FeatureCut cut, Circle2 wanted)
     {
         var (shift, radius) = (wanted.Center - Boundary.Center, Path.Radius + (wanted.Radius - Boundary.Radius));
@@ -54,7 +51,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         }
     }
 
-    // From the old circle of the path to the new one along a ray of the old center.
+    // From the old path circle to the new one along a ray of the old center.
     private Vector2 Along(Angle direction, Vector2 shift, double radius)
     {
         var ray = Vector2.FromDirection(direction);
@@ -62,9 +59,9 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         return ray * (shift.Dot(ray) + Math.Sqrt(Math.Max(0, (radius * radius) - (across * across))) - Path.Radius);
     }
 
-    // Both ends of a circle of one block are one place. Told apart from their ray by less than any word can say, they take what is asked,
-    // each the same, and do not slide along the ways
-    // in and out, each by itself. And a shift straight across the diameter looks like none at both of its ends, but for as little along it.
+    // A one-block circle starts and ends at the same point. Both ends are moved off their ray by less than a word can express, so that
+    // they take the wish as it is and do not slide along lead-in and lead-out independently. A shift straight across the diameter would
+    // look like no shift at both ends, so it gets a tiny component along the diameter.
     private ElementWish OfOneBlock(int motion, Arc2 arc, Vector2 shift, double radius)
     {
         const double Told = 1e-8, BesideRay = 2e-6;
@@ -74,7 +71,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
         return new(motion, end, (told * 2) - end, end);
     }
 
-    // Such a circle is as wrong at its far side as its center and its radius together, so the center goes where a word can say it.
+    // At the far side of such a circle the errors of center and radius add up, so round the center to what a word can express.
     private static Vector2 InWholeIncrements(Vector2 shift, NcDialect dialect)
     {
         var increment = Math.Pow(10, -dialect.MetricDecimals);

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The circle that stands for points, by the method of the job.</summary>
+/// <summary>The circle that represents points, by the method of the job.</summary>
 /// <param name="Circle">The circle.</param>
 /// <param name="CenterStandardError">Standard errors of its center in x and in y, mm.</param>
 /// <param name="RadiusStandardError">Standard error of its radius, mm.</param>
@@ -10,7 +10,7 @@ namespace ErrorMatching.Mating;
 internal sealed record MeasuredCircle(
     Circle2 Circle, Vector2 CenterStandardError, double RadiusStandardError, IReadOnlyList<double> Residuals)
 {
-    /// <summary>By how much the points differ in their distance from the center, mm.</summary>
+    /// <summary>Difference between the largest and smallest distance of the points from the center, mm.</summary>
     public double RoundnessMm => Residuals.Max() - Residuals.Min();
 
     /// <summary>Fits it.</summary>

@@ -12,8 +12,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least three labels in the order of cutting.</param>
-/// <param name="Degree">Degree of the polynomial; null if it is chosen by leave-one-out error.</param>
-/// <param name="Ridge">Weight against overfitting; null if it is chosen by leave-one-out error.</param>
+/// <param name="Degree">Degree of the polynomial; null to choose it by leave-one-out error.</param>
+/// <param name="Ridge">Weight against overfitting; null to choose it by leave-one-out error.</param>
 public sealed record CurveFeature(
     string Name,
     IReadOnlyList<string> Blocks,
@@ -24,13 +24,13 @@ public sealed record CurveFeature(
     double? Ridge)
     : JobFeature(Name, Blocks, Tolerance, Plane)
 {
-    /// <summary>One key point is recommended for so many millimetres of a curve (Wang 2021, section 2.1).</summary>
+    /// <summary>Recommended spacing of key points along a curve (Wang 2021, section 2.1).</summary>
     private const double RecommendedSpacingMm = 5;
 
-    // 64 nodes integrate the arc length of a polynomial of degree 10 to nanometres while its slope stays below 10.
+    // 64 nodes integrate the arc length of a polynomial of degree 10 to nanometers if its slope is below 10.
     private const int QuadratureOrder = 64;
 
-    /// <summary>Leave-one-out errors below half the usual least increment are all alike, mm.</summary>
+    /// <summary>Leave-one-out errors below half the usual smallest increment are considered equal, mm.</summary>
     private const double Rounding = 0.0005;
 
     /// <inheritdoc/>
@@ -39,13 +39,10 @@ public sealed record CurveFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points { get; } = Points;
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared => [];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var options = new PolynomialFitOptions { Degree = Degree, Ridge = Ridge, PointUncertaintyMm = u };
@@ -64,16 +61,14 @@ public sealed record CurveFeature(
         };
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut, CurveCourse(cut));
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         Outlines.Boundary(
             measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
 
-    // An arc of the program can only follow as an arc. Only where that predicts its key points clearly worse than a smooth course does,
-    // the smooth course is taken and the arc comes as near as it can.
+    // An arc of the program can only follow as an arc. If that predicts its key points clearly worse than a smooth course does, use the
+    // smooth course; the arc then comes as close as it can.
     private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
     {
         if (cut.Job.Compensation.Along == CompensationDirection.Vector
@@ -92,9 +87,8 @@ public sealed record CurveFeature(
     private ArcLengthField Smooth(MatingJob job, FeaturePass pass, double[] values) =>
         ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, job.Gauge.Uncertainty.CombinedMm);
 
-    /// <summary>
-    /// The fit, or null for a curve that is no function over its chord: its compensation works along the boundary and does not need one.
-    /// </summary>
+    /// <summary>The fit; null for a curve that is not a function over its chord. Its compensation works along the boundary and needs no
+    /// fit.</summary>
     private CurveFit? Fit(IReadOnlyList<Point2> points, PolynomialFitOptions options)
     {
         try

@@ -9,7 +9,7 @@ public sealed class CurveKind : FeatureKind
     internal const string Chord = "chordMm", ArcLength = "arcLengthMm";
     private const string Degree = "degree", Ridge = "ridge";
 
-    // So many pieces between two points look round.
+    // Number of pieces between two points that make a curve look round.
     private const int Pieces = 8;
 
     private CurveKind()
@@ -44,7 +44,6 @@ public sealed class CurveKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [];
 
-    /// <inheritdoc/>
     internal override string? ElementWords => null;
 
     /// <inheritdoc/>
@@ -68,7 +67,6 @@ public sealed class CurveKind : FeatureKind
         Point2 At(double i) => new(step * i, height * Math.Sin(Math.PI * i / Math.Max(1, count - 1)));
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading)
     {
         var points = reading.Points(this)[0];

@@ -25,14 +25,11 @@ public sealed record LineFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points { get; } = Points;
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(VerifiedQuantity.Length, points => FeatureFits.Line(Name, Method, points, 0).Length)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => flank is null ? new(Points, Method) : null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var wanted = FeatureFits.Line(Name, Method, theoretical, 0);
@@ -50,10 +47,8 @@ public sealed record LineFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) =>
         FeatureWish.Along(cut, FeatureWish.Course(cut, FeatureWish.Straight(cut)));
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) => measured.Actual;
 }

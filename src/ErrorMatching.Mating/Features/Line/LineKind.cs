@@ -40,7 +40,6 @@ public sealed class LineKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [VerifiedQuantity.Length];
 
-    /// <inheritdoc/>
     internal override string ElementWords => "of a line";
 
     /// <inheritdoc/>
@@ -58,7 +57,6 @@ public sealed class LineKind : FeatureKind
         return new(points, points, step * (counts[0] + 0.5));
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading) => new LineFeature(
         reading.Name,
         reading.Blocks,

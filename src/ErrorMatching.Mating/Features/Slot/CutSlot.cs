@@ -3,12 +3,12 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A slot as a pass cuts it, in the program's frame: arcs about two centers, and lines that touch both.</summary>
+/// <summary>A slot as a pass cuts it, in the program's frame: arcs about two centers, and lines tangent to both.</summary>
 /// <param name="One">Center of one of its ends.</param>
 /// <param name="Other">Center of the other.</param>
 /// <param name="PathRadius">Radius of the arcs of the tool's path.</param>
-/// <param name="ToMaterial">How much further from the center line the boundary lies: a tool radius where the material is outside, that
-/// much less where it is inside, nothing under cutter compensation.</param>
+/// <param name="ToMaterial">Distance of the boundary beyond the path, seen from the center line: plus the tool radius if the material is
+/// outside, minus it if inside, 0 under cutter compensation.</param>
 internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, double ToMaterial)
 {
     private const double Same = 0.01;
@@ -18,8 +18,7 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
 
     private Vector2 Direction => (One - Other).Normalize();
 
-    /// <summary>The slot of a pass.</summary>
-    /// <returns>The slot; or the first motion that does not belong to one.</returns>
+    /// <summary>The slot of a pass, or the first motion that does not belong to one.</summary>
     public static (CutSlot? Slot, int Stranger) Of(NcPath path, FeaturePass pass, double toolDiameterMm)
     {
         int[] moving = [.. FeaturePass.Moving(path, pass.First, pass.Last)];
@@ -44,13 +43,14 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
             : (slot, -1);
     }
 
-    /// <summary>The place of its boundary at a foot.</summary>
+    /// <summary>The boundary point at a foot.</summary>
     public Point2 BoundaryAt(NcPath path, KeyPointFoot foot) =>
         path.Motions[foot.Motion].PlaneAt(foot.Fraction) - (foot.Normal * Math.Abs(ToMaterial));
 
-    /// <summary>The wishes that make another slot of the boundary: the path's is as much wider, its ends have the same centers.</summary>
+    /// <summary>The wishes that change the boundary's slot; the path's slot widens by the same amount and has the same end
+    /// centers.</summary>
     /// <param name="cut">The cut.</param>
-    /// <param name="wanted">The boundary's slot; its first and second center belong to these here in either order.</param>
+    /// <param name="wanted">The boundary's slot; its first and second center match the centers here in either order.</param>
     public IEnumerable<ElementWish> Wishes(FeatureCut cut, MeasuredSlot wanted)
     {
         var isOne = wanted.FirstCenter.DistanceTo(One) < wanted.FirstCenter.DistanceTo(Other);
@@ -63,8 +63,8 @@ internal sealed record CutSlot(Point2 One, Point2 Other, double PathRadius, doub
         }
     }
 
-    // Where flank and end touch they go on doing so. Between, a place of a flank goes straight across, and one of an end along its ray,
-    // so that tangent ways in and out move across their direction only.
+    // Points where flank and end touch stay tangent points. Other flank points move straight across, and end points along their ray, so
+    // tangent lead-ins and lead-outs move only across their direction.
     private Vector2 Move(Point2 place, CutSlot to)
     {
         var (along, side) = ((place - Other).Dot(Direction), Math.Sign((place - Other).Cross(Direction)));

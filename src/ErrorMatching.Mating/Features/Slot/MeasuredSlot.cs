@@ -3,34 +3,29 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// The slot that stands for points: two parallel lines by total least squares with one direction, and round ends that touch both and lie
-/// where the points of each end want them (least squares of
-/// the distances, the radius being half the width).
-/// </summary>
+/// <summary>The slot that represents points: two parallel lines, fitted by total least squares with one direction, and round ends tangent
+/// to both. Each end is placed by least squares of its points' distances, with half the width as the radius.</summary>
 internal sealed record MeasuredSlot
 {
     private const int MostSteps = 50;
 
-    /// <summary>Along the first flank in the order of cutting: from the second end to the first.</summary>
+    /// <summary>Direction of the first flank in the order of cutting: from the second end to the first.</summary>
     public required Vector2 Direction { get; init; }
 
-    /// <summary>Center of the end that is cut behind the first flank.</summary>
+    /// <summary>Center of the end that is cut after the first flank.</summary>
     public required Point2 FirstCenter { get; init; }
 
-    /// <summary>Center of the end that is cut behind the second flank.</summary>
+    /// <summary>Center of the end that is cut after the second flank.</summary>
     public required Point2 SecondCenter { get; init; }
 
-    /// <summary>True if the first flank lies to the left of the center line, seen along it.</summary>
+    /// <summary>True if the first flank is to the left of the center line, in its direction.</summary>
     public required bool FirstIsLeft { get; init; }
 
     /// <summary>Half the width, mm.</summary>
     public required double Radius { get; init; }
 
-    /// <summary>
-    /// Standard errors of width, length and direction (radians), and of the middle in x and in y, to first order, as if none of them knew
-    /// of the others.
-    /// </summary>
+    /// <summary>First-order standard errors of width, length and direction (radians), and of the middle in x and y, ignoring
+    /// correlations.</summary>
     public (double Width, double Length, double Direction, Vector2 Middle) StandardErrors { get; private init; }
 
     /// <summary>Signed distance of each point from it, positive outside, in the order of the lists, mm.</summary>
@@ -46,10 +41,11 @@ internal sealed record MeasuredSlot
     public Point2 Middle => FirstCenter.Lerp(SecondCenter, 0.5);
 
     /// <summary>Fits it.</summary>
-    /// <param name="points">Two or more points of the first flank, one or more of the end behind it, of the second flank and of the other
-    /// end.</param>
+    /// <param name="points">Two or more points of the first flank, one or more of the end after it, and likewise of the second flank and
+    /// the other end.</param>
     /// <param name="u">Standard uncertainty of a point, mm.</param>
-    /// <exception cref="GeometryException">The points determine no slot: flanks of one place, or an end beside them.</exception>
+    /// <exception cref="GeometryException">The points determine no slot: flanks with coincident points, or end points beside the
+    /// end.</exception>
     public static MeasuredSlot Of(IReadOnlyList<IReadOnlyList<Point2>> points, double u)
     {
         var (first, second) = (Mean(points[0]), Mean(points[2]));
@@ -72,7 +68,7 @@ internal sealed record MeasuredSlot
             ? Math.Abs(axis.SignedDistance(p)) - radius
             : p.DistanceTo(i == 1 ? slot.FirstCenter : slot.SecondCenter) - radius))];
 
-        // Both flanks turn alike: their distance turns by how far apart along them they are known.
+        // Both flanks tilt together. The error of their distance grows with how far apart their points' means are along them.
         var tilt = u / Math.Sqrt(
             points[0].Sum(p => Square((p - first).Dot(direction))) + points[2].Sum(p => Square((p - second).Dot(direction))));
         var width = Math.Sqrt((u * u / points[0].Count) + (u * u / points[2].Count) + Square(tilt * (second - first).Dot(direction)));
@@ -89,11 +85,11 @@ internal sealed record MeasuredSlot
         };
     }
 
-    /// <summary>Its boundary as a closed polyline, from the begin of the first flank on.</summary>
+    /// <summary>Its boundary as a closed polyline, from the start of the first flank.</summary>
     /// <param name="pieces">Number of pieces of an end.</param>
     public IReadOnlyList<Point2> Outline(int pieces)
     {
-        // The material or the tool is to the left or to the right of the first flank; its end turns to the other flank.
+        // The side of the first flank; the end arc turns from it to the other flank.
         var side = FirstIsLeft ? Direction.Left : -Direction.Left;
         return
         [
@@ -114,7 +110,7 @@ internal sealed record MeasuredSlot
     private static Point2 Mean(IReadOnlyList<Point2> points) =>
         Point2.Origin + (points.Aggregate(Vector2.Zero, (sum, p) => sum + (p - Point2.Origin)) / points.Count);
 
-    // The direction in which points of both flanks scatter most about their own means (total least squares).
+    // The direction of largest scatter of both flanks' points about their own means (total least squares).
     private static Vector2 Common(IReadOnlyList<Point2> a, Point2 meanOfA, IReadOnlyList<Point2> b, Point2 meanOfB)
     {
         var (xx, xy, yy) = (0.0, 0.0, 0.0);
@@ -128,7 +124,7 @@ internal sealed record MeasuredSlot
             : throw new GeometryException(GeometryError.CoincidentPoints, "The points of each flank lie on one place.");
     }
 
-    // Where along the axis the center of an end lies, and the sum of squared slopes by which its points say so.
+    // Position of an end's center along the axis, and the sum of squared slopes with which its points determine it.
     private static (double Along, double Share) End(IReadOnlyList<Point2> points, Line2 axis, double radius, int outward)
     {
         var beside = points.Max(p => Math.Abs(axis.SignedDistance(p)));

@@ -4,15 +4,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Two parallel flanks with round ends, cut in one go: a slot or a key. Its flanks shift and tilt together, its ends follow and go on
-/// touching both.
-/// </summary>
+/// <summary>Two parallel flanks with round ends, cut in one pass: a slot or a key. Its flanks shift and tilt together; its ends follow
+/// and stay tangent to both.</summary>
 /// <param name="Name">Its name, unique in the job.</param>
 /// <param name="Blocks">Selectors of the blocks that cut it.</param>
 /// <param name="Tolerance">The limits of its deviation.</param>
 /// <param name="Plane">The plane that its points are projected to.</param>
-/// <param name="Lists">In the order of cutting at least two labels on a flank, one on the end behind it, two on the other flank and one
+/// <param name="Lists">In the order of cutting: at least two labels on a flank, one on the end after it, two on the other flank and one
 /// on the other end.</param>
 public sealed record SlotFeature(
     string Name,
@@ -25,7 +23,7 @@ public sealed record SlotFeature(
     /// <summary>Code of the refusal of blocks or points that are not those of a slot.</summary>
     public const string NotASlot = "not-a-slot";
 
-    /// <summary>Code of the refusal of a slot that would have no width or no flanks any more.</summary>
+    /// <summary>Code of the refusal of a slot that would have no width or no flanks left.</summary>
     public const string SlotVanishes = "slot-vanishes";
 
     /// <inheritdoc/>
@@ -34,14 +32,11 @@ public sealed record SlotFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points => [.. Lists.SelectMany(l => l)];
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(SlotKind.ComparedWidth, points => Fit(points, 0).WidthMm), (VerifiedQuantity.Length, points => Fit(points, 0).LengthMm)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) => flank is 1 or 2 ? new(Lists[flank == 1 ? 0 : 2], LineMethod.Total) : null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
@@ -62,7 +57,6 @@ public sealed record SlotFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
@@ -88,7 +82,6 @@ public sealed record SlotFeature(
         return null;
     }
 
-    /// <inheritdoc/>
     internal override MatingRefusal? RefuseCut(FeatureCut cut)
     {
         var (slot, wanted) = Wanted(cut);
@@ -104,14 +97,12 @@ public sealed record SlotFeature(
                     + $"The tool is too large for this slot, or the points are wrong."));
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut)
     {
         var (slot, wanted) = Wanted(cut);
         return slot.Wishes(cut, wanted);
     }
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) => Fit(measured.Actual, 0).Outline(SlotKind.Pieces);
 
     private (CutSlot Slot, MeasuredSlot Wanted) Wanted(FeatureCut cut)

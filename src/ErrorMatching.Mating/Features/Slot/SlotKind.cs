@@ -10,10 +10,10 @@ public sealed class SlotKind : FeatureKind
 
     internal static readonly VerifiedQuantity ComparedWidth = new("width", "width", "mm");
 
-    /// <summary>So many pieces of a round end look round.</summary>
+    /// <summary>Number of pieces that make a round end look round.</summary>
     internal const int Pieces = 24;
 
-    // A contour of more motions is no slot.
+    // A contour of more motions is not a slot.
     private const int MostMotions = 64;
 
     private const double SamePlaceMm = 1e-6;
@@ -53,7 +53,6 @@ public sealed class SlotKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [ComparedWidth, VerifiedQuantity.Length];
 
-    /// <inheritdoc/>
     internal override string ElementWords => "of a slot with /1 or /2 for its flank";
 
     /// <inheritdoc/>
@@ -66,7 +65,7 @@ public sealed class SlotKind : FeatureKind
         }
         catch (GeometryException)
         {
-            // Points that are still being typed need not lie on a slot.
+            // Points that are still being entered need not be on a slot.
             return [.. lists.SelectMany(l => l)];
         }
     }
@@ -76,7 +75,7 @@ public sealed class SlotKind : FeatureKind
     {
         ArgumentNullException.ThrowIfNull(counts);
 
-        // As long as the flank with more points needs, its ends as high as everything else.
+        // As long as the flank with more points needs, with ends as high as other features.
         var (radius, length) = (height / 2, step * (Math.Max(counts[0], counts[2]) + 1));
         var (left, right) = (new Point2(radius, 0), new Point2(radius + length, 0));
         IReadOnlyList<Point2>[] lists =
@@ -93,11 +92,9 @@ public sealed class SlotKind : FeatureKind
         return new([.. lists.SelectMany(l => l)], Outline(lists), length + (2 * radius) + step);
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading) =>
         new SlotFeature(reading.Name, reading.Blocks, reading.Tolerance, reading.Plane, [.. reading.Points(this)]);
 
-    /// <inheritdoc/>
     internal override FoundPass? WholeOf(NcPath path, FoundPass cut, int motion)
     {
         // The smallest closed contour that the motion belongs to.

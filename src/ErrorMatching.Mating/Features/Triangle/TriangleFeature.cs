@@ -25,20 +25,17 @@ public sealed record TriangleFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points => [.. FirstFlank, .. SecondFlank];
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(VerifiedQuantity.Angle, points => Fit(points, 0).IncludedAngle.Degrees)];
 
-    /// <inheritdoc/>
     internal override StraightElement? Element(int? flank) =>
         flank is 1 or 2 ? new(flank == 1 ? FirstFlank : SecondFlank, LineMethod.Total) : null;
 
-    /// <inheritdoc/>
     internal override FeatureEvaluation Evaluate(IReadOnlyList<Point2> theoretical, IReadOnlyList<Point2> actual, double u)
     {
         var (wanted, found) = (Fit(theoretical, 0), Fit(actual, u));
 
-        // A flank runs from the apex to a measured point; the apex may be off along it by no more than by its whole standard error.
+        // A flank runs from the apex to a measured point. Along it, the apex is off by at most its whole standard error.
         var flank = new Vector2(found.ApexStandardError.Length, u).Length;
         return new(
             [
@@ -56,10 +53,8 @@ public sealed record TriangleFeature(
             []);
     }
 
-    /// <inheritdoc/>
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => TriangleWish.For(cut, FirstFlank.Count);
 
-    /// <inheritdoc/>
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         [measured.Actual[0], Fit(measured.Actual, 0).Apex, measured.Actual[^1]];
 

@@ -43,7 +43,6 @@ public sealed class TriangleKind : FeatureKind
     /// <inheritdoc/>
     public override IReadOnlyList<VerifiedQuantity> Verified { get; } = [VerifiedQuantity.Angle];
 
-    /// <inheritdoc/>
     internal override string ElementWords => "of a triangle with /1 or /2 for its flank";
 
     /// <inheritdoc/>
@@ -66,14 +65,13 @@ public sealed class TriangleKind : FeatureKind
         return new(points, Outline([points[..first], points[first..]]), step * (all + 0.5));
     }
 
-    /// <inheritdoc/>
     internal override JobFeature Read(FeatureReading reading)
     {
         var flanks = reading.Points(this);
         return new TriangleFeature(reading.Name, reading.Blocks, reading.Tolerance, reading.Plane, flanks[0], flanks[1]);
     }
 
-    // Null where the flanks have no apex between them: parallel ones, and points that do not lead there.
+    // Null if no apex lies between the flanks: they are parallel, or their points do not lead to it.
     private static Point2? ApexOf(IReadOnlyList<Point2> first, IReadOnlyList<Point2> second)
     {
         if (first.Count < 2 || second.Count < 2)

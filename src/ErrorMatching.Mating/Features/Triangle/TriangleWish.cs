@@ -3,15 +3,13 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>
-/// Each flank of a triangle has its own shift and tilt; what lies between them leads from the one to the other and, where it is an arc,
-/// stays tangent to both.
-/// </summary>
+/// <summary>Each flank of a triangle shifts and tilts on its own. Motions between the flanks connect them; an arc between them stays
+/// tangent to both.</summary>
 internal static class TriangleWish
 {
     /// <summary>The wishes for one cut, in the order of its motions.</summary>
     /// <param name="cut">The cut.</param>
-    /// <param name="firstFlank">How many of its key points lie on the first flank.</param>
+    /// <param name="firstFlank">Number of its key points on the first flank.</param>
     public static IEnumerable<ElementWish> For(FeatureCut cut, int firstFlank)
     {
         var (path, pass) = (cut.Path, cut.Pass);
@@ -41,7 +39,7 @@ internal static class TriangleWish
         }
     }
 
-    // True if a next motion goes on in the same direction: a flank may be cut by several blocks.
+    // True if the next motion continues in the same direction: several blocks may cut one flank.
     private static bool RunsOnStraight(NcPath path, int motion, int next)
     {
         var (a, b) = (path.Motions[motion], path.Motions[next]);

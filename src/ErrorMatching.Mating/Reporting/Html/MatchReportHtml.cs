@@ -3,10 +3,9 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a match as one HTML file that needs no network and no script.</summary>
-/// <remarks>
-/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed;
-/// the same report always gives the same bytes. Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang 2021.
-/// </remarks>
+/// <remarks>Lengths are in millimeters, angles in degrees. Also well-formed XML; UTF-8 without a byte order mark, lines end with a line
+/// feed. The same report always gives the same bytes. Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang
+/// 2021.</remarks>
 public static class MatchReportHtml
 {
     /// <summary>The report as a page.</summary>

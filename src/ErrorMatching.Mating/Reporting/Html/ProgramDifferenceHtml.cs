@@ -4,13 +4,13 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The difference of any two programs as one HTML file that needs no network and no script:
-/// what moved by how much, and the blocks side by side.</summary>
-/// <remarks>Lengths in millimetres. Well-formed as XML too, UTF-8 without a byte order mark;
-/// the same programs always give the same bytes.</remarks>
+/// <summary>The difference of any two programs as one HTML file without network or script: the moved motions with their distances, and
+/// the blocks side by side.</summary>
+/// <remarks>Lengths are in millimeters. Also well-formed XML; UTF-8 without a byte order mark. The same programs always give the same
+/// bytes.</remarks>
 public static class ProgramDifferenceHtml
 {
-    /// <summary>As many motions as a person may want to read; the JSON of a comparison has them all.</summary>
+    /// <summary>Maximum number of motions to show; the JSON of a comparison has all of them.</summary>
     private const int MotionsShown = 2000;
 
     /// <summary>The comparison as a page.</summary>

@@ -3,10 +3,8 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Mating;
 
 /// <summary>The report of a verification as one HTML file that needs no network and no script.</summary>
-/// <remarks>
-/// Lengths in millimetres, angles in degrees. Well-formed as XML too, UTF-8 without a byte order mark, lines end with a line feed;
-/// the same report always gives the same bytes. Plots as in figures 13, 14, 18 and 19 of Wang 2021.
-/// </remarks>
+/// <remarks>Lengths are in millimeters, angles in degrees. Also well-formed XML; UTF-8 without a byte order mark, lines end with a line
+/// feed. The same report always gives the same bytes. Plots as in figures 13, 14, 18 and 19 of Wang 2021.</remarks>
 public static class VerifyReportHtml
 {
     /// <summary>The report as a page.</summary>

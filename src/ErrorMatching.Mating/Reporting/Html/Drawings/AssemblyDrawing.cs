@@ -3,12 +3,12 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Part and counterpart as they meet, deviations exaggerated, like figures 14 and 19 of Wang 2021.</summary>
-/// <param name="scene">What is drawn.</param>
-/// <param name="counterpart">Which counterpart.</param>
+/// <summary>Part and counterpart in contact, with exaggerated deviations, like figures 14 and 19 of Wang 2021.</summary>
+/// <param name="scene">The scene to draw.</param>
+/// <param name="counterpart">The counterpart's deviation at a point.</param>
 internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, double> counterpart)
 {
-    // Room for labels at the sides, for the legend above and the scale below.
+    // Space for labels at the sides, for the legend above and the scale below.
     private const double Side = 56, Above = 64, Below = 84, LeastWidth = 300;
 
     private double Width => Math.Max(LeastWidth, ((scene.High.X - scene.Low.X) * scene.PixelsPerMm) + (2 * Side));
@@ -16,9 +16,9 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     private double Height => ((scene.High.Y - scene.Low.Y) * scene.PixelsPerMm) + Above + Below;
 
     /// <summary>Writes the drawing.</summary>
-    /// <param name="html">Where to.</param>
+    /// <param name="html">The output.</param>
     /// <param name="id">Prefix of its identifiers.</param>
-    /// <param name="title">What it shows.</param>
+    /// <param name="title">Its title.</param>
     public void Write(HtmlText html, string id, string title)
     {
         using (html.In(
@@ -50,7 +50,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
 
     private double Error(DrawnPoint point) => counterpart(point) - point.Part;
 
-    /// <summary>The place in the drawing: Y up, in the middle of the width.</summary>
+    /// <summary>Position in the drawing: Y up, horizontally centered.</summary>
     internal (double X, double Y) Place(Point2 point)
     {
         var left = (Width - ((scene.High.X - scene.Low.X) * scene.PixelsPerMm)) / 2;
@@ -141,7 +141,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
         Text(html, "legend", left + 181, 38, "start", "counterpart");
     }
 
-    /// <summary>Two bars, one for the boundary and one for the deviations: a drawing with two scales must show both.</summary>
+    /// <summary>Two bars, one for the boundary and one for the deviations, because the drawing has two scales.</summary>
     private void WriteScale(HtmlText html)
     {
         var shape = RoundNumber.AtMost(90 / scene.PixelsPerMm);

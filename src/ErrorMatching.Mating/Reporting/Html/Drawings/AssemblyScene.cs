@@ -3,17 +3,17 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What drawings of one assembly have in common: the boundary, the exaggeration and the scale,
-/// so that before and after can be compared.</summary>
+/// <summary>What the drawings of one assembly share, so that before and after can be compared: boundary, exaggeration and
+/// scale.</summary>
 internal sealed class AssemblyScene
 {
-    /// <summary>The largest deviation is drawn at most this share of the drawing's diagonal long.</summary>
+    /// <summary>Largest drawn deviation, as a fraction of the drawing's diagonal.</summary>
     public const double LargestShare = 1.0 / 20;
 
     /// <summary>Width of the drawn edge of a piece's material, pixels.</summary>
     public const double EdgePixels = 13;
 
-    // Between features the tool may leave a round corner that belongs to neither: ends up to this share of the diagonal apart are joined.
+    // The tool may leave a round corner between features that belongs to neither. Join ends up to this fraction of the diagonal apart.
     private const double CornerShare = 0.1;
 
     private const double MostWidth = 420, MostHeight = 460;
@@ -41,22 +41,21 @@ internal sealed class AssemblyScene
     /// <summary>The features in the order of cutting.</summary>
     public IReadOnlyList<DrawnFeature> Features { get; }
 
-    /// <summary>By how much deviations are drawn larger than the boundary: a round number.</summary>
+    /// <summary>Exaggeration of the deviations relative to the boundary, a round number.</summary>
     public double Factor { get; }
 
     /// <summary>The largest deviation, without sign.</summary>
     public double LargestMm { get; }
 
-    /// <summary>Least coordinates of all that is drawn, mm.</summary>
+    /// <summary>Smallest coordinates of the drawing, mm.</summary>
     public Point2 Low { get; }
 
-    /// <summary>Greatest coordinates of all that is drawn, mm.</summary>
+    /// <summary>Largest coordinates of the drawing, mm.</summary>
     public Point2 High { get; }
 
-    /// <summary>The scale.</summary>
     public double PixelsPerMm { get; }
 
-    /// <summary>The factor as it is said: <c>20 times</c> or <c>true to scale</c>.</summary>
+    /// <summary>The factor in words: <c>20 times</c> or <c>true to scale</c>.</summary>
     public string FactorText => Factor == 1 ? "true to scale" : ReportNumber.Short(Factor) + " times";
 
     /// <summary>The scene of some features, or null if there is nothing to draw.</summary>
@@ -73,7 +72,7 @@ internal sealed class AssemblyScene
         return new(drawn, low.DistanceTo(high));
     }
 
-    /// <summary>The boundary with deviations drawn larger, and aside by a distance in pixels into the part.</summary>
+    /// <summary>The boundary with exaggerated deviations, shifted by a distance in pixels into the part.</summary>
     public IReadOnlyList<IReadOnlyList<Point2>> Displaced(Func<DrawnPoint, double> deviation, double asidePixels = 0)
     {
         var aside = asidePixels == 0 ? 0 : asidePixels / PixelsPerMm;

@@ -2,26 +2,26 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Displaces a drawn boundary along its normals. Where two pieces meet at an angle, their displaced lines do too,
-/// as in the program.</summary>
+/// <summary>Displaces a drawn boundary along its normals. Displaced lines meet where their pieces meet at an angle, as in the
+/// program.</summary>
 internal static class DisplacedBoundary
 {
-    // Below this sine of the angle between two pieces, their intersection says nothing.
+    // Below this sine of the angle between two pieces, their intersection is meaningless.
     private const double NearlyStraight = 0.02;
 
-    // A corner that would be drawn further out than this many displacements is cut off.
+    // A corner that would extend farther than this many displacements is cut off.
     private const double LongestCorner = 3;
 
     /// <summary>The displaced boundary as lines.</summary>
     /// <param name="chains">The boundary, see <see cref="Chains"/>.</param>
-    /// <param name="by">The displacement of a feature at one of its vertices, along the normal, as it is drawn.</param>
+    /// <param name="by">The drawn displacement of a feature at one of its vertices, along the normal.</param>
     public static IReadOnlyList<IReadOnlyList<Point2>> Of(
         IReadOnlyList<IReadOnlyList<DrawnFeature>> chains, Func<DrawnFeature, int, double> by) =>
         [.. chains.Select(c => Displace([.. c.SelectMany(f => Pieces(f, by))]))];
 
-    /// <summary>The features in the order of cutting, those together whose ends touch.</summary>
+    /// <summary>The features in the order of cutting, grouped by touching ends.</summary>
     /// <param name="features">The features in the order of cutting.</param>
-    /// <param name="touchMm">How near ends must be to touch.</param>
+    /// <param name="touchMm">Largest distance between touching ends.</param>
     public static IReadOnlyList<IReadOnlyList<DrawnFeature>> Chains(IEnumerable<DrawnFeature> features, double touchMm)
     {
         var chains = new List<List<DrawnFeature>>();

@@ -2,8 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A feature in a drawing of the assembly: a boundary, and deviations from it at its key points,
-/// between which they change evenly along it.</summary>
+/// <summary>A feature in a drawing of the assembly: a boundary and its deviations, interpolated linearly between the key
+/// points.</summary>
 internal sealed class DrawnFeature
 {
     private readonly DrawnOutline _outline;
@@ -15,7 +15,7 @@ internal sealed class DrawnFeature
         Points = points;
         _stations = [.. points.Select(p => (Station: outline.Nearest(p.At), Point: p)).OrderBy(s => s.Station)];
 
-        // A deviation bends where it is known, so each key point becomes a vertex.
+        // Each key point becomes a vertex, because the deviation can change its slope there.
         _outline = outline.WithVertices(_stations.Select(s => s.Station));
         var sides = _stations.Sum(s => _outline.Left(_outline.SegmentAt(s.Station)).Dot(s.Point.Normal));
         _side = sides < 0 ? -1 : 1;
@@ -35,7 +35,7 @@ internal sealed class DrawnFeature
 
     private bool IsClosed => _stations.Length > 1 && Start.DistanceTo(End) <= 1e-6 * _outline.StationOf(Segments);
 
-    /// <summary>A feature, or null if fewer than two places of it are known. Without an outline its key points are one.</summary>
+    /// <summary>A feature, or null with fewer than two known places. Without an outline, its key points form one.</summary>
     public static DrawnFeature? Of(IReadOnlyList<Point2> outline, IReadOnlyList<DrawnPoint> points) =>
         points.Count > 0 && DrawnOutline.Of(outline.Count >= 2 ? outline : [.. points.Select(p => p.At)]) is { } drawn
             ? new(drawn, points)
@@ -47,10 +47,8 @@ internal sealed class DrawnFeature
     /// <summary>Unit normal of a piece, into the part.</summary>
     public Vector2 Normal(int segment) => _outline.Left(segment) * _side;
 
-    /// <summary>
-    /// A deviation at a vertex: even between the key points, across the ends of a closed boundary as well; that of the nearest key point
-    /// beyond those of an open one.
-    /// </summary>
+    /// <summary>The deviation at a vertex: interpolated between key points, and across the ends of a closed boundary; beyond the key
+    /// points of an open one, that of the nearest.</summary>
     public double At(int vertex, Func<DrawnPoint, double> deviation)
     {
         var station = _outline.StationOf(vertex);
@@ -73,6 +71,6 @@ internal sealed class DrawnFeature
         return deviation(from.Point) + ((deviation(to.Point) - deviation(from.Point)) * fraction);
     }
 
-    /// <summary>The place of the boundary nearest to a key point, where its deviation is drawn.</summary>
+    /// <summary>The boundary place nearest to a key point, where its deviation is drawn.</summary>
     public Point2 Foot(DrawnPoint point) => _outline.At(_outline.Nearest(point.At));
 }

@@ -2,14 +2,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A polyline that has been made fit for drawing, with the length along it.</summary>
+/// <summary>A polyline cleaned up for drawing, with the length along it.</summary>
 internal sealed class DrawnOutline
 {
-    // Vertices nearer than this share of the size fall on one pixel.
+    // Vertices closer than this fraction of the size fall on one pixel.
     private const double Finest = 0.001;
 
-    // The offset of a path turns back for a moment where the path bends inward:
-    // steps back up to this share of the size are such an artifact, not a shape.
+    // The offset of a path steps back briefly where the path bends inward. Steps up to this fraction of the size are artifacts.
     private const double LongestStepBack = 0.02;
 
     private readonly Point2[] _vertices;
@@ -28,7 +27,7 @@ internal sealed class DrawnOutline
     /// <summary>Number of straight pieces.</summary>
     public int Segments => _vertices.Length - 1;
 
-    /// <summary>An outline, or null if its places fall together.</summary>
+    /// <summary>An outline, or null if its points coincide.</summary>
     public static DrawnOutline? Of(IReadOnlyList<Point2> places)
     {
         var size = new Point2(places.Min(p => p.X), places.Min(p => p.Y)).DistanceTo(new(places.Max(p => p.X), places.Max(p => p.Y)));
@@ -84,7 +83,7 @@ internal sealed class DrawnOutline
         return best;
     }
 
-    /// <summary>The same outline with vertices at some lengths along it.</summary>
+    /// <summary>The same outline with additional vertices at some lengths along it.</summary>
     public DrawnOutline WithVertices(IEnumerable<double> at)
     {
         var near = _stations[^1] * 1e-6;

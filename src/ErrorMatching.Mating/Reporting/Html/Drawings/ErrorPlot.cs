@@ -2,10 +2,10 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Error against point number before and after, with zero and the tolerance limits, like figures 13 and 18 of Wang 2021.</summary>
+/// <summary>Error over point number before and after, with zero and the tolerance limits, like figures 13 and 18 of Wang 2021.</summary>
 internal sealed class ErrorPlot
 {
-    /// <summary>Size of the drawing, and where the axes stand in it.</summary>
+    /// <summary>Size of the drawing, and position of the axes.</summary>
     internal const double Width = 820, Height = 360, Left = 74, Right = 716, Top = 52, Bottom = 300;
 
     // More labels than this would overlap.
@@ -23,10 +23,10 @@ internal sealed class ErrorPlot
     }
 
     /// <summary>Writes the drawing.</summary>
-    /// <param name="html">Where to.</param>
+    /// <param name="html">The output.</param>
     /// <param name="id">Prefix of its identifiers.</param>
-    /// <param name="before">What the first line shows, for the legend.</param>
-    /// <param name="after">What the second line shows.</param>
+    /// <param name="before">Legend of the first line.</param>
+    /// <param name="after">Legend of the second line.</param>
     public void Write(HtmlText html, string id, string before, string after)
     {
         using (html.In(
@@ -47,10 +47,10 @@ internal sealed class ErrorPlot
         }
     }
 
-    /// <summary>Horizontal place of a point.</summary>
+    /// <summary>Horizontal position of a point.</summary>
     internal double X(double index) => Left + ((index + 0.5) * (Right - Left) / _points.Count);
 
-    /// <summary>Vertical place of a value.</summary>
+    /// <summary>Vertical position of a value.</summary>
     internal double Y(double value) => Bottom - ((value - _axis.Lowest) / (_axis.Highest - _axis.Lowest) * (Bottom - Top));
 
     private string Describe(string before, string after)
@@ -96,7 +96,7 @@ internal sealed class ErrorPlot
             var (x1, x2) = (X(first - 0.5), X(last + 0.5));
             Line(html, "limit", x1, Y(limits.UpperMm), x2, Y(limits.UpperMm));
             Line(html, "limit", x1, Y(limits.LowerMm), x2, Y(limits.LowerMm));
-            // Beside the plot no line crosses a label; only where the limits change must they stand within it.
+            // To the right of the plot no line crosses a label. Place labels inside the plot only where the limits change.
             if (labelled != limits)
             {
                 var (x, up, down) = bands == 1 ? (Right + 8, 4, 4) : (x1 + 5, -4, 13);
@@ -177,7 +177,7 @@ internal sealed class ErrorPlot
         Text(html, "legend", middle + 48, y + 4, "start", after);
     }
 
-    /// <summary>First and last position of neighbors that have something in common.</summary>
+    /// <summary>First and last position of neighbors with a common value.</summary>
     private IEnumerable<(int First, int Last)> Runs<T>(Func<PlotPoint, T> common)
     {
         var first = 0;

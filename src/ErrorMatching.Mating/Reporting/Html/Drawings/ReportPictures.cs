@@ -5,12 +5,12 @@ namespace ErrorMatching.Mating;
 /// <summary>The section with the plot of the mating errors and the drawings of the assembly.</summary>
 internal static class ReportPictures
 {
-    /// <summary>Writes the pictures.</summary>
-    /// <param name="html">Where to.</param>
+    /// <summary>Writes the section.</summary>
+    /// <param name="html">The output.</param>
     /// <param name="points">The key points in the order of cutting.</param>
     /// <param name="scene">The assembly; null if there is nothing to draw.</param>
-    /// <param name="before">What is known without compensation, for legends.</param>
-    /// <param name="after">What is known with it.</param>
+    /// <param name="before">Legend for the values without compensation.</param>
+    /// <param name="after">Legend for the values with compensation.</param>
     public static void Write(HtmlText html, IReadOnlyList<PlotPoint> points, AssemblyScene? scene, string before, string after)
     {
         if (points.Count > 0)

@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>A decision as mark and words, so that it does not hang on color.</summary>
+/// <summary>A decision as a mark and words, so that it does not depend on color.</summary>
 internal static class DecisionMark
 {
     public static void Write(HtmlText html, Decision decision) =>

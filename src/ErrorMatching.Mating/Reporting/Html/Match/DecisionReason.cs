@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Why a feature was decided as it was, in a sentence.</summary>
+/// <summary>The reason for the decision on a feature, in a sentence.</summary>
 internal static class DecisionReason
 {
     public static string Of(MatchReport report, ReportFeature feature)

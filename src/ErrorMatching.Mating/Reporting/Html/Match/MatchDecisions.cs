@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with what was decided about each feature, and why.</summary>
+/// <summary>The section with the decision on each feature and its reason.</summary>
 internal static class MatchDecisions
 {
     private static readonly TableColumn[] Columns =
@@ -39,11 +39,11 @@ internal static class MatchDecisions
         html.Put("p", Meaning(report.Compensation), ("class", "small"));
     }
 
-    /// <summary>The mating error of the largest size that the corrected counterpart will leave at the feature.</summary>
+    /// <summary>The mating error with the largest magnitude that the corrected counterpart will leave at the feature.</summary>
     internal static double? Left(MatchReport report, ReportFeature feature) =>
         Points(report, feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
 
-    /// <summary>The key points of a feature that the corrected counterpart will leave outside of their limits.</summary>
+    /// <summary>The key points of a feature that the corrected counterpart will leave outside their limits.</summary>
     internal static OutsideLimits Outside(MatchReport report, ReportFeature feature) => report.OutsideOf(Points(report, feature));
 
     /// <summary>The key points of a feature.</summary>

@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with the key points, as figure 9 of Wang 2021 shows them.</summary>
+/// <summary>The section with the key points, as in figure 9 of Wang 2021.</summary>
 internal static class MatchKeyPoints
 {
     public static void Write(HtmlText html, MatchReport report)

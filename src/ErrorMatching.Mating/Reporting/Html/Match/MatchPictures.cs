@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Plot and drawings of a match: the mating error without compensation, and the one that is predicted with it.</summary>
+/// <summary>Plot and drawings of a match: the mating error without compensation, and the predicted one with it.</summary>
 internal static class MatchPictures
 {
     public static void Write(HtmlText html, MatchReport report) =>

@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with what was shown about the program by reading it again.</summary>
+/// <summary>The section with the results of reading the new program again.</summary>
 internal static class MatchProof
 {
     public static void Write(HtmlText html, MatchReport report)
@@ -46,7 +46,7 @@ internal static class MatchProof
             ("class", "small"));
     }
 
-    /// <summary>Whether the proof holds, in mark and words.</summary>
+    /// <summary>Writes whether the proof succeeded, as a mark and words.</summary>
     internal static void WriteVerdict(HtmlText html, ReportProof proof)
     {
         using (html.In("p", ("class", proof.Holds ? "verdict holds" : "verdict fails")))

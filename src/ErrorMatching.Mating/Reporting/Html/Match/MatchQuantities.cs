@@ -2,8 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with lengths and angles: ideal, actual and corrected, as figure 9 of Wang 2021 shows them,
-/// and how the features were fitted.</summary>
+/// <summary>The section with ideal, actual and corrected lengths and angles, as in figure 9 of Wang 2021, and the fits of the
+/// features.</summary>
 internal static class MatchQuantities
 {
     private static readonly TableColumn[] Columns =

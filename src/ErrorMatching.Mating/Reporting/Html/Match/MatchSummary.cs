@@ -2,8 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section that a setter reads at the machine: what was measured, decided and changed, whether it was proved,
-/// and what to do next.</summary>
+/// <summary>The section for the setter at the machine: what was measured, decided, changed and proved, and what to do next.</summary>
 internal static class MatchSummary
 {
     public static void Write(HtmlText html, MatchReport report)

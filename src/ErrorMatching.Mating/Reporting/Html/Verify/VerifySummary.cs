@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section that says at a glance whether the compensation helped.</summary>
+/// <summary>The section that shows at a glance whether the compensation helped.</summary>
 internal static class VerifySummary
 {
     public static void Write(HtmlText html, VerifyReport report)
