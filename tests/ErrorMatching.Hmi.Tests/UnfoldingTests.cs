@@ -52,7 +52,7 @@ public sealed class UnfoldingTests
         Dispatcher.UIThread.Post(() => atKey = Seen(), DispatcherPriority.Input);
         seat.User.Settle(10);
         var all = Seen();
-        Assert.True(atKey < all / 4, $"{atKey} of {all} were there at the key.");
+        Assert.True(atKey < all / 3, $"{atKey} of {all} were there at the key.");
         Assert.True(grown.Distinct().Count() >= 5, $"They came by {string.Join(", ", grown)}.");
         Assert.DoesNotContain(
             host.GetVisualDescendants().OfType<Control>(),

@@ -104,6 +104,18 @@ public sealed partial class ValidationTests
         Assert.Empty(seat.Shell.Editing.Problems);
     });
 
+    // The demonstration's job has no circle and no slot; the samples do.
+    private static readonly (string Sample, Func<MatingDraft, MatingDraft> Mistake)[] OfOtherKinds = [
+        ("circle-mating", d => d.WithFeature(0, f => f with { Blocks = "N110..N130" })),
+        ("circle-mating", d => d.WithPoints(0, 0, 3)),
+        ("slot-mating", d => d.WithFeature(0, f => f with { Blocks = "N110..N160" }))];
+
+    private static DraftCheck CheckSample(string sample, Func<MatingDraft, MatingDraft> mistake)
+    {
+        var file = Repository.PathTo("samples", sample, "job.json");
+        return MatingDraftCheck.Of(mistake(MatingDraftFiles.Open(file)), file);
+    }
+
     [Fact]
     public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(Screens.System, seat =>
     {
@@ -115,6 +127,7 @@ public sealed partial class ValidationTests
         foreach (var problem in Mistakes.Select(m => m.Mistake)
             .Concat(doubtful)
             .Select(m => edits.Check(seat.Shell.Editing.Job!, m(seat.Draft)))
+            .Concat(OfOtherKinds.Select(m => CheckSample(m.Sample, m.Mistake)))
             .SelectMany(c => c.Problems.Concat(c.Doubts)))
         {
             caused.Add("Problem." + problem.Code);
