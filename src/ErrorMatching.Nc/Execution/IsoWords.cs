@@ -11,7 +11,7 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     private int _scanned = -1;
 
     /// <summary>The words of the block with their values, in order; letter 0 is a word of several letters.</summary>
-    public IReadOnlyList<(byte Letter, NcValue Value)> Collected => _words;
+    public List<(byte Letter, NcValue Value)> Collected => _words;
 
     /// <summary>Begins a block.</summary>
     public void Begin()

@@ -39,8 +39,25 @@ public ref struct NcTokenizer
         if (SyntaxBytes.IsLetter(c))
         {
             var letter = (byte)(c & ~0x20);
-            _current = _text.Syntax == NcSyntax.Siemens ? _text.NameAt(at, letter) : LetterAt(at, letter);
+
+            // Nearly every token of a program is a letter with a number: it is made where it stays, without a copy.
+            var valueAt = _text.SkipSpaces(at + 1);
+            if (_text.Syntax != NcSyntax.Siemens && _text.ReadNumber(valueAt, out var next, out var number))
+            {
+                _current = new(NcTokenKind.Word, letter, at, next - at, valueAt, next - valueAt, number, WordDistance.Modal);
+                _atStart &= letter == 'N';
+                return true;
+            }
+
+            _current = _text.Syntax == NcSyntax.Siemens ? _text.NameAt(at, letter) : LetterAt(at, valueAt, letter);
             _atStart &= _current is { Kind: NcTokenKind.Word, Letter: (byte)'N' };
+            return true;
+        }
+
+        if (c == ' ')
+        {
+            var behind = _text.SkipSpaces(at + 1);
+            _current = new(NcTokenKind.Space, 0, at, behind - at, at, behind - at, default, WordDistance.Modal);
             return true;
         }
 
@@ -143,14 +160,9 @@ public ref struct NcTokenizer
             : BlockScanner.Valued(NcTokenKind.PolarWord, sign, at, valueAt, behind, number);
     }
 
-    private readonly NcToken LetterAt(int at, byte letter)
+    // A letter without a number.
+    private readonly NcToken LetterAt(int at, int valueAt, byte letter)
     {
-        var valueAt = _text.SkipSpaces(at + 1);
-        if (_text.ReadNumber(valueAt, out var next, out var number))
-        {
-            return BlockScanner.Valued(NcTokenKind.Word, letter, at, valueAt, next, number);
-        }
-
         if (letter == 'O' && valueAt < _text.End && _text.Bytes[valueAt] == '<')
         {
             return BlockScanner.Plain(NcTokenKind.ExpressionWord, at, _text.BehindName(valueAt), letter);

@@ -56,7 +56,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Cell.SqliteDatabase"] = 433,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
         ["ErrorMatching.Hmi.CompensationViewModel"] = 405,
-        ["ErrorMatching.Hmi.SystemFields"] = 405,
     };
 
     private static readonly string[] TextEndings = [
