@@ -131,7 +131,7 @@ internal static class StationFrames
         user.Settle(1);
         Console.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"| {Shown(size)} | {which}opening: beside the screen {read.TotalMilliseconds:0}, until the text is seen "
+            $"| {Shown(size)} | {which}opening: in the background {read.TotalMilliseconds:0}, until the text is seen "
                 + $"{text.TotalMilliseconds:0}, until the path is seen {watch.Elapsed.TotalMilliseconds:0} | | | "
                 + $"{Math.Max((text - read).TotalMilliseconds, (watch.Elapsed - painted).TotalMilliseconds):0.0} | |"));
     }
