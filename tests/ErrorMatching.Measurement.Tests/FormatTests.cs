@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -34,10 +35,10 @@ public class FormatTests
         var format = Text.Format("""{ "delimiter": "\t", "columns": { "label": 1, "x": 2, "y": 3, "z": 4 } }""");
         Assert.Equal((new Point3(1, 2, 3), 1), Text.Read("A\t1\t2\t3\n", format)["A"] is var p ? (p.Position, p.Line) : default);
         var error = Text.Refused("A\t1\t2\n", format);
-        Assert.Equal((MeasurementError.MissingColumn, 1), (error.Code, error.Line));
+        Assert.Equal((MeasurementError.MissingColumn, 1), (error.Code, error.Place.Line));
         Assert.Equal(
             (MeasurementError.TextForNumber, 2, 3),
-            Text.Refused("A\t1\t2\t3\nB\t1\tx\t3\n", format) is var e ? (e.Code, e.Line, e.Column) : default);
+            Text.Refused("A\t1\t2\t3\nB\t1\tx\t3\n", format) is var e ? (e.Code, e.Place.Line, e.Place.Column) : default);
     }
 
     [Fact]
@@ -70,8 +71,8 @@ public class FormatTests
     [InlineData("""{ "kind": "feature-table", "columns": { "x": "a" } }""", "$.columns.x")]
     public void A_wrong_description_is_named_by_its_path(string json, string path)
     {
-        var error = Assert.Throws<MeasurementException>(() => Text.Format(json));
-        Assert.Equal((MeasurementError.BadFormat, path), (error.Code, error.Path));
+        var error = Assert.Throws<InputException>(() => Text.Format(json));
+        Assert.Equal((MeasurementError.BadFormat, path), (error.Code, error.Place.Path));
         Assert.StartsWith(path, error.Message, StringComparison.Ordinal);
     }
 

@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -118,13 +119,13 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
         {
             return MeasurementFormat.FromJson(item.ToJson());
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
             var expected = item.Kind == JsonItemKind.Text
                 ? "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table"
-                : e.Expected;
+                : e.Refusals[0].Expected;
             problems.AddRange(
-                [new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, expected, $"found {e.Found}; expected {expected}")]);
+                [Refusal.Of("bad-format", e.Refusals[0].Found, expected, JsonRefusal.PlaceOf(item, e.Place.Path))]);
             return MeasurementFormat.Points;
         }
     }

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -14,7 +15,7 @@ internal sealed partial class JobReader(JsonItem root)
     private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
     private readonly Dictionary<string, string> _featureOfPoint = new(StringComparer.Ordinal);
 
-    public List<JsonProblem> Problems { get; } = [];
+    public List<Refusal> Problems { get; } = [];
 
     public MatingJob Read(string file, string sha256)
     {
@@ -85,10 +86,9 @@ internal sealed partial class JobReader(JsonItem root)
         {
             return MeasurementFormat.FromJson(item.ToJson());
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
-            Problems.Add(new(
-                "bad-format", item.Path + e.Path?[1..], item.Place, e.Found, e.Expected, $"found {e.Found}; expected {e.Expected}"));
+            Problems.Add(e.Refusals[0] with { Code = "bad-format", Place = JsonRefusal.PlaceOf(item, e.Place.Path) });
             return MeasurementFormat.Points;
         }
     }
@@ -158,9 +158,9 @@ internal sealed partial class JobReader(JsonItem root)
                     _ => SourceRule.OfFileName(pattern),
                 });
             }
-            catch (MeasurementException e)
+            catch (InputException e)
             {
-                Refuse(item["pattern"], "bad-pattern", e.Found, e.Expected);
+                Refuse(item["pattern"], "bad-pattern", e.Refusals[0].Found, e.Refusals[0].Expected);
             }
         }
 
@@ -181,5 +181,5 @@ internal sealed partial class JobReader(JsonItem root)
 
     /// <summary>Adds a problem with an item.</summary>
     public void Refuse(JsonItem item, string code, string found, string expected) =>
-        Problems.Add(JsonProblem.At(item, code, found, expected));
+        Problems.Add(JsonRefusal.At(item, code, found, expected));
 }

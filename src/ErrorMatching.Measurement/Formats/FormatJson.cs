@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -52,7 +53,7 @@ internal static class FormatJson
         catch (InvalidOperationException e)
         {
             // Escapes such as \ud800 are valid JSON but not valid text. Reading them as text is the only invalid operation possible here.
-            throw new MeasurementException(MeasurementError.BadFormat, "an escape that is no character", "text", path: "$", cause: e);
+            throw MeasurementRefusal.Of(MeasurementError.BadFormat, "an escape that is no character", "text", path: "$", cause: e);
         }
     }
 
@@ -122,7 +123,7 @@ internal static class FormatJson
     private static string OneOf(string path, JsonElement json, IReadOnlyList<string> words) =>
         Text(json) is { } text && words.Contains(text, StringComparer.Ordinal)
             ? text
-            : throw Bad(path, json, "one of " + string.Join(", ", words.Select(MeasurementException.Quote)));
+            : throw Bad(path, json, "one of " + string.Join(", ", words.Select(MeasurementRefusal.Quote)));
 
     private static bool Flag(string path, JsonElement json) =>
         json.ValueKind is JsonValueKind.True or JsonValueKind.False ? json.GetBoolean() : throw Bad(path, json, "true or false");
@@ -134,9 +135,9 @@ internal static class FormatJson
 
     private static string? Text(JsonElement json) => json.ValueKind == JsonValueKind.String ? json.GetString() : null;
 
-    private static MeasurementException Unknown(string path, string expected) =>
-        new(MeasurementError.BadFormat, "an unknown member", expected, path: path);
+    private static InputException Unknown(string path, string expected) =>
+        MeasurementRefusal.Of(MeasurementError.BadFormat, "an unknown member", expected, path: path);
 
-    private static MeasurementException Bad(string path, JsonElement json, string expected) =>
-        new(MeasurementError.BadFormat, MeasurementException.Quote(json.GetRawText()), expected, path: path);
+    private static InputException Bad(string path, JsonElement json, string expected) =>
+        MeasurementRefusal.Of(MeasurementError.BadFormat, MeasurementRefusal.Quote(json.GetRawText()), expected, path: path);
 }

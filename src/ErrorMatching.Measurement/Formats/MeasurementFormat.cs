@@ -62,8 +62,8 @@ public sealed record MeasurementFormat
 
     /// <summary>Reads a format by name or description.</summary>
     /// <param name="format">A JSON string that names a format, or an object that describes one.</param>
-    /// <exception cref="MeasurementException">The name is unknown, or the description has an unknown or wrong member
-    /// (<see cref="MeasurementError.BadFormat"/>), named by <see cref="MeasurementException.Path"/>.</exception>
+    /// <exception cref="InputException">The name is unknown, or the description has an unknown or wrong member
+    /// (<see cref="MeasurementError.BadFormat"/>), named by <see cref="InputException.Path"/>.</exception>
     public static MeasurementFormat FromJson(JsonElement format) => FormatJson.Read(format);
 
     /// <summary>Reads a format by name or description, from JSON text with comments and trailing commas.</summary>
@@ -78,7 +78,7 @@ public sealed record MeasurementFormat
         catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
             // To the parser, a member name with an invalid character escape is an invalid operation, not bad JSON.
-            throw new MeasurementException(
+            throw MeasurementRefusal.Of(
                 MeasurementError.BadFormat,
                 "text that is not JSON: " + e.Message.TrimEnd('.'),
                 "the name of a format or a JSON object",
