@@ -282,7 +282,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             _starts[index] = (start, motion.UnknownStart);
         }
 
-        HasPoints |= PathWithoutPoints.IsPoint(motion);
+        HasPoints |= motion.IsPoint;
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
         _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd));

@@ -121,7 +121,7 @@ internal sealed partial class ElementDisplacer
             return Obstacles.UnknownPlace(_path, element.Motion);
         }
 
-        if (Carrier.Displaced(motion, element) is not { } carrier)
+        if (DisplacedCarrier.Of(motion, element) is not { } carrier)
         {
             return At(
                 motion,
@@ -404,7 +404,7 @@ internal sealed partial class ElementDisplacer
         _otherWishes.Count > 0 && _otherWishes.TryGetValue(motion, out var other) ? other : _wishes[_asked.IndexOf(motion)];
 
     private Carrier CarrierOf(int motion) =>
-        _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
+        _rounded.TryGetValue(motion, out var fillet) ? fillet : DisplacedCarrier.Of(_path.Motions[motion], WishOf(motion))!.Value;
 
     private Refusal At(in NcMotion motion, string code, string message) => BlockRefusal.At(_path.Program, motion.Block, code, message);
 }

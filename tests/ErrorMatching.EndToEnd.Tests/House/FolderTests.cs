@@ -6,7 +6,8 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>Folders of a project point one way, as ARCHITECTURE.md draws them.</summary>
 /// <remarks>
 /// A file is named after its one type, so a name that occurs in a file is an arrow to the folder of that file. Comments and texts do not
-/// count. A property that has a type's name counts where the two are in different folders.
+/// count, nor do members: what follows a point, constants, and what an enumeration lists. Any other property that has a type's name counts
+/// where the two are in different folders.
 /// </remarks>
 public sealed partial class FolderTests
 {
@@ -17,6 +18,10 @@ public sealed partial class FolderTests
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments"],
         ["Reporting"] = ["Document", "Drawings", "Page"],
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources"],
+        ["Nc"] =
+        [
+            "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Wishes", "Rewriting", "Proof", "Comparison",
+        ],
         ["Freeform"] =
         [
             "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
@@ -53,11 +58,14 @@ public sealed partial class FolderTests
         Path.GetRelativePath(root, file).Split(Path.DirectorySeparatorChar) is [var folder, _, ..] ? folder : "";
 
     private static IEnumerable<string> NamesIn(string source) =>
-        Names().Matches(Quoted().Replace(source, "")).Select(m => m.Value).Distinct(StringComparer.Ordinal);
+        Names().Matches(Members().Replace(Quoted().Replace(source, ""), "")).Select(m => m.Value).Distinct(StringComparer.Ordinal);
 
     [GeneratedRegex("\"\"\"[\\s\\S]*?\"\"\"|//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Quoted();
 
-    [GeneratedRegex(@"\b[A-Z]\w+\b", RegexOptions.None, Timeout.Infinite)]
+    [GeneratedRegex(@"const string \w+|^ +[A-Z]\w+( = \w+)?,\r?$", RegexOptions.ExplicitCapture | RegexOptions.Multiline, Timeout.Infinite)]
+    private static partial Regex Members();
+
+    [GeneratedRegex(@"(?<![.\w])[A-Z]\w+\b", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Names();
 }
