@@ -48,8 +48,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Hmi.ProgramText"] = 631,
         ["ErrorMatching.Nc.ExpressionReader"] = 627,
         ["ErrorMatching.Cell.JobEdits"] = 618,
-        ["ErrorMatching.Geometry.SplineSurface"] = 597,
-        ["ErrorMatching.Geometry.KnotVector"] = 498,
         ["ErrorMatching.Nc.WordEditor"] = 498,
         ["ErrorMatching.Hmi.PathPlot"] = 464,
         ["ErrorMatching.Nc.FlowIndex"] = 455,
