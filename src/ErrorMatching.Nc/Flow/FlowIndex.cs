@@ -3,30 +3,30 @@ using System.Globalization;
 namespace ErrorMatching.Nc;
 
 /// <summary>The parts of a file: its programs and the statements of each structure. Created once, at the first flow statement.</summary>
-internal sealed partial class FlowIndex
+internal sealed class FlowIndex
 {
     private readonly NcSyntax _syntax;
-    private readonly bool _skips;
     private readonly List<FlowUnit> _units = [];
     private readonly Dictionary<string, int> _numbers = new(StringComparer.Ordinal);
     private readonly Dictionary<string, FlowUnit> _named = new(StringComparer.Ordinal);
-    private readonly Dictionary<int, FlowStatement> _statements = [];
-    private readonly Dictionary<string, FlowStatement> _subs = new(StringComparer.Ordinal);
-    private readonly Dictionary<(int From, bool Forward, bool Backward, long Number, string Label), int> _targets = [];
+    private readonly FlowStatements _statements;
+    private readonly TargetSearch _search;
 
     public FlowIndex(NcProgram program, NcDialect dialect)
     {
         var syntax = dialect.Syntax;
         Program = program;
         _syntax = syntax;
-        _skips = dialect.BlockSkip == BlockSkip.On;
+        _statements = new(syntax);
+        var skips = dialect.BlockSkip == BlockSkip.On;
+        _search = new(program, syntax, skips);
         var (name, first, hasContent) = ("", Leader.BlocksOf(program, dialect), false);
         var end = program.BlockCount;
         for (var i = first; i < end; i++)
         {
             var text = program.BytesOf(program[i]);
             var head = BlockHead.Read(text, syntax);
-            if (_skips && head.IsSkip)
+            if (skips && head.IsSkip)
             {
                 continue;
             }
@@ -57,7 +57,7 @@ internal sealed partial class FlowIndex
             else if (head.At < text.Length && text[head.At] != ';')
             {
                 hasContent = true;
-                AddStatement(text, head.At, i);
+                _statements.Add(text, head.At, i);
             }
         }
 
@@ -94,21 +94,21 @@ internal sealed partial class FlowIndex
     }
 
     /// <summary>Number of blocks searched for jump targets.</summary>
-    public long Searched { get; private set; }
+    public long Searched => _search.Count;
 
     /// <summary>The structure statement at a block; null if there is none.</summary>
-    public FlowStatement? StatementAt(int block) => _statements.GetValueOrDefault(block);
+    public FlowStatement? StatementAt(int block) => _statements.At(block);
 
     /// <summary>The definition of a LinuxCNC subroutine; null if the file has none.</summary>
-    public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
+    public FlowStatement? Sub(string label) => _statements.Sub(label);
 
     /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 if none.</summary>
     public int FindNumber(FlowUnit unit, int from, long number, bool forward = true, bool backward = true) =>
-        Find(unit, from, forward, backward, number, "");
+        _search.Number(unit, from, number, forward, backward);
 
     /// <summary>The block with a label, searched as for a number.</summary>
     public int FindLabel(FlowUnit unit, int from, string label, bool forward = true, bool backward = true) =>
-        Find(unit, from, forward, backward, -1, label);
+        _search.Label(unit, from, label, forward, backward);
 
     /// <summary>The name for a program number: <c>O0100</c>.</summary>
     public static string NumberName(long number) => string.Create(CultureInfo.InvariantCulture, $"O{number:D4}");
@@ -154,61 +154,6 @@ internal sealed partial class FlowIndex
             return null;
         }
 
-        return _syntax == NcSyntax.LinuxCnc && OWordAt(text, at).Keyword.Length > 0 ? null : NumberName(number.Value);
-    }
-
-    private int Find(FlowUnit unit, int from, bool forward, bool backward, long number, string label)
-    {
-        var key = (from, forward, backward, number, label);
-        if (_targets.TryGetValue(key, out var known))
-        {
-            return known;
-        }
-
-        var found = forward ? Search(from + 1, unit.End, number, label) : -1;
-        if (found < 0 && backward)
-        {
-            // A forward search continues from the top; a search only backward takes the nearest.
-            found = forward ? Search(unit.First, from + 1, number, label) : SearchBack(unit.First, from, number, label);
-        }
-
-        return _targets[key] = found;
-    }
-
-    private int Search(int first, int end, long number, string label)
-    {
-        for (var i = first; i < end; i++)
-        {
-            if (IsTarget(i, number, label))
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    private int SearchBack(int first, int from, long number, string label)
-    {
-        for (var i = from; i >= first; i--)
-        {
-            if (IsTarget(i, number, label))
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    private bool IsTarget(int block, long number, string label)
-    {
-        Searched++;
-        var text = Program.BytesOf(Program[block]);
-        var head = BlockHead.Read(text, _syntax);
-        return _skips && head.IsSkip ? false : label.Length == 0
-            ? head.Number == number && number >= 0
-            : head.LabelLength == label.Length
-                && NcText.Decode(text.Slice(head.LabelAt, head.LabelLength)).Equals(label, StringComparison.OrdinalIgnoreCase);
+        return _syntax == NcSyntax.LinuxCnc && OWordHead.Read(text, at).Keyword.Length > 0 ? null : NumberName(number.Value);
     }
 }

@@ -37,7 +37,7 @@ internal sealed class OWords(CallStack calls, FlowReport report, FlowMemory memo
 
     private FlowAction CallSub(FlowStatement statement, ReadOnlySpan<byte> text)
     {
-        var (label, labelEnd, _, keywordEnd) = FlowIndex.OWordAt(text, statement.At);
+        var (label, labelEnd, _, keywordEnd) = OWordHead.Read(text, statement.At);
         if (label.Length == 0)
         {
             var number = memory.ReaderAt(text[..labelEnd], statement.At + 1);

@@ -50,7 +50,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Cell.JobEdits"] = 618,
         ["ErrorMatching.Nc.WordEditor"] = 498,
         ["ErrorMatching.Hmi.PathPlot"] = 464,
-        ["ErrorMatching.Nc.FlowIndex"] = 455,
         ["ErrorMatching.Cell.SqliteDatabase"] = 433,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
         ["ErrorMatching.Hmi.CompensationViewModel"] = 405,

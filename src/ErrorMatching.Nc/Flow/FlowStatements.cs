@@ -2,52 +2,29 @@ using System.Globalization;
 
 namespace ErrorMatching.Nc;
 
-/// <content>Matches the statements of a structure.</content>
-internal sealed partial class FlowIndex
+/// <summary>The statements of a file that belong to structures: branches, loops and subroutines, each linked to the others of its
+/// structure.</summary>
+internal sealed class FlowStatements(NcSyntax syntax)
 {
     private const int DeepestStructure = 100;
 
+    private readonly Dictionary<int, FlowStatement> _statements = [];
+    private readonly Dictionary<string, FlowStatement> _subs = new(StringComparer.Ordinal);
     private readonly Stack<(string Label, FlowStatement Begin, FlowStatement Last)> _open = new();
 
-    /// <summary>Splits an O word block of LinuxCNC: its label (empty if it is computed), its keyword in upper case, and the end of
-    /// each.</summary>
-    public static (string Label, int LabelEnd, string Keyword, int KeywordEnd) OWordAt(ReadOnlySpan<byte> text, int at)
+    /// <summary>The statement at a block; null if there is none.</summary>
+    public FlowStatement? At(int block) => _statements.GetValueOrDefault(block);
+
+    /// <summary>The definition of a LinuxCNC subroutine; null if the file has none.</summary>
+    public FlowStatement? Sub(string label) => _subs.GetValueOrDefault(label);
+
+    /// <summary>Adds the next block of the file, if it is part of a structure.</summary>
+    /// <param name="text">Its bytes.</param>
+    /// <param name="at">Start of its first statement.</param>
+    /// <param name="block">Its position.</param>
+    public void Add(ReadOnlySpan<byte> text, int at, int block)
     {
-        var number = BlockHead.NumberAt(text, at + 1);
-        var (label, end) = ("", number.Start + number.Length);
-        if (number.Length > 0)
-        {
-            label = number.Value.ToString(CultureInfo.InvariantCulture);
-        }
-        else if (end < text.Length && text[end] == '<')
-        {
-            var length = text[end..].IndexOf((byte)'>');
-            label = length > 0
-                ? NcText.Decode(text.Slice(end + 1, length - 1)).Replace(" ", "", StringComparison.Ordinal).ToUpperInvariant()
-                : "";
-            end = length > 0 ? end + length + 1 : text.Length;
-        }
-        else
-        {
-            for (var depth = 0; end < text.Length && (depth > 0 || !SyntaxBytes.IsLetter(text[end])); end++)
-            {
-                depth += text[end] == '[' ? 1 : text[end] == ']' ? -1 : 0;
-            }
-        }
-
-        var start = end;
-        while (start < text.Length && text[start] is (byte)' ' or (byte)'\t')
-        {
-            start++;
-        }
-
-        var keyword = BlockHead.NameLength(text, start);
-        return (label, end, NcText.Decode(text.Slice(start, keyword)).ToUpperInvariant(), start + keyword);
-    }
-
-    private void AddStatement(ReadOnlySpan<byte> text, int at, int block)
-    {
-        switch (_syntax)
+        switch (syntax)
         {
             case NcSyntax.LinuxCnc when (text[at] | 0x20) == 'o':
                 AddOWord(text, at, block);
@@ -91,7 +68,7 @@ internal sealed partial class FlowIndex
 
     private void AddOWord(ReadOnlySpan<byte> text, int at, int block)
     {
-        var (label, _, keyword, end) = OWordAt(text, at);
+        var (label, _, keyword, end) = OWordHead.Read(text, at);
         switch (keyword)
         {
             case "SUB":
