@@ -2,16 +2,12 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Reads an expression from a block's bytes and computes it while reading: precedence climbing over the operators of
 /// <see cref="ExpressionSyntax"/>. The first error stops it; from then on every value is unknown and nothing more is read.</summary>
-internal ref partial struct ExpressionReader
+internal ref struct ExpressionReader
 {
-    /// <summary>Deepest nesting of brackets, functions, signs and variables.</summary>
-    public const int MaxDepth = 64;
-
-    private readonly ReadOnlySpan<byte> _text;
     private readonly ExpressionSyntax _syntax;
-    private readonly NcVariables _variables;
-    private int _at;
-    private int _depth;
+
+    /// <summary>The bytes, and how far they have been read.</summary>
+    public ExpressionText Text;
 
     /// <param name="text">The bytes of the block.</param>
     /// <param name="at">Position of the first byte to read.</param>
@@ -19,29 +15,34 @@ internal ref partial struct ExpressionReader
     /// <param name="variables">Values of variables.</param>
     public ExpressionReader(ReadOnlySpan<byte> text, int at, ExpressionSyntax syntax, NcVariables variables)
     {
-        _text = text;
-        _at = at;
+        Text = new(text, at);
         _syntax = syntax;
-        _variables = variables;
+        Variables = variables;
     }
 
     /// <summary>Decimals to which ROUND rounds: 0 in a computation; in an address, Fanuc rounds to the least increment.</summary>
     public int RoundDecimals { get; init; }
 
+    /// <summary>Values of variables.</summary>
+    public NcVariables Variables { get; }
+
+    /// <summary>Syntax of the family.</summary>
+    public readonly NcSyntax Syntax => _syntax.Syntax;
+
     /// <summary>The first byte not read.</summary>
     public int At
     {
-        readonly get => _at;
-        set => _at = value;
+        readonly get => Text.At;
+        set => Text.At = value;
     }
 
     /// <summary>The error message; null if there is no error.</summary>
-    public string? Error { get; private set; }
+    public readonly string? Error => Text.Error;
 
     /// <summary>Position of the error, from the start of the block.</summary>
-    public int ErrorAt { get; private set; }
+    public readonly int ErrorAt => Text.ErrorAt;
 
-    private readonly bool IsSiemens => _syntax.Syntax == NcSyntax.Siemens;
+    private readonly bool IsSiemens => Syntax == NcSyntax.Siemens;
 
     /// <summary>Reads the longest expression from here.</summary>
     public NcValue Expression() => Expression(0);
@@ -50,26 +51,26 @@ internal ref partial struct ExpressionReader
     public NcValue Operand()
     {
         SkipSpaces();
-        if (Error is not null || !Deeper())
+        if (Error is not null || !Text.Deeper())
         {
             return NcValue.Unknown;
         }
 
-        var value = Peek() switch
+        var value = Text.Peek() switch
         {
             (byte)'+' => Signed(negative: false),
             (byte)'-' => Signed(negative: true),
-            (byte)'#' when !IsSiemens => ReadVariable(),
-            (byte)'.' or (>= (byte)'0' and <= (byte)'9') => Number(),
-            (byte)'"' when IsSiemens => Quoted(),
-            (byte)'\'' when IsSiemens => Coded(),
-            (byte)'$' when IsSiemens => ReadVariable(),
+            (byte)'#' when !IsSiemens => Variable(),
+            (byte)'.' or (>= (byte)'0' and <= (byte)'9') => ExpressionLiterals.Number(ref Text, Syntax),
+            (byte)'"' when IsSiemens => ExpressionLiterals.Quoted(ref Text),
+            (byte)'\'' when IsSiemens => ExpressionLiterals.Coded(ref Text),
+            (byte)'$' when IsSiemens => Variable(),
             var c when c == _syntax.Open => Bracket(),
-            var c when BeginsName(c) => Word(),
-            0 when _at >= _text.Length => Fail("a value is missing at the end"),
+            var c when ExpressionText.BeginsName(c) => Word(),
+            0 when Text.IsAtEnd => Fail("a value is missing at the end"),
             _ => Fail("a value is expected here"),
         };
-        _depth--;
+        Text.Leave();
         return value;
     }
 
@@ -82,51 +83,49 @@ internal ref partial struct ExpressionReader
         }
 
         var value = Expression(0);
-        return Close() ? value : NcValue.Unknown;
+        return Text.Close(_syntax.Close) ? value : NcValue.Unknown;
+    }
+
+    /// <summary>Reads the variable here: <c>#1</c>, <c>#[#2+1]</c>, <c>##3</c>, <c>#&lt;name&gt;</c>, <c>R1</c>, <c>R[..]</c>,
+    /// <c>NAME</c>, <c>NAME[i, j]</c>, <c>$..</c>.</summary>
+    public VariablePlace Place() => VariableReader.Place(ref this);
+
+    /// <summary>Reads a variable and returns its value.</summary>
+    public NcValue Variable()
+    {
+        var start = At;
+        var place = Place();
+        if (Error is not null)
+        {
+            return NcValue.Unknown;
+        }
+
+        var value = Variables.Read(place, out var error);
+        return error is null ? value : Text.FailAt(start, error);
     }
 
     /// <summary>Stops reading with an error at the current position.</summary>
-    public NcValue Fail(string why) => FailAt(_at, why);
+    public NcValue Fail(string why) => Text.Fail(why);
 
-    public void SkipSpaces()
-    {
-        while (_at < _text.Length && _text[_at] is (byte)' ' or (byte)'\t')
-        {
-            _at++;
-        }
-    }
+    public void SkipSpaces() => Text.SkipSpaces();
 
     /// <summary>Reads a character after spaces, if it is here.</summary>
-    public bool Take(byte c)
-    {
-        SkipSpaces();
-        if (Error is null && Peek() == c && _at < _text.Length)
-        {
-            _at++;
-            return true;
-        }
-
-        return false;
-    }
-
-    private static bool BeginsName(byte c) => SyntaxBytes.IsLetter(c) || c == '_';
-
-    private readonly byte Peek(int ahead = 0) => _at + ahead < _text.Length ? _text[_at + ahead] : (byte)0;
+    public bool Take(byte c) => Text.Take(c);
 
     private NcValue Expression(int rank)
     {
         var left = Operand();
         while (Error is null && Operator(out var length) is { } found && found.Rank >= rank)
         {
-            var place = _at;
-            _at += length;
-            if (!Deeper())
+            var place = At;
+            At += length;
+            if (!Text.Deeper())
             {
                 return NcValue.Unknown;
             }
 
             var right = Expression(found.Rank + 1);
-            _depth--;
+            Text.Leave();
             if (Error is not null)
             {
                 return NcValue.Unknown;
@@ -135,7 +134,7 @@ internal ref partial struct ExpressionReader
             left = ExpressionArithmetic.Apply(found.Meaning, left, right, _syntax.Equality, out var error);
             if (error is not null)
             {
-                return FailAt(place, error);
+                return Text.FailAt(place, error);
             }
         }
 
@@ -148,7 +147,7 @@ internal ref partial struct ExpressionReader
         SkipSpaces();
         foreach (var candidate in _syntax.Operators)
         {
-            if (StandsHere(candidate.Spelling) && !(IsSiemens && candidate.IsWord && IsNamePart(Peek(candidate.Spelling.Length))))
+            if (Text.StandsHere(candidate.Spelling) && !(IsSiemens && candidate.IsWord && ExpressionText.IsNamePart(Text.Peek(candidate.Spelling.Length))))
             {
                 length = candidate.Spelling.Length;
                 return candidate;
@@ -161,7 +160,7 @@ internal ref partial struct ExpressionReader
 
     private NcValue Signed(bool negative)
     {
-        _at++;
+        At++;
         var value = Operand();
         if (value.Kind == NcValueKind.Text)
         {
@@ -175,18 +174,17 @@ internal ref partial struct ExpressionReader
     {
         foreach (var function in _syntax.Functions)
         {
-            if (StandsHere(function.Name)
-                && BehindSpaces(function.Name.Length) is var open
-                && open < _text.Length
-                && _text[open] == _syntax.Open)
+            if (Text.StandsHere(function.Name)
+                && Text.BehindSpaces(function.Name.Length) is var open
+                && Text.Peek(open) == _syntax.Open)
             {
-                var place = _at;
-                _at = open;
+                var place = At;
+                At += open;
                 return Call(function, place);
             }
         }
 
-        if (_syntax.Syntax == NcSyntax.LinuxCnc && StandsHere("EXISTS"))
+        if (Syntax == NcSyntax.LinuxCnc && Text.StandsHere("EXISTS"))
         {
             return Exists();
         }
@@ -196,12 +194,12 @@ internal ref partial struct ExpressionReader
             return Fail("no function of this name is known");
         }
 
-        return Prefixed(out var value) ? value : ReadVariable();
+        return Prefixed(out var value) ? value : Variable();
     }
 
     private NcValue Call(FunctionSpelling function, int place)
     {
-        _at++;
+        At++;
         var arguments = new ArgumentList();
         do
         {
@@ -214,7 +212,7 @@ internal ref partial struct ExpressionReader
         }
         while (Take((byte)','));
 
-        if (!Close())
+        if (!Text.Close(_syntax.Close))
         {
             return NcValue.Unknown;
         }
@@ -223,21 +221,20 @@ internal ref partial struct ExpressionReader
         if (!IsSiemens
             && function.Most == 2
             && arguments.Count == 1
-            && BehindSpaces(0) is var slash
-            && slash < _text.Length
-            && _text[slash] == '/'
+            && Text.BehindSpaces(0) is var slash
+            && Text.Peek(slash) == '/'
             && function.Meaning is ExpressionFunction.ArcTangentOfPoint or ExpressionFunction.ArcTangentOfTurn)
         {
-            var back = _at;
-            _at = slash + 1;
+            var back = At;
+            At += slash + 1;
             SkipSpaces();
-            if (Peek() == _syntax.Open)
+            if (Text.Peek() == _syntax.Open)
             {
                 arguments.Add(Bracket());
             }
             else
             {
-                _at = back;
+                At = back;
             }
         }
 
@@ -248,64 +245,57 @@ internal ref partial struct ExpressionReader
 
         if (arguments.Count < function.Least)
         {
-            return FailAt(place, $"{function.Name} needs {function.Least} arguments");
+            return Text.FailAt(place, $"{function.Name} needs {function.Least} arguments");
         }
 
         var value = ExpressionArithmetic.Apply(function.Meaning, arguments.Values, RoundDecimals, out var error);
-        return error is null ? value : FailAt(place, error);
+        return error is null ? value : Text.FailAt(place, error);
     }
 
-    private bool Close() => Take(_syntax.Close) || Fail($"a bracket is not closed: \"{(char)_syntax.Close}\" is expected here").IsNumber;
-
-    private readonly int BehindSpaces(int ahead)
+    private NcValue Exists()
     {
-        var at = _at + ahead;
-        while (at < _text.Length && _text[at] is (byte)' ' or (byte)'\t')
+        At += "EXISTS".Length;
+        if (!Take((byte)'['))
         {
-            at++;
+            return Fail("EXISTS is followed by a variable in brackets");
         }
 
-        return at;
+        var place = Place();
+        return Text.Close(_syntax.Close)
+            ? NcValue.Of(place.Kind != VariableKind.Named || Variables.Knows(place.Name!) || LinuxCncNames.IsOfMachine(place.Name!))
+            : NcValue.Unknown;
     }
 
-    private readonly bool StandsHere(string spelling)
+    // NOT x, B_NOT x, TRUE, FALSE: words in the place of an operand.
+    private bool Prefixed(out NcValue value)
     {
-        if (_text.Length - _at < spelling.Length)
+        value = default;
+        var isBits = Text.StandsAlone("B_NOT");
+        if (isBits || Text.StandsAlone("NOT"))
         {
-            return false;
-        }
-
-        for (var i = 0; i < spelling.Length; i++)
-        {
-            var c = _text[_at + i];
-            if (((uint)(c - 'a') < 26 ? c & ~0x20 : c) != spelling[i])
+            At += isBits ? 5 : 3;
+            var operand = Operand();
+            value = operand.Kind switch
             {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
-    private bool Deeper()
-    {
-        if (_depth < MaxDepth)
-        {
-            _depth++;
+                NcValueKind.Unknown => NcValue.Unknown,
+                NcValueKind.Text => Fail("a text is neither true nor false"),
+                _ when !isBits => NcValue.Of(operand.Number == 0),
+                _ =>
+                    Math.Abs(operand.Number) < int.MaxValue
+                        ? NcValue.Of(~(int)Math.Round(operand.Number))
+                        : Fail("the number is too large for an operation on its bits"),
+            };
             return true;
         }
 
-        Fail($"brackets, signs or variables are nested more than {MaxDepth} deep");
-        return false;
-    }
-
-    private NcValue FailAt(int place, string why)
-    {
-        if (Error is null)
+        var isTrue = Text.StandsAlone("TRUE");
+        if (isTrue || Text.StandsAlone("FALSE"))
         {
-            (Error, ErrorAt) = (why, place);
+            At += isTrue ? 4 : 5;
+            value = NcValue.Of(isTrue);
+            return true;
         }
 
-        return NcValue.Unknown;
+        return false;
     }
 }

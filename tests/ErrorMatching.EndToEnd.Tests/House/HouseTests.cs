@@ -46,7 +46,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Hmi.SystemViewModel"] = 663,
         ["ErrorMatching.Freeform.PathPlanning"] = 646,
         ["ErrorMatching.Hmi.ProgramText"] = 631,
-        ["ErrorMatching.Nc.ExpressionReader"] = 627,
         ["ErrorMatching.Cell.JobEdits"] = 618,
         ["ErrorMatching.Nc.WordEditor"] = 498,
         ["ErrorMatching.Hmi.PathPlot"] = 464,
