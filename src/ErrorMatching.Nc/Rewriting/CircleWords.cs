@@ -2,13 +2,20 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <content>The words of arcs: centers on the grid of increments, and radii as long as they can describe the arc.</content>
-internal sealed partial class WordEditor
+/// <summary>The words of arcs: centers on the grid of increments, and radii as long as they can describe the arc.</summary>
+/// <param name="change">New joints and centers.</param>
+/// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
+/// <param name="grid">The numbers that words can express.</param>
+/// <param name="edit">The opened block.</param>
+internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGrid grid, BlockEdit edit)
 {
-    private void SetCircle(int index, in NcMotion motion)
+    private readonly NcPath _path = change.Path;
+
+    /// <summary>Sets the words of an arc.</summary>
+    public void Set(int index, in NcMotion motion)
     {
-        var (start, end) = (Rounded(motion.Start, index, motion.Plane), Rounded(motion.End, index + 1, motion.Plane));
-        var exact = _change.CenterOf(index, motion);
+        var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
+        var exact = change.CenterOf(index, motion);
         if (IsShift(index, motion, exact - motion.Center))
         {
             ShiftCenter(index, motion);
@@ -16,11 +23,11 @@ internal sealed partial class WordEditor
         }
 
         var wanted = Arc2.Between(
-            motion.PlaneStart + _change.PlaneMoveOf(index, motion.Plane),
-            motion.PlaneEnd + _change.PlaneMoveOf(index + 1, motion.Plane),
+            motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane),
+            motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane),
             exact,
             motion.Kind == MotionKind.ArcCounterClockwise);
-        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < _increment)
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < grid.Increment)
         {
             // The control cannot resolve so small a wish.
             return;
@@ -34,8 +41,8 @@ internal sealed partial class WordEditor
 
         var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start, first, second);
-        var was = new Vector2((_edit.Number(first)?.Value ?? 0) * Unit, (_edit.Number(second)?.Value ?? 0) * Unit);
-        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, _increment);
+        var was = new Vector2((edit.Number(first)?.Value ?? 0) * grid.Unit, (edit.Number(second)?.Value ?? 0) * grid.Unit);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, grid.Increment);
         SetCenterWord(first, i);
         SetCenterWord(second, j);
     }
@@ -48,7 +55,7 @@ internal sealed partial class WordEditor
     }
 
     private bool IsAbsolute(in NcMotion motion, byte letter) =>
-        _edit.Distance(letter) switch
+        edit.Distance(letter) switch
         {
             WordDistance.Absolute => true,
             WordDistance.Incremental => false,
@@ -57,8 +64,8 @@ internal sealed partial class WordEditor
 
     // An arc that moves as a whole keeps its words, even if its radii already disagreed; absolute center words move along.
     private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
-        (_change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
-            && (_change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+        (change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
+            && (change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
 
     private void ShiftCenter(int index, in NcMotion motion)
     {
@@ -70,18 +77,18 @@ internal sealed partial class WordEditor
         var (first, second) = CenterLetters(motion.Plane);
         foreach (var letter in (ReadOnlySpan<byte>)[first, second])
         {
-            if (IsAbsolute(motion, letter) && Steps(index, (byte)(letter - 'I' + 'X')) is not 0 and var steps)
+            if (IsAbsolute(motion, letter) && grid.Steps(index, (byte)(letter - 'I' + 'X')) is not 0 and var steps)
             {
-                _edit.Set(letter, (_edit.Number(letter) ?? new NcNumber(0, 0)) + new NcNumber(steps, _decimals));
+                edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + grid.Number(steps));
             }
         }
     }
 
     private void SetCenterWord(byte letter, long? steps)
     {
-        if (steps is { } value && (value != 0 || _edit.Number(letter) is not null))
+        if (steps is { } value && (value != 0 || edit.Number(letter) is not null))
         {
-            _edit.Set(letter, new(value, _decimals));
+            edit.Set(letter, grid.Number(value));
         }
     }
 
@@ -89,41 +96,42 @@ internal sealed partial class WordEditor
     // more accurate.
     private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
     {
-        var letter = _edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
-        var old = _edit.Number(letter)!.Value;
+        var letter = edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
+        var old = edit.Number(letter)!.Value;
         var sign = old.Digits < 0 ? -1 : 1;
-        var oldRadius = Math.Abs(old.Value) * Unit;
-        if (_keepRadii
+        var oldRadius = Math.Abs(old.Value) * grid.Unit;
+        if (keepRadii
             && Sweep(start, end, sign * oldRadius, motion) is { } kept
             && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
         {
             return;
         }
 
-        if (Math.Abs(wanted.Radius - oldRadius) < _increment / 2 && HeightError(start, end, sign * oldRadius, wanted, motion) < _increment)
+        if (Math.Abs(wanted.Radius - oldRadius) < grid.Increment / 2
+            && HeightError(start, end, sign * oldRadius, wanted, motion) < grid.Increment)
         {
             return;
         }
 
         // For moved end points the radius is rounded up, so that it surely reaches; for elements it is rounded to nearest.
-        var exactSteps = wanted.Radius / _increment;
-        var steps = NcNumber.Round(_keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
+        var exactSteps = wanted.Radius / grid.Increment;
+        var steps = NcNumber.Round(keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
         sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
-        while (2 * steps * _increment < start.DistanceTo(end))
+        while (2 * steps * grid.Increment < start.DistanceTo(end))
         {
             steps++;
         }
 
-        if (_keepRadii || HeightError(start, end, sign * steps * _increment, wanted, motion) < _increment)
+        if (keepRadii || HeightError(start, end, sign * steps * grid.Increment, wanted, motion) < grid.Increment)
         {
-            _edit.Set(letter, new(sign * steps, _decimals));
+            edit.Set(letter, grid.Number(sign * steps));
             return;
         }
 
         var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start, first, second);
-        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, _increment);
-        _edit.Replace(letter, (first, new(i!.Value, _decimals)), (second, new(j!.Value, _decimals)));
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, grid.Increment);
+        edit.Replace(letter, (first, grid.Number(i!.Value)), (second, grid.Number(j!.Value)));
     }
 
     private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)

@@ -3,24 +3,27 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
-/// <content>
-/// Blocks that run several times (loops, subprograms): every run must need the same new words, since the block can change only once.
-/// </content>
-internal sealed partial class WordEditor
+/// <summary>Edits blocks that run several times (loops, subprograms): every run must need the same new words, since the block can change
+/// only once.</summary>
+internal sealed class RepeatedBlocks(NcPath path, MotionWords words)
 {
-    private Refusal? EditRepeated(List<int> affected)
+    /// <summary>Edits the blocks of motions.</summary>
+    /// <param name="affected">The motions.</param>
+    /// <param name="patches">Receives the patches of all blocks.</param>
+    /// <returns>The reason why a block cannot change, or null.</returns>
+    public Refusal? Edit(List<int> affected, BlockPatches patches)
     {
         var edits = new Dictionary<int, (int Place, NcPatch[] Patches)>();
         var blocks = new List<int>();
         foreach (var motion in affected)
         {
-            var block = _path.Motions.BlockOf(motion);
+            var block = path.Motions.BlockOf(motion);
             if (!edits.ContainsKey(block))
             {
                 blocks.Add(block);
             }
 
-            var runs = _path.MotionsOf(block).ToArray();
+            var runs = path.MotionsOf(block).ToArray();
             for (var run = 0; run < runs.Length; run++)
             {
                 if (edits.TryGetValue(block, out var known) && known.Place >= run)
@@ -28,33 +31,29 @@ internal sealed partial class WordEditor
                     continue;
                 }
 
-                if (Edit(runs[run]) is { } refusal)
+                if (words.Edit(runs[run]) is { } refusal)
                 {
                     return refusal;
                 }
 
-                var patches = _edit.Patches.ToArray();
-                if (run > 0 && !Same(edits[block].Patches, patches))
+                var edited = words.Patches.ToArray();
+                if (run > 0 && !Same(edits[block].Patches, edited))
                 {
                     return BlockRefusal.At(
-                        _path.Program, block, NcRefusalCodes.RunsDiffer,
+                        path.Program, block, NcRefusalCodes.RunsDiffer,
                         string.Create(
                             CultureInfo.InvariantCulture,
                             $"it runs {runs.Length} times, and would have to change differently at its run {run + 1} than at its first. "
                                 + $"Displace all runs alike, or post the passes one after the other."));
                 }
 
-                edits[block] = (run, patches);
+                edits[block] = (run, edited);
             }
         }
 
         foreach (var block in blocks.Order())
         {
-            if (edits[block].Patches is { Length: > 0 } patches)
-            {
-                _patches.AddRange(patches);
-                _changedBlocks.Add(block);
-            }
+            patches.Add(block, edits[block].Patches);
         }
 
         return null;
