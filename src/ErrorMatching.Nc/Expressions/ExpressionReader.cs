@@ -147,7 +147,7 @@ internal ref struct ExpressionReader
         SkipSpaces();
         foreach (var candidate in _syntax.Operators)
         {
-            if (Text.StandsHere(candidate.Spelling) && !(IsSiemens && candidate.IsWord && ExpressionText.IsNamePart(Text.Peek(candidate.Spelling.Length))))
+            if (IsSiemens && candidate.IsWord ? Text.StandsAlone(candidate.Spelling) : Text.StandsHere(candidate.Spelling))
             {
                 length = candidate.Spelling.Length;
                 return candidate;
