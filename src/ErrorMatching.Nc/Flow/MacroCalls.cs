@@ -219,4 +219,10 @@ internal sealed class MacroCalls(
 
         return arguments;
     }
+
+    /// <summary>A macro that is called after every motion (Fanuc G66).</summary>
+    /// <param name="Unit">The macro.</param>
+    /// <param name="Passes">Number of passes per call.</param>
+    /// <param name="Arguments">Values of its local variables in each call.</param>
+    private sealed record ModalCall(FlowUnit Unit, long Passes, IReadOnlyList<(VariablePlace Place, NcValue Value)> Arguments);
 }

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
@@ -6,7 +7,7 @@ namespace ErrorMatching.Nc;
 internal sealed class MotionArcs
 {
     private readonly RankedBits _areArcs = new();
-    private readonly Chunks<StoredArc> _arcs;
+    private readonly Chunks<Arc> _arcs;
 
     /// <summary>Creates an empty list.</summary>
     /// <param name="like">A list whose memory is shared for equal arcs.</param>
@@ -14,13 +15,13 @@ internal sealed class MotionArcs
     public MotionArcs(MotionArcs? like, bool inPlace) => _arcs = new(like?._arcs, inPlace);
 
     /// <summary>The values of a motion that is an arc.</summary>
-    public StoredArc this[int motion] => _arcs[_areArcs.CountTo(motion) - 1];
+    public Arc this[int motion] => _arcs[_areArcs.CountTo(motion) - 1];
 
     /// <summary>True if no motion is an arc.</summary>
     public bool AreNone => _arcs.Count == 0;
 
     /// <summary>Appends a motion that is an arc.</summary>
-    public void Add(in StoredArc arc)
+    public void Add(in Arc arc)
     {
         _areArcs.Add(true);
         _arcs.Add(arc);
@@ -48,4 +49,7 @@ internal sealed class MotionArcs
         _areArcs.AddFrom(like._areArcs, first, behind);
         _arcs.TakeOver(like.CountTo(behind - 1));
     }
+
+    /// <summary>Values that only arcs have.</summary>
+    public readonly record struct Arc(Point2 Center, int Turns);
 }

@@ -6,13 +6,13 @@ namespace ErrorMatching.Nc;
 internal sealed class MotionSettings
 {
     private readonly RankedBits _areNew = new();
-    private MotionSetting[] _settings = new MotionSetting[16];
+    private Setting[] _settings = new Setting[16];
     private int _count;
     private double _lastFeed;
     private int _lastFrame;
 
     /// <summary>The setting of a motion.</summary>
-    public MotionSetting this[int motion] => _settings[_areNew.CountTo(motion) - 1];
+    public Setting this[int motion] => _settings[_areNew.CountTo(motion) - 1];
 
     /// <summary>True if no motion is in another frame than the first one.</summary>
     public bool HaveOneFrame => _lastFrame == 0;
@@ -74,7 +74,7 @@ internal sealed class MotionSettings
         (_lastFeed, _lastFrame) = this[behind - 1];
     }
 
-    private void Append(MotionSetting setting)
+    private void Append(Setting setting)
     {
         if (_count == _settings.Length)
         {
@@ -82,5 +82,15 @@ internal sealed class MotionSettings
         }
 
         _settings[_count++] = setting;
+    }
+
+    /// <summary>Settings that stay the same over many motions.</summary>
+    /// <param name="Feed">The last programmed feed, mm/min.</param>
+    /// <param name="Frame">Number of changes of offsets and origins so far.</param>
+    public readonly record struct Setting(double Feed, int Frame)
+    {
+        /// <summary>True if both are bitwise equal.</summary>
+        public bool SameAs(in Setting other) =>
+            Frame == other.Frame && BitConverter.DoubleToInt64Bits(Feed) == BitConverter.DoubleToInt64Bits(other.Feed);
     }
 }
