@@ -89,11 +89,12 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         cancellation.ThrowIfCancellationRequested();
         var name = ShownName.Of(file.Name);
         var found = file.Length > gauge.MostBytes
-            ? Recognition.Refused(
+            ? RecognitionResult.Refused(
                 FileSource.TooLarge,
                 FormattableString.Invariant($"It has {file.Length} bytes; \"{gauge.Name}\" takes at most {gauge.MostBytes}."))
             : FileReading.Whole(file) is { } bytes ? _recognizer.Recognize(gauge.Name, name, bytes)
-            : Recognition.Refused(CellCodes.FileLeft, "It changes, or cannot be opened: it would be taken as soon as it can be read.");
+            : RecognitionResult.Refused(
+                CellCodes.FileLeft, "It changes, or cannot be opened: it would be taken as soon as it can be read.");
         return new(name, file.Length, found);
     }
 }

@@ -2,12 +2,12 @@ namespace ErrorMatching.Cell;
 
 /// <summary>A measurement that is resubmitted for recalculation. It is of the same piece as before: it is compared with the same part and
 /// was cut by the same program, whatever has been measured since.</summary>
-internal sealed class GivenAgain
+internal sealed class Resubmitted
 {
     private readonly CellStore _store;
     private readonly Correction _first;
 
-    private GivenAgain(CellStore store, Correction first) => (_store, _first) = (store, first);
+    private Resubmitted(CellStore store, Correction first) => (_store, _first) = (store, first);
 
     /// <summary>The program that cut it, if corrections accumulate; null if that was not determined before.</summary>
     public CutProgram? Cut => _first.SumsSha256 is null ? null : new(CutProgram.Before(_store, _first), null);
@@ -19,7 +19,7 @@ internal sealed class GivenAgain
     /// <param name="store">The store.</param>
     /// <param name="known">Its correction, with job and piece.</param>
     /// <returns>Null if it arrived from its gauge, or is now recognized as another piece.</returns>
-    public static GivenAgain? Of(CellStore store, Correction known) =>
+    public static Resubmitted? Of(CellStore store, Correction known) =>
         known.MeasuredAs is { } id && store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece
             ? new(store, first)
             : null;

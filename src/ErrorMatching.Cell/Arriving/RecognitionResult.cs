@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>Which job and piece a file belongs to, or why that cannot be decided.</summary>
-public sealed record Recognition
+public sealed record RecognitionResult
 {
     /// <summary>Code of a file that no job takes.</summary>
     public const string UnknownPiece = "unknown-piece";
@@ -34,5 +34,5 @@ public sealed record Recognition
     /// <summary>The reason in a setter's terms; null if the file is recognized.</summary>
     public string? Reason { get; init; }
 
-    internal static Recognition Refused(string code, string reason) => new() { Code = code, Reason = reason };
+    internal static RecognitionResult Refused(string code, string reason) => new() { Code = code, Reason = reason };
 }

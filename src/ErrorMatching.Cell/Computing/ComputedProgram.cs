@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>A program that may be proposed, with the data that people need for a decision. The same inputs give the same bytes.</summary>
-public sealed record Computed : Computation
+public sealed record ComputedProgram : Computation
 {
     /// <summary>The inputs that it is based on.</summary>
     public required CorrectionBasis Basis { get; init; }
