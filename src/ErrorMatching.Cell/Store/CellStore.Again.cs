@@ -55,7 +55,7 @@ public sealed partial class CellStore
                 Version = correction.Version + 1,
                 ChangedAt = transaction.Now,
                 Identity = null,
-                Code = CellCodes.ComputedAnew,
+                Code = CorrectionCodes.ComputedAnew,
                 Reason = basis,
             });
             DemandKept(transaction, correction, ended);

@@ -74,6 +74,6 @@ public sealed partial class CellStore
             throw new StoreException(StoreError.Tampered, message);
         }
 
-        transaction.Audit(CellFlow.ByCell, AuditLedger.Tampered, Recorded.Correction.With(from.Id), message);
+        transaction.Audit(AuditEntry.ByCell, AuditLedger.Tampered, Recorded.Correction.With(from.Id), message);
     }
 }

@@ -38,7 +38,7 @@ public sealed partial class CellStore : IDisposable
         {
             if (inspect) opened.Inspect();
             Migrations.Apply(opened, clock, auditKey);
-            if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
+            if (auditKey is not null) RowCoding.Give(opened, clock, auditKey);
         });
         return Opened(database, clock, auditKey);
     }
@@ -60,7 +60,7 @@ public sealed partial class CellStore : IDisposable
                 Migrations.Apply(opened, clock, auditKey);
                 try
                 {
-                    if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
+                    if (auditKey is not null) RowCoding.Give(opened, clock, auditKey);
                 }
                 catch (StoreException e) when (e.Error == StoreError.ReadOnly)
                 {
@@ -382,7 +382,7 @@ public sealed partial class CellStore : IDisposable
 
     // Without a basis, the cell itself took it from its gauge.
     private static Correction Arrive(
-        StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
+        StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, string? basis = null)
     {
         var arrived = CorrectionRow.Kept(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new

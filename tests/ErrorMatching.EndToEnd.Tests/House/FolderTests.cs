@@ -22,6 +22,11 @@ public sealed partial class FolderTests
             "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
             "Evaluating", "Compensating", "Displacing", "Reporting",
         ],
+        ["Cell"] =
+        [
+            "Disk", "Rights", "States", "Reading", "Transport", "Configuration", "Machines", "Trail", "Database", "Replay", "Store",
+            "Arriving", "Computing", "Keys", "Evidence", "People", "Running", "Checking", "Editing",
+        ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
         ["Hmi.Cairo"] = ["Native", "Text", "Drawing", "Windows", "OffScreen", "X11", ""],
     };

@@ -122,7 +122,7 @@ internal sealed class AuditReplay
     // slot is given back.
     private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
     {
-        if (entry.Who == CellFlow.ByCell)
+        if (entry.Who == AuditEntry.ByCell)
         {
             var isPolicy = Recorded.Policy.Read(entry.Basis) is not null || Recorded.PolicyWithin.Read(entry.Basis) is not null;
             return from == CorrectionState.Uploading || (from == CorrectionState.Proposed && isPolicy) ? null : Recorded.NotByPolicy.With();
@@ -135,7 +135,7 @@ internal sealed class AuditReplay
     {
         null => Recorded.WasNobody.With(),
         { IsDisabled: true } => Recorded.WasDisabled.With(),
-        var person when !person.May(act) => Recorded.WasOfRole.With(UserBook.Word(person.Role), UserBook.Word(Rights.LeastFor(act))),
+        var person when !person.May(act) => Recorded.WasOfRole.With(Rights.Word(person.Role), Rights.Word(Rights.LeastFor(act))),
         _ => null,
     };
 
@@ -163,7 +163,7 @@ internal sealed class AuditReplay
             return;
         }
 
-        var role = (Recorded.AsRole.Read(entry.Basis) ?? Recorded.ToRole.Read(entry.Basis)) is [var word] ? Person.RoleOf(word) : null;
+        var role = (Recorded.AsRole.Read(entry.Basis) ?? Recorded.ToRole.Read(entry.Basis)) is [var word] ? Rights.RoleOf(word) : null;
         var before = _people.GetValueOrDefault(key);
         var after = entry.What switch
         {

@@ -5,7 +5,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Adds codes to rows without one, which come from a store with an earlier schema. A row gets a code only if the trail is intact
 /// and the row agrees with it; a row whose code the trail already names does not get another one. Data that entries of the earlier schema
 /// do not cover (a password hash, a slot's previous program) are accepted as they are.</summary>
-internal static class RowCodes
+internal static class RowCoding
 {
     private const int Most = 1000;
     private const string Uncoded =
@@ -49,7 +49,7 @@ internal static class RowCodes
 
         void Name()
         {
-            if (given > 0) t.Audit(CellFlow.ByCell, "rows-coded", null, Recorded.RowsCoded.With(given));
+            if (given > 0) t.Audit(AuditEntry.ByCell, "rows-coded", null, Recorded.RowsCoded.With(given));
             given = 0;
         }
     }

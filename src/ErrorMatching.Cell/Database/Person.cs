@@ -52,23 +52,14 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     /// <summary>The row's name among coded rows.</summary>
     public static string NameOf(string key) => RowPrefix + key;
 
-    /// <summary>The role for a word of the audit trail or the store; null if the word is not a role.</summary>
-    public static Role? RoleOf(string word) =>
-        Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
-        .FirstOrDefault();
-
     /// <summary>The correct row of a user whose row was changed outside the cell: as the audit trail says, and with a hash that no password
     /// matches.</summary>
-    public Person Mended(RecordedPerson recorded, string nobodys) =>
-        this with
-        {
-            Name = recorded.Name,
-            Role = recorded.Role,
-            RoleWord = recorded.Role.ToString(),
-            IsDisabled = recorded.IsDisabled,
-            Password = nobodys,
-            IsAsLeft = true,
-        };
+    /// <param name="name">The recorded name.</param>
+    /// <param name="role">The recorded role.</param>
+    /// <param name="isDisabled">True if the user is recorded as disabled.</param>
+    /// <param name="nobodys">The hash.</param>
+    public Person Mended(string name, Role role, bool isDisabled, string nobodys) =>
+        As(role) with { Name = name, IsDisabled = isDisabled, Password = nobodys, IsAsLeft = true };
 
     /// <summary>The user with another role.</summary>
     public Person As(Role role) => this with { Role = role, RoleWord = role.ToString() };

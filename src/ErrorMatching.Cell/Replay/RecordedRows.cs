@@ -90,7 +90,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
         if (person.Role != recorded.Role)
         {
             return Differs(recorded.Seq, Recorded.RoleDiffers.With(person.Name, person.RoleWord, recorded.Seq,
-                UserBook.Word(recorded.Role)));
+                Rights.Word(recorded.Role)));
         }
 
         return person.IsDisabled != recorded.IsDisabled

@@ -17,6 +17,9 @@ namespace ErrorMatching.Cell;
 public sealed record AuditEntry(
     long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
 {
+    /// <summary>The user name for what the cell does by its policy.</summary>
+    internal const string ByCell = "cell";
+
     /// <summary>The previous hash of the first entry.</summary>
     public const string NoHash = "0000000000000000000000000000000000000000000000000000000000000000";
 

@@ -17,6 +17,14 @@ public static class Rights
         [Act.ManagePolicy] = (Role.Administrator, true),
     };
 
+    /// <summary>The role's name in the audit trail and in messages.</summary>
+    internal static string Word(Role role) => role.ToString().ToLowerInvariant();
+
+    /// <summary>The role for a word of the audit trail or the store; null if the word is not a role.</summary>
+    internal static Role? RoleOf(string word) =>
+        Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
+        .FirstOrDefault();
+
     /// <summary>The lowest role with this right. Every higher one has it too.</summary>
     public static Role LeastFor(Act act) => Table[act].Least;
 

@@ -69,7 +69,7 @@ internal sealed class StoreTransaction
     {
         if (_head == _before && _head.Seq > 0 && _head.At - Now > ClockTolerance)
         {
-            Append("cell", "clock", null, string.Create(
+            Append(AuditEntry.ByCell, "clock", null, string.Create(
                 CultureInfo.InvariantCulture,
                 $"The clock says {Now:yyyy-MM-dd HH:mm:ss.ffffff} UTC and said {_head.At:yyyy-MM-dd HH:mm:ss.ffffff} before; entries are "
                     + $"in order of their numbers."));

@@ -70,7 +70,7 @@ internal static partial class Migrations
         if (number == 0)
         {
             var first = StoreTransaction.Begin(connection, transaction, "", clock, auditKey);
-            first.Audit("cell", "created", null, Recorded.StoreMade.With());
+            first.Audit(AuditEntry.ByCell, "created", null, Recorded.StoreMade.With());
             first.Finish();
         }
 
