@@ -65,6 +65,17 @@ internal static class SlotRow
     public static StoreException Tampered(KeptRow<SlotHolding> row) =>
         new(StoreError.Tampered, Recorded.SlotTampered.With(row.Value.Slot, row.Value.Machine));
 
+    /// <summary>Frees a slot of the correction that has it; otherwise the slot stays as it is.</summary>
+    /// <returns>True if it was freed.</returns>
+    public static bool Free(StoreTransaction transaction, string machine, string slot, long correction, string by, string basis)
+    {
+        Demand(transaction, machine, slot);
+        if (transaction.Execute(GiveBack, new { Machine = machine, Slot = slot, Id = correction }) != 1) return false;
+        Code(transaction, machine, slot);
+        transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        return true;
+    }
+
     public static SlotHolding Read(DbDataReader row) =>
         new(row.GetString(0), row.GetString(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
 

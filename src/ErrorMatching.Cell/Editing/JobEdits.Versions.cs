@@ -172,7 +172,7 @@ public sealed partial class JobEdits
         {
             foreach (var (_, bytes) in before.Concat(after))
             {
-                CellStore.Keep(t, HashOf(bytes), bytes);
+                StoredContent.Keep(t, HashOf(bytes), bytes);
             }
 
             if (!isKnown)

@@ -20,7 +20,7 @@ public static class AuditKey
         ArgumentNullException.ThrowIfNull(settings);
 
         // Another process may be creating both at this moment: the key comes first.
-        return Find(settings.KeysFolder) ?? (!CellStore.IsSealed(settings.Store) ? Open(settings.KeysFolder) : Find(settings.KeysFolder))
+        return Find(settings.KeysFolder) ?? (!StoreOpening.IsSealed(settings.Store) ? Open(settings.KeysFolder) : Find(settings.KeysFolder))
             ?? throw new PeopleException(PeopleError.KeysMissing, Missing(settings.KeysFolder));
     }
 

@@ -9,6 +9,9 @@ public static class CellCodes
     /// <summary>A newer measurement of the same piece replaced it.</summary>
     public const string Superseded = "superseded";
 
+    /// <summary>Its job was changed, and its measurement is recalculated.</summary>
+    public const string ComputedAnew = Resubmission.Code;
+
     /// <summary>Corrections must accumulate on a program whose sums are unknown.</summary>
     public const string SumsUnknown = "sums-unknown";
 

@@ -23,7 +23,4 @@ public static class CorrectionCodes
 
     /// <summary>Recorded: the part of a feedback job, which counterparts are compared with.</summary>
     public const string PartRecorded = "part-recorded";
-
-    /// <summary>Its job was changed, and its measurement is recalculated.</summary>
-    public const string ComputedAnew = "computed-anew";
 }

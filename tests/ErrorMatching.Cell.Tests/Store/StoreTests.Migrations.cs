@@ -85,12 +85,12 @@ public abstract partial class StoreTests
     {
         for (var number = 1; number <= form; number++)
         {
-            using var database = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, number));
+            using var database = StoreOpening.Connect(settings, opened => Migrations.Apply(opened, Clock, null, number));
             if (RowsOf.TryGetValue(number, out var rows))
                 database.Change((connection, transaction) => connection.Execute(rows, transaction: transaction));
         }
 
-        using var filled = CellStore.Connect(settings, opened => Migrations.Apply(opened, Clock, null, form));
+        using var filled = StoreOpening.Connect(settings, opened => Migrations.Apply(opened, Clock, null, form));
         return Tables(filled);
     }
 

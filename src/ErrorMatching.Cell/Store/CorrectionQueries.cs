@@ -1,15 +1,29 @@
+using System.Data.Common;
 using System.Globalization;
 using Dapper;
 
 namespace ErrorMatching.Cell;
 
-public sealed partial class CellStore
+/// <summary>Reads corrections: by number, by state, in line for a slot, and the latest of a job.</summary>
+/// <param name="database">The store's database.</param>
+internal sealed class CorrectionQueries(CellDatabase database)
 {
-    /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
-    /// correction that failed without a program has nothing to send and is excluded. A resubmitted measurement keeps its earlier place from
-    /// the moment it is resubmitted.</summary>
-    /// <param name="machine">The machine.</param>
-    /// <param name="slot">Its slot.</param>
+    /// <inheritdoc cref="CellStore.Find"/>
+    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
+
+    /// <inheritdoc cref="CellStore.InState"/>
+    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
+        ? []
+        : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
+
+    /// <inheritdoc cref="CellStore.StepsOf"/>
+    public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
+        Read(
+            "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
+            CorrectionRow.ReadStep,
+            new { id });
+
+    /// <inheritdoc cref="CellStore.Line"/>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
         CorrectionRow.Select
             + " WHERE machine = @machine AND slot = @slot AND ("
@@ -24,12 +38,7 @@ public sealed partial class CellStore
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
 
-    /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
-    /// store.</summary>
-    /// <param name="state">The state.</param>
-    /// <param name="most">Maximum number of corrections.</param>
-    /// <param name="gauges">The gauges; null for all.</param>
-    /// <param name="jobs">The cell's jobs; null for all.</param>
+    /// <inheritdoc cref="CellStore.First(CorrectionState, int, IReadOnlyList{string}?, IReadOnlyList{string}?)"/>
     public IReadOnlyList<Correction> First(
         CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
     {
@@ -38,10 +47,7 @@ public sealed partial class CellStore
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <summary>The latest corrections of some jobs that have a report, last arrival first. A series of pieces is displayed from
-    /// them.</summary>
-    /// <param name="jobs">The cell's jobs.</param>
-    /// <param name="most">Maximum number of corrections.</param>
+    /// <inheritdoc cref="CellStore.Reported"/>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
     {
         var parameters = new DynamicParameters(new { most });
@@ -49,16 +55,14 @@ public sealed partial class CellStore
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <summary>The number of corrections in each state; states without any are omitted.</summary>
+    /// <inheritdoc cref="CellStore.Counts"/>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
         Read(
             "SELECT state, count(*) FROM correction GROUP BY state",
             r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1)))
             .ToDictionary(c => c.State, c => c.Count);
 
-    /// <summary>The correction of a job whose program was last verified at its machine and not reverted; null if there is none.</summary>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="serial">The serial number of the piece; null for any.</param>
+    /// <inheritdoc cref="CellStore.LastSent"/>
     public Correction? LastSent(string job, string? serial)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
@@ -72,12 +76,7 @@ public sealed partial class CellStore
         return found is [var last] ? last : null;
     }
 
-    /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
-    /// <remarks>If a serial number or a work order is given, the part matches at least one and contradicts neither. A value that the part
-    /// lacks may be anything.</remarks>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="serial">Serial number of the piece; null if unknown.</param>
-    /// <param name="workOrder">The work order; null if unknown.</param>
+    /// <inheritdoc cref="CellStore.LastPart"/>
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
         var known = string.Join(
@@ -96,18 +95,16 @@ public sealed partial class CellStore
         return found is [var last] ? last : null;
     }
 
-    /// <summary>The corrections with a given measurement content, in order of arrival.</summary>
+    /// <inheritdoc cref="CellStore.OfMeasurement"/>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
         Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
 
-    /// <summary>A job's corrections with a given compensated program, in order of arrival.</summary>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="sha256">The program.</param>
+    /// <inheritdoc cref="CellStore.OfProgram"/>
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
         Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
 
-    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
-    internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
+    /// <inheritdoc cref="CellStore.Waiting"/>
+    public IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
         + CorrectionRow.IsIn(
             "state",
@@ -143,4 +140,9 @@ public sealed partial class CellStore
 
         return marks.Length == 0 ? " AND 1 = 0" : $" AND {column} IN ({string.Join(", ", marks)})";
     }
+    private IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+        database.Read(connection => Rows.Query(connection, sql, row, parameters));
+
+    private Correction? First(string sql, Func<DbDataReader, Correction> row, object? parameters) =>
+        database.Read(connection => Rows.First(connection, sql, row, parameters));
 }
