@@ -9,13 +9,12 @@ using Microsoft.Data.Sqlite;
 namespace ErrorMatching.Cell;
 
 /// <summary>A store in its own SQLite file, with a write-ahead log; every change is on disk before it is reported.</summary>
-internal sealed partial class SqliteDatabase : CellDatabase
+internal sealed class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
-    private const int NoRoomForIndex = 4874;
-    private const int NoSuchContent = 787;
     private const long WholeCheckBytes = 256 << 20;
     private readonly string _file;
+    private readonly SqliteFileWatch _watch;
     private readonly Lock _writing = new();
     private readonly ConcurrentBag<SqliteConnection> _readers = [];
     private SqliteConnection? _writer;
@@ -25,7 +24,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
 
     static SqliteDatabase() => SQLitePCL.Batteries_V2.Init();
 
-    private SqliteDatabase(string file) => _file = file;
+    private SqliteDatabase(string file) => (_file, _watch) = (file, new(file, () => Seen));
 
     public override string Place => $"The store {_file}";
 
@@ -67,7 +66,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
     {
         var check = new FileInfo(_file).Length <= WholeCheckBytes ? "integrity_check" : "quick_check";
         var found = connection.QueryFirst<string>($"PRAGMA {check}(1)");
-        return found == "ok" ? true : throw Damaged(found, null);
+        return found == "ok" ? true : throw SqliteFailure.Damaged(_file, found, null);
     });
 
     public override bool HasTable(DbConnection connection, string name) =>
@@ -88,40 +87,18 @@ internal sealed partial class SqliteDatabase : CellDatabase
     {
         if (Path.GetFullPath(file) == Path.GetFullPath(_file))
             throw new StoreException(StoreError.Denied, $"{file} is the store itself: name another file for its backup.");
-        var folder = Path.GetDirectoryName(Path.GetFullPath(file));
-        if (!Directory.Exists(folder))
-            throw new StoreException(StoreError.Missing, $"The backup {file} was not written: the folder {folder} is not there.");
-        var temporary = $"{file}.{Environment.ProcessId.ToString(CultureInfo.InvariantCulture)}.tmp";
-        try
+        SqliteBackup.Write(file, temporary => Read(connection =>
         {
-            MakeForOwner(temporary);
-            Read(connection =>
-            {
-                using var copy = new SqliteConnection(ConnectionString(temporary));
-                copy.Open();
-                SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
+            using var copy = new SqliteConnection(ConnectionString(temporary));
+            copy.Open();
+            SqliteCopy.Copy((SqliteConnection)connection, copy, progress, cancellation);
 
-                // A single file without a separate log.
-                copy.Execute("PRAGMA journal_mode = DELETE");
-                progress?.Report(new("looking at each page of the copy", 0, 0));
-                var found = SqliteCopy.Check(copy, cancellation);
-                return found == "ok" ? true : throw Damaged(found, null);
-            });
-            using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
-            File.Move(temporary, file, overwrite: true);
-        }
-        catch (StoreException failure) when (failure.Error is not StoreError.Damaged)
-        {
-            throw new StoreException(failure.Error, $"The backup {file} was not written: {failure.InnerException!.Message}", failure);
-        }
-        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
-        {
-            throw new StoreException(StoreError.Disk, $"The backup {file} was not written: {failure.Message}", failure);
-        }
-        finally
-        {
-            foreach (var end in (ReadOnlySpan<string>)["", "-journal", "-wal", "-shm"]) File.Delete(temporary + end);
-        }
+            // A single file without a separate log.
+            copy.Execute("PRAGMA journal_mode = DELETE");
+            progress?.Report(new("looking at each page of the copy", 0, 0));
+            var found = SqliteCopy.Check(copy, cancellation);
+            return found == "ok" ? true : throw SqliteFailure.Damaged(_file, found, null);
+        }));
     }
 
     public override void Dispose()
@@ -146,7 +123,9 @@ internal sealed partial class SqliteDatabase : CellDatabase
     }
 
     protected override StoreException Name(DbException failure) =>
-        failure is SqliteException sqlite ? Named(sqlite) : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
+        failure is SqliteException sqlite
+            ? SqliteFailure.Of(_file, sqlite)
+            : new StoreException(StoreError.Unknown, $"{Place}: {failure.Message}", failure);
 
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
@@ -154,7 +133,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
         {
             ObjectDisposedException.ThrowIf(_disposed, this);
             if (_readOnly is not null) throw new StoreException(StoreError.ReadOnly, _readOnly.Message, _readOnly);
-            DemandFile();
+            _watch.Demand(_writing, Close);
             var writer = _writer ??= Connect();
             try
             {
@@ -163,7 +142,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
                 transaction.Commit();
 
                 // A change written to a file that has lost its name meanwhile is lost: the caller must not treat it as stored.
-                if (FileIdentity.Of(_file) != _identity)
+                if (!_watch.IsInPlace)
                 {
                     throw new StoreException(
                         StoreError.Away, $"The store {_file} was taken away while a change was kept. Look again whether it was.");
@@ -184,7 +163,7 @@ internal sealed partial class SqliteDatabase : CellDatabase
     protected override T OnReader<T>(Func<DbConnection, T> read)
     {
         ObjectDisposedException.ThrowIf(_disposed, this);
-        DemandFile();
+        _watch.Demand(_writing, Close);
         var losses = Volatile.Read(ref _losses);
         if (!_readers.TryTake(out var reader)) reader = Connect();
         try
@@ -219,11 +198,19 @@ internal sealed partial class SqliteDatabase : CellDatabase
         DefaultTimeout = (int)Patience.TotalSeconds,
     }.ConnectionString;
 
+    private void Close()
+    {
+        Interlocked.Increment(ref _losses);
+        while (_readers.TryTake(out var reader)) reader.Dispose();
+        _writer?.Dispose();
+        _writer = null;
+    }
+
     private SqliteConnection Connect() => _readOnly is not null ? ConnectToRead()
         : Prepared(new SqliteConnection(ConnectionString(_file)), connection =>
     {
         connection.Open();
-        if (FileIdentity.Of(_file) != _identity)
+        if (!_watch.IsInPlace)
         {
             throw new StoreException(StoreError.Away, $"The store {_file} was taken away while it was opened. Nothing was changed.");
         }
@@ -330,38 +317,4 @@ internal sealed partial class SqliteDatabase : CellDatabase
         if (id != ApplicationId)
             throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
     }
-
-    private StoreException Damaged(string found, Exception? cause) =>
-        new(StoreError.Damaged, $"The store {_file} is damaged: {found.Trim()} Restore the latest backup.", cause);
-
-    private StoreException Full(Exception cause) => new(
-        StoreError.Full,
-        $"The disk of the store {_file} is full. Nothing was changed. Make room, then repeat what failed; a running cell repeats it by "
-            + $"itself.",
-        cause);
-
-    private StoreException Named(SqliteException failure) => failure.SqliteErrorCode switch
-    {
-        5
-            or 6 => new(
-                StoreError.Locked,
-                $"The store {_file} is held by another process for longer than {Patience.TotalSeconds} s. Nothing was changed.",
-                failure),
-        10 when failure.SqliteExtendedErrorCode == NoRoomForIndex => Full(failure),
-        8 => new(StoreError.ReadOnly, $"The store {_file} cannot be written: its disk or file is read-only. Nothing was changed.", failure),
-        10 => new(
-            StoreError.Disk,
-            $"The disk of the store {_file} reports an error. Nothing was changed. Look at the system's log and copy the store to a good "
-                + $"disk.",
-            failure),
-        11 or 26 => Damaged(failure.Message, failure),
-        13 => Full(failure),
-        14 => new(
-            StoreError.Denied,
-            $"The store {_file} cannot be opened: {failure.Message} Look at who may write the file and its folder.",
-            failure),
-        19 when failure.SqliteExtendedErrorCode == NoSuchContent =>
-            new(StoreError.Missing, $"A content that is named is not in the store {_file}. Nothing was changed.", failure),
-        _ => new(StoreError.Unknown, $"The store {_file}: {failure.Message}", failure),
-    };
 }

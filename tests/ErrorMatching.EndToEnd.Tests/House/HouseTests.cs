@@ -53,7 +53,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Hmi.PathPlot"] = 464,
         ["ErrorMatching.Nc.FlowIndex"] = 455,
         ["ErrorMatching.Nc.NcMotions"] = 453,
-        ["ErrorMatching.Cell.SqliteDatabase"] = 433,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
         ["ErrorMatching.Hmi.CompensationViewModel"] = 405,
     };
