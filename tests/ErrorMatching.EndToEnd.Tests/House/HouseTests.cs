@@ -38,7 +38,6 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, int> LongerStill = new(StringComparer.Ordinal)
     {
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 969,
-        ["ErrorMatching.Cell.Tests.StoreTests"] = 809,
         ["ErrorMatching.Hmi.JobEditing"] = 766,
         ["ErrorMatching.Hmi.PlotArea"] = 736,
         ["ErrorMatching.Nc.ElementDisplacer"] = 696,

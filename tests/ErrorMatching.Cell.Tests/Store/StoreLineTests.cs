@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-public abstract partial class StoreTests
+/// <summary>Corrections in line, and the first and the latest of them.</summary>
+public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
 {
     [Fact]
     public void In_line_for_a_slot_stands_what_may_still_be_sent_in_order_of_arrival()

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-public abstract partial class StoreTests
+/// <summary>What slots hold, and who may send to them.</summary>
+public abstract class StoreSlotTests(StoreKind kind) : StoreTest(kind)
 {
     [Fact]
     public void A_slot_follows_its_correction_from_uploading_to_released()
@@ -159,23 +160,4 @@ public abstract partial class StoreTests
         Assert.NotNull(again);
         Assert.True(again.IsHeld, "Who runs the cell next does not have it.");
     }
-
-    private protected static Correction Approve(CellStore store, string key, string program)
-    {
-        var correction = Recognize(store, store.Archive(Arrival(key, key)).Correction, key);
-        correction = store.Step(
-            correction, CorrectionState.Computed, "cell", "computed", c => c with { ProgramSha256 = Hash(program) }, [Bytes(program)]);
-        correction = store.Step(correction, CorrectionState.Proposed, "cell", "within limits");
-        return store.Step(correction, CorrectionState.Approved, "anna", "looks right");
-    }
-
-    private protected static Correction Up(CellStore store, Correction correction) =>
-        store.Step(correction, CorrectionState.Uploading, "cell", "in line");
-
-    private protected static Correction Release(CellStore store, string key, string program) =>
-        store.Step(
-            store.Step(Up(store, Approve(store, key, program)), CorrectionState.Verified, "cell", "read back"),
-            CorrectionState.Released,
-            "anna",
-            "cut");
 }

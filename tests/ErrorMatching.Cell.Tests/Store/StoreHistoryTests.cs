@@ -1,9 +1,8 @@
 namespace ErrorMatching.Cell.Tests;
 
-public abstract partial class StoreTests
+/// <summary>The history, the audit trail, and what is stored of texts and times.</summary>
+public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
 {
-    private static readonly byte[] AuditKey = [.. Enumerable.Range(0, 32).Select(i => (byte)i)];
-
     [Fact]
     public void History_is_found_by_each_thing_that_is_known_of_a_correction()
     {
@@ -177,7 +176,7 @@ public abstract partial class StoreTests
         var store = Open();
         var correction = store.Archive(Arrival("one", "1")).Correction;
         Recognize(store, correction, "A-1");
-        RemoveTriggers(store);
+        store.Write(t => t.Execute(Kind.RemoveTriggersSql));
         store.Write(t => t.Execute("UPDATE audit SET who = 'eve' WHERE seq = 2"));
         Assert.Equal((AuditFaultKind.Changed, 2L), (store.VerifyAudit()!.Kind, store.VerifyAudit()!.Seq));
         store.Write(t => t.Execute("UPDATE audit SET who = 'cell' WHERE seq = 2"));
@@ -245,14 +244,4 @@ public abstract partial class StoreTests
         Assert.Equal(StoreError.Damaged, damaged.Error);
         Assert.Contains(correction.MeasurementSha256, damaged.Message, StringComparison.Ordinal);
     }
-
-    [Fact]
-    public void A_store_of_a_newer_program_is_left_alone()
-    {
-        using (var store = CellStore.Open(Settings, Clock)) store.Write(t => t.Execute(
-            "INSERT INTO migration (number, name, at) VALUES (9999, 'tomorrow', 0)"));
-        Assert.Equal(StoreError.TooNew, Assert.Throws<StoreException>(() => Open()).Error);
-    }
-
-    private protected abstract void RemoveTriggers(CellStore store);
 }

@@ -2,7 +2,8 @@ using Dapper;
 
 namespace ErrorMatching.Cell.Tests;
 
-public abstract partial class StoreTests
+/// <summary>Stores of earlier forms.</summary>
+public abstract class StoreMigrationTests(StoreKind kind) : StoreTest(kind)
 {
     /// <summary>Rows of the tables that a migration made, by its number: they must come through all that follow.</summary>
     private static readonly Dictionary<int, string> RowsOf = new()
@@ -27,8 +28,6 @@ public abstract partial class StoreTests
             """,
     };
 
-    private protected abstract string TablesSql { get; }
-
     [Fact]
     public void Migrations_are_numbered_from_one_without_a_gap() =>
         Assert.Equal(Enumerable.Range(1, Migrations.All.Count), Migrations.All.Select(m => m.Number));
@@ -38,7 +37,7 @@ public abstract partial class StoreTests
     {
         foreach (var form in Migrations.All.Select(m => m.Number))
         {
-            var settings = NewSettings();
+            var settings = Kind.NewSettings();
             var before = Filled(settings, form);
             Assert.Equal(form, before["migration"].Count);
             using (var store = CellStore.Open(settings, Clock))
@@ -66,9 +65,17 @@ public abstract partial class StoreTests
     }
 
     [Fact]
+    public void A_store_of_a_newer_program_is_left_alone()
+    {
+        using (var store = CellStore.Open(Settings, Clock)) store.Write(t => t.Execute(
+            "INSERT INTO migration (number, name, at) VALUES (9999, 'tomorrow', 0)"));
+        Assert.Equal(StoreError.TooNew, Assert.Throws<StoreException>(() => Open()).Error);
+    }
+
+    [Fact]
     public void People_of_an_earlier_form_sign_in_with_the_passwords_that_they_had()
     {
-        var settings = NewSettings();
+        var settings = Kind.NewSettings();
         Filled(settings, 2);
         using var store = CellStore.Open(settings, Clock);
         var users = new UserBook(store, Clock, new PasswordHashes(1000));
@@ -95,6 +102,6 @@ public abstract partial class StoreTests
     }
 
     private Dictionary<string, List<IDictionary<string, object>>> Tables(CellDatabase database) => database.Read(connection => connection
-        .Query<string>(TablesSql)
+        .Query<string>(Kind.TablesSql)
         .ToDictionary(t => t, t => connection.Query($"SELECT * FROM {t} ORDER BY 1, 2").Cast<IDictionary<string, object>>().ToList()));
 }
