@@ -100,3 +100,9 @@ internal static partial class Migrations
     [GeneratedRegex(@"\{(?<token>[a-z_]+)(:(?<argument>[a-z_]+))?\}", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Token();
 }
+
+/// <summary>A numbered step of the database schema.</summary>
+/// <param name="Number">Its number.</param>
+/// <param name="Name">Its subject.</param>
+/// <param name="Sql">Its statements, with tokens such as <c>{blob}</c> where the engines' syntax differs.</param>
+internal sealed record Migration(int Number, string Name, string Sql);

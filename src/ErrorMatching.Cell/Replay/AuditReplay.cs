@@ -200,3 +200,34 @@ internal sealed class AuditReplay
     private static long? Number(string digits) =>
         long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
 }
+
+/// <summary>What the audit trail says of a correction.</summary>
+/// <param name="file">SHA-256 of the file that it arrived with.</param>
+internal sealed class RecordedCorrection(string file)
+{
+    /// <summary>SHA-256 of the file that it arrived with.</summary>
+    public string File => file;
+
+    /// <summary>Its state.</summary>
+    public CorrectionState State { get; set; }
+
+    /// <summary>The computed program; null before that.</summary>
+    public string? Program { get; set; }
+
+    /// <summary>Number of the entry of its last step.</summary>
+    public long Seq { get; set; }
+
+    /// <summary>The first of its steps that was not allowed; null if there is none.</summary>
+    public AuditFault? Fault { get; set; }
+}
+
+/// <summary>What the audit trail says of a user.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Role">The user's role.</param>
+/// <param name="IsDisabled">True if the user may not sign in.</param>
+/// <param name="Seq">Number of the entry that says so.</param>
+internal sealed record RecordedPerson(string Name, Role Role, bool IsDisabled, long Seq)
+{
+    /// <summary>True if the user has the right.</summary>
+    public bool May(Act act) => !IsDisabled && Rights.Allows(Role, act);
+}

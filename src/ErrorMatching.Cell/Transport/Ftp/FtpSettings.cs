@@ -25,3 +25,16 @@ public sealed record FtpSettings(string Host, int Port, string User, string Fold
     internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) =>
         new FtpTransport(machine, this, secret, limit);
 }
+
+/// <summary>Whether an FTP connection is encrypted.</summary>
+public enum FtpTls
+{
+    /// <summary>Not encrypted: anyone on the network can read and change programs.</summary>
+    None,
+
+    /// <summary>Encrypted with <c>AUTH TLS</c> before the login, including data connections.</summary>
+    Explicit,
+
+    /// <summary>Encrypted from the first byte.</summary>
+    Implicit,
+}
