@@ -5,8 +5,8 @@ namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Folders of a project point one way, as ARCHITECTURE.md draws them.</summary>
 /// <remarks>
-/// A file is named after its one type, so a name that occurs in a file is an arrow to the folder of that file. Comments and texts do not
-/// count. A property that has a type's name counts where the two are in different folders.
+/// The name of a type that occurs in a file is an arrow to the folder that declares the type. Comments and texts do not count. A property
+/// that has a type's name counts where the two are in different folders.
 /// </remarks>
 public sealed partial class FolderTests
 {
@@ -40,15 +40,18 @@ public sealed partial class FolderTests
         var root = Repository.PathTo("src", "ErrorMatching." + project);
         var files = Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
             .Where(f => !f.Contains(Path.DirectorySeparatorChar + "obj" + Path.DirectorySeparatorChar, StringComparison.Ordinal))
-            .Select(f => (Path: f, Folder: FolderOf(root, f), Type: Path.GetFileName(f).Split('.')[0]))
+            .Select(f => (Path: f, Folder: FolderOf(root, f), Source: File.ReadAllText(f)))
             .ToArray();
         var order = Orders[project];
         Assert.Equal(order.Order(StringComparer.Ordinal), files.Select(f => f.Folder).Distinct().Order(StringComparer.Ordinal));
 
-        var rooms = files.Where(f => f.Type != "Program").GroupBy(f => f.Type).ToDictionary(g => g.Key, g => g.First().Folder);
+        var rooms = files.SelectMany(f => Declared().Matches(f.Source).Select(m => (Type: m.Groups["type"].Value, f.Folder)))
+            .GroupBy(d => d.Type)
+            .ToDictionary(g => g.Key, g => g.First().Folder);
+        Assert.True(rooms.Count >= files.Length / 2, $"Only {rooms.Count} types were found in {files.Length} files.");
         var wrong = from file in files
                     let rank = Array.IndexOf(order, file.Folder)
-                    from name in NamesIn(File.ReadAllText(file.Path))
+                    from name in NamesIn(file.Source)
                     where rooms.TryGetValue(name, out var room) && Array.IndexOf(order, room) > rank
                     select $"{Path.GetRelativePath(root, file.Path)} uses {name} in {rooms[name]}";
         Assert.Empty(wrong.Order(StringComparer.Ordinal));
@@ -62,6 +65,13 @@ public sealed partial class FolderTests
 
     [GeneratedRegex("\"\"\"[\\s\\S]*?\"\"\"|//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Quoted();
+
+    // Types inside of others are indented.
+    [GeneratedRegex(
+        @"^([a-z]+ )*(class|record struct|record|struct|enum|interface|delegate \S+) (?<type>\w+)",
+        RegexOptions.ExplicitCapture | RegexOptions.Multiline,
+        Timeout.Infinite)]
+    private static partial Regex Declared();
 
     [GeneratedRegex(@"\b[A-Z]\w+\b", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Names();
