@@ -86,7 +86,7 @@ public sealed class CellCheckTests : IDisposable
         Assert.All(
             [
                 "secret-missing", "key-missing", RecognitionResult.UnknownPiece, RecognitionResult.AmbiguousPiece,
-                RecognitionResult.ContradictoryPiece, RecognitionResult.UnusableJob, FileSource.TooLarge],
+                RecognitionResult.ContradictoryPiece, RecognitionResult.UnusableJob, RecognitionResult.TooLarge],
             c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 }

@@ -15,6 +15,9 @@ public sealed record RecognitionResult
     /// <summary>Code of a file whose job can no longer be read.</summary>
     public const string UnusableJob = "unusable-job";
 
+    /// <summary>Code of a file that exceeds the gauge's size limit.</summary>
+    public const string TooLarge = "file-too-large";
+
     /// <summary>The job; null if the file is refused.</summary>
     public CellJobSettings? Job { get; init; }
 

@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Determines which job a file belongs to and which piece it measures. Time grows with the file's length, regardless of content.
 /// Thread-safe.</summary>
-public sealed class Recognizer
+internal sealed class Recognizer
 {
     private const int MostShown = 100;
     private readonly CellSettings _settings;

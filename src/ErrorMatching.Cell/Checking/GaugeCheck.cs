@@ -90,7 +90,7 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         var name = ShownName.Of(file.Name);
         var found = file.Length > gauge.MostBytes
             ? RecognitionResult.Refused(
-                FileSource.TooLarge,
+                RecognitionResult.TooLarge,
                 FormattableString.Invariant($"It has {file.Length} bytes; \"{gauge.Name}\" takes at most {gauge.MostBytes}."))
             : FileReading.Whole(file) is { } bytes ? _recognizer.Recognize(gauge.Name, name, bytes)
             : RecognitionResult.Refused(

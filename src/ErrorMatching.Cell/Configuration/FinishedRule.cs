@@ -5,16 +5,16 @@ namespace ErrorMatching.Cell;
 public abstract record FinishedRule;
 
 /// <summary>The gauge writes under another name and then renames: a file with a matching name is finished.</summary>
-public sealed record FinishedByRename : FinishedRule;
+internal sealed record FinishedByRename : FinishedRule;
 
 /// <summary>A second file, the marker, shows that the first is finished.</summary>
 /// <param name="Suffix">What follows the first file's name in the marker's name, such as <c>.done</c>.</param>
-public sealed record FinishedByMarker(string Suffix) : FinishedRule;
+internal sealed record FinishedByMarker(string Suffix) : FinishedRule;
 
 /// <summary>The file is finished when its size and modification time stay the same; at a machine, when its content does.</summary>
 /// <param name="For">For how long.</param>
-public sealed record FinishedAtRest(TimeSpan For) : FinishedRule;
+internal sealed record FinishedAtRest(TimeSpan For) : FinishedRule;
 
 /// <summary>The file is finished when its last nonblank line is the end mark.</summary>
 /// <param name="Mark">The line's text, without surrounding spaces.</param>
-public sealed record FinishedByEndMark(string Mark) : FinishedRule;
+internal sealed record FinishedByEndMark(string Mark) : FinishedRule;

@@ -17,7 +17,7 @@ public static class CorrectionFiles
         {
             (
                 $"{number}-measurement-{Plain(correction.FileName)}",
-                correction.Code == FileSource.TooLarge ? null : correction.MeasurementSha256),
+                correction.Code == RecognitionResult.TooLarge ? null : correction.MeasurementSha256),
             ($"{number}-job.json", correction.JobSha256),
             ($"{number}-base-{program}", correction.BaseSha256),
             ($"{number}-previous-{program}", correction.PreviousSha256),

@@ -4,7 +4,7 @@ using Polly.Retry;
 namespace ErrorMatching.Cell;
 
 /// <summary>How often a transfer is retried, and after which delays.</summary>
-public static class TransferTries
+internal static class TransferTries
 {
     private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(250);
     private static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(10);
@@ -44,4 +44,4 @@ public static class TransferTries
 /// <param name="Number">Number of the attempt, from 1.</param>
 /// <param name="Failure">Why it failed.</param>
 /// <param name="Wait">Delay until the next attempt.</param>
-public sealed record TransferTry(string Machine, int Number, TransportException Failure, TimeSpan Wait);
+internal sealed record TransferTry(string Machine, int Number, TransportException Failure, TimeSpan Wait);

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>Stable codes for the cell's decisions about a measurement, in addition to the console's codes for the same inputs.</summary>
-public static class CorrectionCodes
+internal static class CorrectionCodes
 {
     /// <summary>A correction is larger than the policy allows.</summary>
     public const string OverLimit = "over-limit";

@@ -18,5 +18,5 @@ public sealed record Arrival(string Gauge, string FileName, string Key, ReadOnly
 /// <param name="Code">Stable code for why it is refused.</param>
 /// <param name="Reason">The reason in a setter's terms.</param>
 /// <param name="Trace">The W3C trace that follows it; null without tracing.</param>
-public sealed record UnreadArrival(
+internal sealed record UnreadArrival(
     string Gauge, string FileName, string Key, string Sha256, long Length, string Code, string Reason, string? Trace = null);

@@ -80,7 +80,7 @@ public sealed class CellStore : IDisposable
 
     /// <summary>Records a file that is refused without being stored.</summary>
     /// <returns>The correction, refused immediately, and whether it is new: the same arrival again returns the existing one.</returns>
-    public (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
+    internal (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
         return Write(transaction => ArrivalWriter.ArchiveUnread(transaction, arrival));

@@ -3,7 +3,7 @@ using System.Globalization;
 namespace ErrorMatching.Cell;
 
 /// <summary>Verifies an audit trail: every entry is as written and in its place, and none is missing.</summary>
-public static class AuditChain
+internal static class AuditChain
 {
     private const long MostMissing = 1_000_000;
 

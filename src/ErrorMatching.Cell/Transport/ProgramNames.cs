@@ -4,7 +4,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Names that programs at machines may have, and the names that a transfer derives from them. The whitelist is narrow enough for
 /// every control, file system and protocol.</summary>
-public static partial class ProgramNames
+internal static partial class ProgramNames
 {
     /// <summary>The rule in words, for messages.</summary>
     public const string Rule =

@@ -10,7 +10,7 @@ namespace ErrorMatching.Cell;
 /// <param name="Tls">Whether the connection is encrypted.</param>
 /// <param name="PinnedKey">The server's public key as <c>sha256//</c> and base64, required for every TLS connection; null for plain
 /// FTP.</param>
-public sealed record FtpSettings(string Host, int Port, string User, string Folder, FtpTls Tls, string? PinnedKey) : TransportSettings
+internal sealed record FtpSettings(string Host, int Port, string User, string Folder, FtpTls Tls, string? PinnedKey) : TransportSettings
 {
     /// <inheritdoc/>
     public override string Address => string.Create(
@@ -27,7 +27,7 @@ public sealed record FtpSettings(string Host, int Port, string User, string Fold
 }
 
 /// <summary>Whether an FTP connection is encrypted.</summary>
-public enum FtpTls
+internal enum FtpTls
 {
     /// <summary>Not encrypted: anyone on the network can read and change programs.</summary>
     None,
