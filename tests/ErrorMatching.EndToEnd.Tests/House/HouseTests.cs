@@ -45,7 +45,6 @@ public sealed partial class HouseTests
         ["ErrorMatching.Freeform.PathPlanning"] = 646,
         ["ErrorMatching.Hmi.ProgramText"] = 631,
         ["ErrorMatching.Nc.ExpressionReader"] = 627,
-        ["ErrorMatching.Cell.JobEdits"] = 618,
         ["ErrorMatching.Geometry.SplineSurface"] = 597,
         ["ErrorMatching.Geometry.KnotVector"] = 498,
         ["ErrorMatching.Nc.WordEditor"] = 498,
