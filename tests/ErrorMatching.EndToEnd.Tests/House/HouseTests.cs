@@ -38,16 +38,12 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, int> LongerStill = new(StringComparer.Ordinal)
     {
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 969,
-        ["ErrorMatching.Cell.CellStore"] = 816,
-        ["ErrorMatching.Cell.Tests.StoreTests"] = 809,
         ["ErrorMatching.Hmi.JobEditing"] = 766,
         ["ErrorMatching.Hmi.PlotArea"] = 736,
         ["ErrorMatching.Hmi.SystemViewModel"] = 663,
         ["ErrorMatching.Freeform.PathPlanning"] = 646,
         ["ErrorMatching.Hmi.ProgramText"] = 631,
-        ["ErrorMatching.Cell.JobEdits"] = 618,
         ["ErrorMatching.Hmi.PathPlot"] = 464,
-        ["ErrorMatching.Cell.SqliteDatabase"] = 433,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
         ["ErrorMatching.Hmi.CompensationViewModel"] = 405,
     };
