@@ -88,10 +88,10 @@ public sealed partial class JobEditing : Observable, IDisposable
 
     /// <summary>Text with the numbers of errors and fields to fill in on each screen; empty if there are none.</summary>
     public string CountText => Texts.Current.Listed(Problems
-        .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
-        .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
+        .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).ScreenKey))
+        .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.ScreenKey == ScreenKeys.Points ? 0 : 1)
         .Select(g => Texts.Current.With(
-            g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
+            g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.ScreenKey])));
 
     /// <summary>Problem with the last input that the draft cannot store, such as a count that is not a number. The next change clears
     /// it.</summary>

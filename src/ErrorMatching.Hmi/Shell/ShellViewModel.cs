@@ -8,24 +8,31 @@ public sealed class ShellViewModel : Observable, IDisposable
     private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
     private readonly SynchronizationContext _screen;
     private readonly ITimer _seat;
+    private readonly Func<string, Action<SignedIn>, ScreenViewModel> _openLogin;
     private NavigationItem? _chosen;
     private ScreenViewModel? _current;
-    private LoginViewModel? _login;
+    private ScreenViewModel? _login;
     private SigningViewModel? _signing;
     private FileChooserViewModel? _choosing;
     private SignedIn? _who;
+    private string _lastName = "";
     private long _touched;
     private bool _isOver;
 
     /// <summary>The shell of a station, locked until a user signs in.</summary>
-    public ShellViewModel(Station station)
+    /// <param name="station">The station.</param>
+    /// <param name="login">Creates the login, given the last user's name, empty if there was none, and what to do with the user who
+    /// signs in.</param>
+    /// <param name="screens">The screens after the login, in the order of the navigation.</param>
+    public ShellViewModel(Station station, Func<string, Action<SignedIn>, ScreenViewModel> login, IReadOnlyList<Screen> screens)
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
+        _openLogin = login;
         _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
         Preferences = new(station);
         Preferences.PropertyChanged += (_, e) => SaySaid(e.PropertyName);
         CloseNotice = new(() => Preferences.Notice = null);
-        Items = [.. Screens.All.Select(s => new NavigationItem(s))];
+        Items = [.. screens.Select(s => new NavigationItem(s))];
         SignOut = new(async _ =>
         {
             await Task.Run(LeaveSeat, CancellationToken.None);
@@ -160,14 +167,23 @@ public sealed class ShellViewModel : Observable, IDisposable
     internal LastLooked Looked { get; private set; } = new();
 
     /// <summary>Opens the on-line compensation at a correction.</summary>
-    public void Look(long correction) => Open(Screens.Compensation, s => (s as ILooksAt)?.LookAt(correction));
-
-    /// <summary>Opens the on-line compensation at the warnings of a correction.</summary>
-    public void LookAtWarnings(long correction) =>
-        Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
+    public void Look(long correction) => Open(ScreenKeys.Compensation, s => (s as ILooksAt)?.LookAt(correction));
 
     /// <summary>Opens the verification at a piece.</summary>
-    public void LookAtPiece(long correction) => Open(Screens.Verification, s => (s as ILooksAt)?.LookAt(correction));
+    public void LookAtPiece(long correction) => Open(ScreenKeys.Verification, s => (s as ILooksAt)?.LookAt(correction));
+
+    /// <summary>Opens a screen at something in it.</summary>
+    /// <param name="key">Its key.</param>
+    /// <param name="at">Called before it is shown.</param>
+    public void Open(string key, Action<ScreenViewModel> at)
+    {
+        ArgumentNullException.ThrowIfNull(at);
+        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == key) is { } item && item.Screen.Open(this) is { } screen)
+        {
+            at(screen);
+            Show(item, screen);
+        }
+    }
 
     /// <summary>Opens a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
@@ -182,7 +198,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         if (_current is not ITakesCodes)
         {
-            Go(Screens.History);
+            Go(ScreenKeys.History);
         }
 
         (_current as ITakesCodes)?.TakeCode(code);
@@ -256,15 +272,6 @@ public sealed class ShellViewModel : Observable, IDisposable
         return folder == samples && choice.Sample is { } meant ? Path.Combine(folder, meant) : folder;
     }
 
-    private void Open(string key, Action<ScreenViewModel> at)
-    {
-        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == key) is { } item && item.Screen.Open(this) is { } screen)
-        {
-            at(screen);
-            Show(item, screen);
-        }
-    }
-
     private void Show(NavigationItem item, ScreenViewModel screen)
     {
         _current?.Dispose();
@@ -282,7 +289,8 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         Signing = null;
         Choosing?.Leave.Execute(null);
-        _login = new LoginViewModel(Station, UserName, Unlock);
+        _lastName = UserName;
+        _login = _openLogin(_lastName, Unlock);
         _who = null;
         Preferences.Take(null);
         Say();
@@ -291,8 +299,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     private void Unlock(SignedIn who)
     {
         // The same user finds the screen unchanged; another user starts at the overview.
-        var isOther = _login!.LastName != who.Name;
-        _login.Dispose();
+        var isOther = _lastName != who.Name;
+        _login!.Dispose();
         (_login, _who) = (null, who);
         Preferences.Take(who.Name);
         Editing.Refresh();

@@ -38,7 +38,7 @@ internal sealed class Seat : IAsyncDisposable
             Preferences = new(Path.Combine(_folder.Path, "preferences")),
             SamplesFolder = hasSamples ? Cell.SamplesFolder : null
         };
-        Shell = new(Station);
+        Shell = Screens.ShellOf(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
         User = new ScreenUser(Window).Settle();

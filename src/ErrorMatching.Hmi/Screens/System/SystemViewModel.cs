@@ -153,7 +153,7 @@ public sealed partial class SystemViewModel : SetupViewModel
     /// <summary>Finds the blocks of features without blocks by their key points.</summary>
     public LongCommand FindBlocks { get; }
 
-    protected override string Key => Screens.System;
+    protected override string Key => ScreenKeys.System;
 
     protected override int OpenSide => Side;
 
@@ -245,9 +245,11 @@ public sealed partial class SystemViewModel : SetupViewModel
         Decimals.Align(Coordinates.Select(c => c.Y));
         Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
         var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field)))
-            .Where(p => p.Place.Screen == Key)
+            .Where(p => p.Place.ScreenKey == Key)
             .ToLookup(p => p.Place.Side);
-        var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
+        var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field))
+            .Where(p => p.ScreenKey == Key)
+            .ToLookup(p => p.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
             Heads[side].Show(
