@@ -6,7 +6,8 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>Folders of a project point one way, as ARCHITECTURE.md draws them.</summary>
 /// <remarks>
 /// A file is named after its one type, so a name that occurs in a file is an arrow to the folder of that file. Comments and texts do not
-/// count. A property that has a type's name counts where the two are in different folders.
+/// count; in a view, names with the prefix of our namespace do. A property that has a type's name counts where the two are in different
+/// folders.
 /// </remarks>
 public sealed partial class FolderTests
 {
@@ -23,6 +24,11 @@ public sealed partial class FolderTests
             "Evaluating", "Compensating", "Displacing", "Reporting",
         ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
+        ["Hmi"] =
+        [
+            "Observing", "Texts", "Styles", "Controls", "Choosing", "Kept", "Demonstration", "Plots", "Drawings", "Programs",
+            "Preferring", "Station", "Editing", "Shell", "Screens", "",
+        ],
         ["Hmi.Cairo"] = ["Native", "Text", "Drawing", "Windows", "OffScreen", "X11", ""],
     };
 
@@ -41,9 +47,12 @@ public sealed partial class FolderTests
         Assert.Equal(order.Order(StringComparer.Ordinal), files.Select(f => f.Folder).Distinct().Order(StringComparer.Ordinal));
 
         var rooms = files.Where(f => f.Type != "Program").GroupBy(f => f.Type).ToDictionary(g => g.Key, g => g.First().Folder);
-        var wrong = from file in files
+        var users = files.Select(f => (f.Path, f.Folder, Names: NamesIn(File.ReadAllText(f.Path))))
+            .Concat(Directory.EnumerateFiles(root, "*.axaml", SearchOption.AllDirectories)
+                .Select(f => (Path: f, Folder: FolderOf(root, f), Names: NamesInView(File.ReadAllText(f)))));
+        var wrong = from file in users
                     let rank = Array.IndexOf(order, file.Folder)
-                    from name in NamesIn(File.ReadAllText(file.Path))
+                    from name in file.Names
                     where rooms.TryGetValue(name, out var room) && Array.IndexOf(order, room) > rank
                     select $"{Path.GetRelativePath(root, file.Path)} uses {name} in {rooms[name]}";
         Assert.Empty(wrong.Order(StringComparer.Ordinal));
@@ -55,9 +64,16 @@ public sealed partial class FolderTests
     private static IEnumerable<string> NamesIn(string source) =>
         Names().Matches(Quoted().Replace(source, "")).Select(m => m.Value).Distinct(StringComparer.Ordinal);
 
+    private static IEnumerable<string> NamesInView(string source) =>
+        Own().Matches(source).Select(m => m.Groups["name"].Value).Distinct(StringComparer.Ordinal);
+
     [GeneratedRegex("\"\"\"[\\s\\S]*?\"\"\"|//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Quoted();
 
     [GeneratedRegex(@"\b[A-Z]\w+\b", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Names();
+
+    // The prefix of our own namespace. A selector (l|Name) is no use: the styles name what they style.
+    [GeneratedRegex(@"\bl:(?<name>[A-Z]\w+)", RegexOptions.ExplicitCapture, Timeout.Infinite)]
+    private static partial Regex Own();
 }
