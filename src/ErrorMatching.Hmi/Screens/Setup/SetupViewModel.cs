@@ -79,7 +79,7 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Text with the numbers of errors and fields to fill in here; otherwise the number of questions.</summary>
     public string ProblemCount =>
-        IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
+        IsIncomplete ? DraftProblems.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
 
     public string AskedText => Texts.Current.With("Setup.Asked", Editing.Doubts.Count);
 
