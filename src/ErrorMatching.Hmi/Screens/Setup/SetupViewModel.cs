@@ -213,7 +213,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
     }
 
-    protected void Show()
+    protected internal void Show()
     {
         var shape = ShapeOf(Editing.Draft);
         if (shape != _shape)
