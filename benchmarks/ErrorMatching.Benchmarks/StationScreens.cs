@@ -4,7 +4,7 @@ using Avalonia;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Benchmarks;
 

@@ -200,7 +200,7 @@ public sealed class KeyboardTests
         Assert.Null(history.Detail);
     });
 
-    private static Hmi.Cairo.ScreenUser TabTo(Seat seat, string id)
+    private static Hmi.Testing.ScreenUser TabTo(Seat seat, string id)
     {
         // What comes once the cell was looked at is not there at the first Tab.
         seat.See(id);

@@ -29,7 +29,7 @@ public sealed partial class FolderTests
             "Observing", "Texts", "Styles", "Controls", "Choosing", "Kept", "Demonstration", "Plots", "Drawings", "Programs",
             "Preferring", "Station", "Editing", "Shell", "Screens", "",
         ],
-        ["Hmi.Cairo"] = ["Native", "Text", "Drawing", "Windows", "OffScreen", "X11", ""],
+        ["Hmi.Cairo"] = ["Native", "Text", "Drawing", "Windows", "X11", ""],
     };
 
     public static TheoryData<string> Projects => [.. Orders.Keys.Order(StringComparer.Ordinal)];
