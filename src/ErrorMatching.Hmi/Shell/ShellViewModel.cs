@@ -5,9 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>The frame around all screens: navigation, current user, problems of the cell, and the lock.</summary>
 public sealed class ShellViewModel : Observable, IDisposable
 {
-    private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
-    private readonly SynchronizationContext _screen;
-    private readonly ITimer _seat;
+    private readonly SeatGuard _seat;
     private readonly Func<string, Action<SignedIn>, ScreenViewModel> _openLogin;
     private NavigationItem? _chosen;
     private ScreenViewModel? _current;
@@ -16,8 +14,6 @@ public sealed class ShellViewModel : Observable, IDisposable
     private FileChooserViewModel? _choosing;
     private SignedIn? _who;
     private string _lastName = "";
-    private long _touched;
-    private bool _isOver;
 
     /// <summary>The shell of a station, locked until a user signs in.</summary>
     /// <param name="station">The station.</param>
@@ -28,16 +24,11 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
         _openLogin = login;
-        _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
         Preferences = new(station);
         Preferences.PropertyChanged += (_, e) => SaySaid(e.PropertyName);
         CloseNotice = new(() => Preferences.Notice = null);
         Items = [.. screens.Select(s => new NavigationItem(s))];
-        SignOut = new(async _ =>
-        {
-            await Task.Run(LeaveSeat, CancellationToken.None);
-            Lock();
-        });
+        SignOut = new(_ => SignOutAsync());
         SwitchLanguage = new(
             () => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
@@ -47,9 +38,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Station.Changed += Follow;
         Texts.Current.LanguageChanged += Translate;
         Lock();
-
-        // In the background: the end of a session is written to the store.
-        _seat = Station.Clock.CreateTimer(_ => LookForSeat(), null, SeatLook, SeatLook);
+        _seat = new(station, Lock);
     }
 
     public Station Station { get; }
@@ -244,17 +233,15 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Call this on every key press or tap. It does work once a second at most.</summary>
     public void Touch()
     {
-        if (!IsLocked && Station.Clock.GetElapsedTime(_touched) >= SeatLook)
+        if (!IsLocked)
         {
-            _touched = Station.Clock.GetTimestamp();
-            _ = Task.Run(TouchSeat).Watched();
+            _seat.Touch();
         }
     }
 
     /// <inheritdoc/>
     public void Dispose()
     {
-        _isOver = true;
         _seat.Dispose();
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
@@ -296,6 +283,12 @@ public sealed class ShellViewModel : Observable, IDisposable
         Say();
     }
 
+    private async Task SignOutAsync()
+    {
+        await _seat.LeaveAsync();
+        Lock();
+    }
+
     private void Unlock(SignedIn who)
     {
         // The same user finds the screen unchanged; another user starts at the overview.
@@ -331,54 +324,6 @@ public sealed class ShellViewModel : Observable, IDisposable
             };
             signing.Signed += () => Editing.SaveSigned(signed!);
             Sign(signing);
-        }
-    }
-
-    private void TouchSeat()
-    {
-        try
-        {
-            Station.Session.Touch();
-        }
-        catch (StoreException)
-        {
-            // The session had just ended, and that could not be recorded: the banner shows that the store is unavailable.
-        }
-    }
-
-    private void LeaveSeat()
-    {
-        try
-        {
-            Station.Session.SignOut();
-        }
-        catch (StoreException)
-        {
-            // The session has ended anyway.
-        }
-    }
-
-    private void LookForSeat()
-    {
-        try
-        {
-            if (Station.Session.Who is null)
-            {
-                _screen.Post(_ => LockIfLeft(), null);
-            }
-        }
-        catch (StoreException)
-        {
-            // The session counts as ended although that could not be recorded: the banner shows that the store is unavailable.
-            _screen.Post(_ => LockIfLeft(), null);
-        }
-    }
-
-    private void LockIfLeft()
-    {
-        if (!_isOver)
-        {
-            Lock();
         }
     }
 
