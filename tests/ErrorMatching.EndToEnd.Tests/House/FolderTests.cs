@@ -29,6 +29,10 @@ public sealed partial class FolderTests
             "Observing", "Texts", "Styles", "Controls", "Choosing", "Kept", "Demonstration", "Plots", "Drawings", "Programs",
             "Preferring", "Station", "Editing", "Shell", "Screens", "",
         ],
+        ["Hmi/Screens"] =
+        [
+            "Freeform", "Compensation", "Verification", "Overview", "Login", "Messages", "History", "Setup", "Points", "System", "Settings",
+        ],
         ["Hmi.Cairo"] = ["Native", "Text", "Drawing", "Windows", "X11", ""],
     };
 
