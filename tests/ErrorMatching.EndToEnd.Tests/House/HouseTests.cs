@@ -38,14 +38,8 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, int> LongerStill = new(StringComparer.Ordinal)
     {
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 969,
-        ["ErrorMatching.Hmi.JobEditing"] = 766,
-        ["ErrorMatching.Hmi.PlotArea"] = 736,
-        ["ErrorMatching.Hmi.SystemViewModel"] = 663,
         ["ErrorMatching.Freeform.PathPlanning"] = 646,
-        ["ErrorMatching.Hmi.ProgramText"] = 631,
-        ["ErrorMatching.Hmi.PathPlot"] = 464,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
-        ["ErrorMatching.Hmi.CompensationViewModel"] = 405,
     };
 
     private static readonly string[] TextEndings = [

@@ -1,4 +1,6 @@
-namespace ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Cairo;
+
+namespace ErrorMatching.Hmi.Testing;
 
 /// <summary>A window that has only a size, a frame and input from a simulated user. Popups are drawn inside it.</summary>
 internal sealed class OffScreenWindow() : PlatformWindow(NextScaling)

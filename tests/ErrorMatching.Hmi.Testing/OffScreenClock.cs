@@ -1,7 +1,7 @@
 using Avalonia.Rendering;
 using Avalonia.Threading;
 
-namespace ErrorMatching.Hmi.Cairo;
+namespace ErrorMatching.Hmi.Testing;
 
 /// <summary>The clock of off-screen frames: a frame is drawn on request.</summary>
 internal sealed class OffScreenClock : IRenderTimer

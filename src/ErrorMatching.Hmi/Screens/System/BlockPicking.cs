@@ -5,65 +5,101 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>The program as text and path, in which blocks are picked.</content>
-public sealed partial class SystemViewModel
+/// <summary>The program as text and path, in which the blocks of the features are picked or found.</summary>
+internal sealed class BlockPicking
 {
+    private readonly JobEditing _editing;
+    private readonly Action _shown;
     private PictureOf? _of;
     private ProgramPicture? _picture;
     private Task _marking = Task.CompletedTask;
     private string _marked = "";
     private int _picked;
 
+    /// <summary>Shows no program yet.</summary>
+    /// <param name="editing">The edited job.</param>
+    /// <param name="shown">Called on the UI thread when there is another <see cref="Picture"/>.</param>
+    public BlockPicking(JobEditing editing, Action shown)
+    {
+        (_editing, _shown) = (editing, shown);
+        FindBlocks = new(
+            FindBlocksAsync, () => editing.CanEdit && Picture is not null && editing.Draft.Features.Any(f => f.BlockList.Count == 0));
+    }
+
     /// <summary>The program; null while there is none, or while it is being opened.</summary>
     public ProgramPicture? Picture
     {
         get => _picture;
-        private set => Set(ref _picture, value);
+        private set
+        {
+            if (_picture != value)
+            {
+                _picture = value;
+                _shown();
+            }
+        }
     }
+
+    /// <summary>The features with their blocks.</summary>
+    public IReadOnlyList<BlocksRow> Rows { get; private set; } = [];
+
+    /// <summary>Finds the blocks of features without blocks by their key points.</summary>
+    public LongCommand FindBlocks { get; }
 
     /// <summary>Completes when the program is open and its features are marked.</summary>
-    internal Task Opening { get; private set; } = Task.CompletedTask;
+    public Task Opening { get; private set; } = Task.CompletedTask;
 
-    // Picking continues with the next feature without blocks.
-    private int NextPicked(int otherwise) =>
-        Editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
-
-    private BlocksRow[] MakeBlocks()
+    /// <summary>Recreates the rows; picking starts with the first feature without blocks.</summary>
+    public void MakeRows(IEnumerable<TextField> blocks)
     {
         _picked = NextPicked(0);
-        return [.. _fields.Blocks().Select((b, i) => new BlocksRow(i, Editing.Draft.Features[i].Name, b, new(() => PickFor(i))))];
+        Rows = [.. blocks.Select((b, i) => new BlocksRow(i, _editing.Draft.Features[i].Name, b, new(() => PickFor(i))))];
     }
 
-    private void PickFor(int feature)
+    /// <summary>Does something that recreates the rows; picking blocks for a feature continues.</summary>
+    public void Continue(Action recreate)
     {
-        _picked = feature;
-        ShowPicture();
-        Picture?.LookAt(Editing.Draft.Features[feature].Name);
+        var picked = _picked;
+        recreate();
+        _picked = picked;
+        Show();
     }
 
-    private void ShowPicture()
+    /// <summary>Shows the draft's program with its features.</summary>
+    public void Show()
     {
-        var draft = Editing.Draft;
+        var draft = _editing.Draft;
         var counterpart = draft.Counterpart;
-        var of = new PictureOf(Editing.Job?.File, counterpart.Program, draft.Program, counterpart.Dialect, counterpart.BlockSkip);
+        var of = new PictureOf(_editing.Job?.File, counterpart.Program, draft.Program, counterpart.Dialect, counterpart.BlockSkip);
         if (of != _of)
         {
             (_of, Picture) = (of, null);
             Opening = OpenAsync(of, draft).Watched();
         }
 
-        foreach (var row in Blocks)
+        foreach (var row in Rows)
         {
             row.IsPicked = row.Index == _picked && Picture is not null;
         }
 
         if (Picture is { } picture)
         {
-            picture.IsReadOnly = !Editing.CanEdit;
+            picture.IsReadOnly = !_editing.CanEdit;
             FindBlocks.Refresh();
             picture.Feature = _picked < draft.Features.Count ? draft.Features[_picked].Name : null;
             Mark(picture, draft);
         }
+    }
+
+    // Picking continues with the next feature without blocks.
+    private int NextPicked(int otherwise) =>
+        _editing.Draft.Features.Select((f, i) => (f, i)).FirstOrDefault(f => string.IsNullOrWhiteSpace(f.f.Blocks), (null!, otherwise)).i;
+
+    private void PickFor(int feature)
+    {
+        _picked = feature;
+        Show();
+        Picture?.LookAt(_editing.Draft.Features[feature].Name);
     }
 
     private async Task OpenAsync(PictureOf of, MatingDraft draft)
@@ -73,7 +109,7 @@ public sealed partial class SystemViewModel
             _marked = "";
             Picture = new(opened);
             Picture.RangeChosen += TakeBlocks;
-            ShowPicture();
+            Show();
             await _marking;
         }
     }
@@ -120,13 +156,13 @@ public sealed partial class SystemViewModel
     private void TakeBlocks(RangeChoice choice)
     {
         var feature = _picked;
-        if (Editing.CanEdit && feature < Editing.Draft.Features.Count)
+        if (_editing.CanEdit && feature < _editing.Draft.Features.Count)
         {
             var blocks = string.Join(
-                ", ", choice.IsMore ? [.. Editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
-            Editing.Change("", d => d.WithFeature(feature, f => f with { Blocks = blocks }));
+                ", ", choice.IsMore ? [.. _editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
+            _editing.Change("", d => d.WithFeature(feature, f => f with { Blocks = blocks }));
             _picked = choice.IsMore ? feature : NextPicked(feature);
-            ShowPicture();
+            Show();
         }
     }
 
@@ -138,18 +174,18 @@ public sealed partial class SystemViewModel
         IReadOnlyList<ProposedBlocks> proposed;
         do
         {
-            draft = Editing.Draft;
+            draft = _editing.Draft;
             proposed = await Task.Run(() => MatingDraftBlocks.Propose(draft, path), end);
         }
-        while (!ReferenceEquals(draft, Editing.Draft));
+        while (!ReferenceEquals(draft, _editing.Draft));
 
         var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
-        Editing.Change(
+        _editing.Change(
             "", d => found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })));
         _picked = NextPicked(_picked);
-        ShowPicture();
+        Show();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];
-        Editing.Note(() => Sentence.Joined(
+        _editing.Note(() => Sentence.Joined(
             found.Length > 0 ? Texts.Current.With("System.BlocksFound", Texts.Current.Listed(found.Select(p => p.Name))) : "",
             missed.Length > 0 ? Texts.Current.With("System.BlocksMissed", Texts.Current.Listed(missed)) : ""));
     }

@@ -1,7 +1,7 @@
 using Avalonia;
 using Avalonia.Threading;
 
-namespace ErrorMatching.Hmi.Cairo;
+namespace ErrorMatching.Hmi.Testing;
 
 /// <summary>The single application of a process without a screen, on its own UI thread (Avalonia allows one per process). Its work runs
 /// sequentially.</summary>

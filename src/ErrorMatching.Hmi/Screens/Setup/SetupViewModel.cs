@@ -23,7 +23,7 @@ public abstract class SetupViewModel : ScreenViewModel
                 _shell.Look(first);
             }
         });
-        Step = new(() => _shell.Go(Key == Screens.Points ? Screens.System : Screens.Points));
+        Step = new(() => _shell.Go(Key == ScreenKeys.Points ? ScreenKeys.System : ScreenKeys.Points));
     }
 
     /// <summary>Raised to go to a field, by its AutomationId.</summary>
@@ -68,7 +68,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
         get
         {
-            var (key, there) = Key == Screens.Points ? ("Setup.Next", Screens.System) : ("Setup.Back", Screens.Points);
+            var (key, there) = Key == ScreenKeys.Points ? ("Setup.Next", ScreenKeys.System) : ("Setup.Back", ScreenKeys.Points);
             var name = Texts.Current["Screen." + there];
             return Texts.Current.With(key, MissingThere > 0 ? Texts.Current.With("Setup.MissingAt", MissingThere, name) : name);
         }
@@ -79,7 +79,7 @@ public abstract class SetupViewModel : ScreenViewModel
 
     /// <summary>Text with the numbers of errors and fields to fill in here; otherwise the number of questions.</summary>
     public string ProblemCount =>
-        IsIncomplete ? JobEditing.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
+        IsIncomplete ? DraftProblems.CountOf(Editing.WrongCount, MissingHere) : HasAsked ? AskedText : Texts.Current["Setup.NothingWrong"];
 
     public string AskedText => Texts.Current.With("Setup.Asked", Editing.Doubts.Count);
 
@@ -153,7 +153,7 @@ public abstract class SetupViewModel : ScreenViewModel
     /// <summary>The open tab (<see cref="ProblemPlace"/>).</summary>
     protected virtual int OpenSide => 0;
 
-    private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key);
+    private int MissingHere => Editing.Problems.Count(p => p.IsMissing && ProblemPlace.Of(Editing.Draft, p.Field).ScreenKey == Key);
 
     private int MissingThere => Editing.MissingCount - MissingHere;
 
@@ -213,7 +213,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
     }
 
-    protected void Show()
+    protected internal void Show()
     {
         var shape = ShapeOf(Editing.Draft);
         if (shape != _shape)
@@ -241,7 +241,7 @@ public abstract class SetupViewModel : ScreenViewModel
             .. Fields.Where(
                 f => f.HasProblem
                     && f is not NoteField
-                    && (Key == Screens.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
+                    && (Key == ScreenKeys.Points || ProblemPlace.Of(Editing.Draft, f.Path).Side == OpenSide))];
 
     // Messages about the previous draft no longer apply.
     private void Forget()
@@ -262,7 +262,7 @@ public abstract class SetupViewModel : ScreenViewModel
 
     // A problem belongs to the field with the longest matching path.
     private ILookup<EditField?, DraftProblem> ByField(EditField[] fields, IEnumerable<DraftProblem> problems) =>
-        problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).Screen == Key).ToLookup(
+        problems.Where(p => ProblemPlace.Of(Editing.Draft, p.Field).ScreenKey == Key).ToLookup(
             p => fields.Where(f => Leads(f, p.Field)).MaxBy(f => f.Path.Length));
 
     private static bool Leads(EditField field, string path) =>
@@ -275,17 +275,17 @@ public abstract class SetupViewModel : ScreenViewModel
         var places = (
             Editing.Problems.Count > 0 ? Editing.Problems : Editing.Doubts)
             .Select(p => (p.Field, Place: ProblemPlace.Of(Editing.Draft, p.Field))).ToLookup(p => p.Place, p => p.Field);
-        var first = places.MinBy(p => (p.Key.Screen == Screens.Points ? 0 : 1, p.Key.Side));
+        var first = places.MinBy(p => (p.Key.ScreenKey == ScreenKeys.Points ? 0 : 1, p.Key.Side));
         if (first is null)
         {
             return;
         }
 
-        if (first.Key.Screen != Key)
+        if (first.Key.ScreenKey != Key)
         {
             if (_shell.Current == this)
             {
-                _shell.Go(first.Key.Screen);
+                _shell.Go(first.Key.ScreenKey);
                 (_shell.Current as SetupViewModel)?.GoToFirst();
             }
 

@@ -1,7 +1,8 @@
 using Avalonia.Input;
 using Avalonia.Input.Platform;
+using ErrorMatching.Hmi.Cairo;
 
-namespace ErrorMatching.Hmi.Cairo;
+namespace ErrorMatching.Hmi.Testing;
 
 /// <summary>A clipboard inside the process.</summary>
 internal sealed class MemoryClipboard : IClipboard

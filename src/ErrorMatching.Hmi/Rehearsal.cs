@@ -7,10 +7,10 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Opens every screen once, invisibly, while the user is idle. The first execution of code takes two or three times as
 /// long as later ones; this way the user does not wait for it.</summary>
-/// <param name="stage">Panel to open them in, one at a time; it is empty before and after.</param>
+/// <param name="window">The window. Its stage is the panel to open them in, one at a time; it is empty before and after.</param>
 /// <param name="shell">The shell that the screens belong to. Opening a screen only reads. The only lasting effect is that the
 /// first job is loaded into the set-up, as when a user opens that screen first.</param>
-internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
+public sealed class Rehearsal(MainWindow window, ShellViewModel shell)
 {
     // Every control of a panel is a step of its own.
     private const int Each = 0;
@@ -19,6 +19,8 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(150);
     private static readonly byte[] Program = Encoding.ASCII.GetBytes(
         "N10 G21 G90\nN20 G0 X0. Y0. Z5.\nN30 G1 Z0. F500.\nN40 G2 X10. Y10. I5. J5.\nM30\n");
+
+    private readonly Stage _stage = (window ?? throw new ArgumentNullException(nameof(window))).Stage;
 
     /// <summary>Opens them all in small steps; keys, taps and drawing have priority.</summary>
     public async Task RunAsync(CancellationToken end)
@@ -41,7 +43,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
         finally
         {
-            stage.Children.Clear();
+            _stage.Children.Clear();
         }
     }
 
@@ -64,7 +66,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         }
         finally
         {
-            stage.Children.Clear();
+            _stage.Children.Clear();
             opened?.Dispose();
         }
     }
@@ -73,11 +75,11 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
     private async Task ShowAsync(Func<Control> make, CancellationToken end)
     {
         Control? made = null;
-        await StepAsync(stage.Children.Clear, end);
+        await StepAsync(_stage.Children.Clear, end);
         await StepAsync(MainWindow.Tidy, end);
         await StepAsync(() => made = make(), end);
-        await StepAsync(() => stage.Children.Add(made!), end);
-        await StepAsync(stage.UpdateLayout, end);
+        await StepAsync(() => _stage.Children.Add(made!), end);
+        await StepAsync(_stage.UpdateLayout, end);
     }
 
     // Showing a whole screen in one step would take too long; its parts appear one by one.
@@ -98,7 +100,7 @@ internal sealed class Rehearsal(Panel stage, ShellViewModel shell)
         await UnfoldAsync(unfolding!, end);
 
         // By now, rows that are loaded later have arrived.
-        await StepAsync(stage.UpdateLayout, end);
+        await StepAsync(_stage.UpdateLayout, end);
     }
 
     private static async Task UnfoldAsync(Unfolding unfolding, CancellationToken end)

@@ -8,11 +8,11 @@ using Avalonia.Media;
 using Avalonia.Media.Imaging;
 using Avalonia.Threading;
 
-namespace ErrorMatching.Hmi.Cairo;
+namespace ErrorMatching.Hmi.Testing;
 
 /// <summary>A simulated user of a window without a screen: moves, taps, types, presses keys, looks. Each method returns only after layout,
 /// bindings and one frame.</summary>
-/// <param name="window">The window. It must have been opened under <see cref="CairoPlatform.UseOffScreen"/>.</param>
+/// <param name="window">The window. It must have been opened under <see cref="OffScreenPlatform.UseOffScreen"/>.</param>
 public sealed class ScreenUser(Window window)
 {
     private OffScreenWindow Platform => (OffScreenWindow)window.PlatformImpl!;

@@ -5,64 +5,72 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
-/// <content>The dry run: the draft's result for a measurement. Nothing is saved or sent.</content>
-public sealed partial class SystemViewModel
+/// <summary>The dry run: the draft's result for a measurement. Nothing is saved or sent.</summary>
+internal sealed class DryRunning
 {
+    // Number of corrections in which the job's last measurement is searched.
     private const int Latest = 1000;
+    private readonly SystemViewModel _screen;
+    private readonly ShellViewModel _shell;
     private CorrectionDetail? _detail;
 
-    /// <summary>The result of the dry run; null while none is shown.</summary>
+    /// <summary>Nothing was tried yet.</summary>
+    /// <param name="screen">The screen that shows the result.</param>
+    /// <param name="shell">Lets the user choose a measurement.</param>
+    public DryRunning(SystemViewModel screen, ShellViewModel shell)
+    {
+        (_screen, _shell) = (screen, shell);
+        Last = new(LastAsync, CanTry);
+        File = new(FileAsync, CanTry);
+    }
+
+    /// <summary>Raised when there is another <see cref="Detail"/>.</summary>
+    public event Action? Shown;
+
+    /// <summary>The result; null while none is shown.</summary>
     public CorrectionDetail? Detail
     {
         get => _detail;
-        private set
+        set
         {
-            if (Set(ref _detail, value))
+            if (_detail != value)
             {
-                Say(nameof(IsForm));
-                Say(nameof(DryRunDoubt));
+                _detail = value;
+                Shown?.Invoke();
             }
         }
     }
 
-    /// <summary>True while the form is shown instead of a dry run.</summary>
-    public bool IsForm => Detail is null;
-
     /// <summary>Warning that the dry run probably used a drawing: every point is exactly as designed, which no measurement is. Null
     /// otherwise.</summary>
-    public string? DryRunDoubt =>
+    public string? Doubt =>
         Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file }
             && report.Points.All(p => p.Actual == p.Theoretical)
             ? Texts.Current.With("System.DryRunDrawing", file)
             : null;
 
     /// <summary>Tries the draft with the job's last measurement in the store.</summary>
-    public LongCommand DryRun { get; }
+    public LongCommand Last { get; }
 
-    public LongCommand DryRunFile { get; }
+    /// <summary>Tries the draft with a measurement that the user chooses.</summary>
+    public LongCommand File { get; }
 
-    public Command Back { get; }
+    private JobEditing Editing => _screen.Editing;
 
-    protected override void Translate()
-    {
-        Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
+    private Station Station => _screen.Station;
 
-        // Rows are recreated in the new language; picking blocks for a feature continues.
-        var picked = _picked;
-        base.Translate();
-        _picked = picked;
-        ShowPicture();
-    }
+    /// <summary>Shows the result in the language of the screen.</summary>
+    public void Translate() => Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
 
     private bool CanTry() => Editing.Job is not null && Editing.Problems.Count == 0 && Editing.IsChecked;
 
-    private async Task DryRunAsync(CancellationToken cancellation)
+    private async Task LastAsync(CancellationToken cancellation)
     {
         Editing.ForgetNotice();
         var piece = Editing.Draft.Compensation.From;
         (Correction Correction, byte[] Bytes, GivenFile? Part)? last = null;
         var job = Editing.Place!;
-        if (!await TryAsync(() =>
+        if (!await _screen.TryAsync(() =>
         {
             if (Station.Store.Search(new() { Most = Latest }).Where(c => c.Job == job.Name && c.Piece == piece).MaxBy(c => c.Turn) is { } c)
             {
@@ -73,7 +81,7 @@ public sealed partial class SystemViewModel
             }
         }))
         {
-            Show();
+            _screen.Show();
         }
         else if (last is { } found)
         {
@@ -81,14 +89,14 @@ public sealed partial class SystemViewModel
         }
         else
         {
-            Tell(() => Texts.Current["System.NoMeasurement"]);
-            Show();
+            _screen.Tell(() => Texts.Current["System.NoMeasurement"]);
+            _screen.Show();
         }
     }
 
-    private async Task DryRunFileAsync(CancellationToken cancellation)
+    private async Task FileAsync(CancellationToken cancellation)
     {
-        if (await DryRunFile.AskAsync(() => Shell.ChooseAsync(
+        if (await File.AskAsync(() => _shell.ChooseAsync(
             new(FileChoiceKind.Open, "System.ChooseMeasurement", [".csv", ".txt"]) { Sample = DemoCell.PartFile })) is not { } path)
         {
             return;
@@ -96,7 +104,7 @@ public sealed partial class SystemViewModel
 
         Editing.ForgetNotice();
         byte[] bytes = [];
-        if (await TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
+        if (await _screen.TryAsync(() => bytes = InputFile.Bytes(path, JsonLimits.Default.MaxBytes)))
         {
             var name = Path.GetFileName(path);
             var given = new Correction(0, CorrectionState.Computed, 0, "", name, Station.Clock.GetUtcNow(), "", bytes.Length)
@@ -106,7 +114,7 @@ public sealed partial class SystemViewModel
             await TryOutAsync(given, new(name, bytes), null, cancellation);
         }
 
-        Show();
+        _screen.Show();
     }
 
     private async Task TryOutAsync(Correction correction, GivenFile measurement, GivenFile? part, CancellationToken cancellation)
@@ -121,7 +129,7 @@ public sealed partial class SystemViewModel
         };
         KeptCorrection? kept = null;
         Func<string>? refusal = null;
-        await TryAsync(() =>
+        await _screen.TryAsync(() =>
         {
             try
             {
@@ -138,11 +146,11 @@ public sealed partial class SystemViewModel
         });
         if (refusal is not null)
         {
-            Tell(() => Texts.Current.With("System.DryRunRefused", refusal()));
+            _screen.Tell(() => Texts.Current.With("System.DryRunRefused", refusal()));
         }
 
         Detail = kept is null ? null : new(kept, Station.Clock);
-        Show();
+        _screen.Show();
     }
 
     private static KeptCorrection Kept(Correction correction, MatchedProgram matched)
