@@ -102,11 +102,12 @@ internal sealed class SurfaceCorrection
             return CorrectionComputer.Refused(outcome.Refusals);
         }
 
-        var (rewrite, largest) = (displaced.Displaced.Rewrite, displaced.Displaced.LargestMoveMm);
-        return Within(displaced.Compensation, Steps(displaced.Compensation), largest, (steps, at) => new()
+        var (report, compensation) = (displaced.Report, displaced.Report.Compensation);
+        var (rewrite, largest) = (report.Displaced.Rewrite, report.Displaced.LargestMoveMm);
+        return Within(compensation, Steps(compensation), largest, (steps, at) => new()
         {
             Basis = Basis(bytes),
-            ProgramName = displaced.Name,
+            ProgramName = report.Name,
             Program = displaced.Program,
             Report = displaced.ReportJson(),
             Page = displaced.ReportHtml(),
@@ -117,7 +118,7 @@ internal sealed class SurfaceCorrection
             SumMm = largest,
             ChangedBlocks = rewrite.ChangedBlocks.Count,
             ChangedWords = rewrite.ChangedWords,
-            Warnings = displaced.Compensation.Warnings,
+            Warnings = compensation.Warnings,
         });
     }
 

@@ -30,7 +30,7 @@ public static class CompensationReportJson
     }
 
     /// <summary>Writes the program that cut the measured piece as <c>cutBy</c>, without a file if a nominal one is assumed.</summary>
-    public static void WriteCutBy(ReportWriter json, MeasuredPieceProgram cutBy)
+    internal static void WriteCutBy(ReportWriter json, MeasuredPieceProgram cutBy)
     {
         ArgumentNullException.ThrowIfNull(json);
         ArgumentNullException.ThrowIfNull(cutBy);
@@ -43,7 +43,7 @@ public static class CompensationReportJson
     }
 
     /// <summary>Writes the members of a compensation into the open object, for a new program or for a displaced one.</summary>
-    public static void WriteResult(ReportWriter json, CompensationResult result)
+    internal static void WriteResult(ReportWriter json, CompensationResult result)
     {
         ArgumentNullException.ThrowIfNull(json);
         ArgumentNullException.ThrowIfNull(result);

@@ -110,10 +110,10 @@ public static class SurfaceRun
                 job.Toolpath.ProgramsTip,
                 MeasurementSha256(compensation.Input.Measured));
             return displaced.IsUsable
-                ? new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
+                ? new DisplacedSurface(new(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
                 {
-                    CutBy = cutBy
-                }
+                    CutBy = cutBy,
+                })
                 : displaced.Refusal.In(program.File);
         });
     }

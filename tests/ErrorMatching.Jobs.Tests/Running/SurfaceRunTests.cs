@@ -75,12 +75,12 @@ public sealed class SurfaceRunTests
         var byPoints = SurfaceRun.Displace(new(job), new() { Measured = [Measured] }, Cam, TestContext.Current.CancellationToken).Result!;
 
         Assert.Equal(byError.Program.ToArray(), byPoints.Program.ToArray());
-        Assert.Contains("fit.of is points", Assert.Single(byPoints.Compensation.Warnings), StringComparison.Ordinal);
-        Assert.Empty(byError.Compensation.Warnings);
+        Assert.Contains("fit.of is points", Assert.Single(byPoints.Report.Compensation.Warnings), StringComparison.Ordinal);
+        Assert.Empty(byError.Report.Compensation.Warnings);
 
         // What is said to be expected, and by how much points move, is of the program that was made.
-        Assert.Equal(byError.Compensation.Mirror.Statistics, byPoints.Compensation.Mirror.Statistics);
-        Assert.All(byPoints.Compensation.Samples, s => Assert.Equal(byError.Compensation.MoveAt(s), byPoints.Compensation.MoveAt(s)));
+        Assert.Equal(byError.Report.Compensation.Mirror.Statistics, byPoints.Report.Compensation.Mirror.Statistics);
+        Assert.All(byPoints.Report.Compensation.Samples, s => Assert.Equal(byError.Report.Compensation.MoveAt(s), byPoints.Report.Compensation.MoveAt(s)));
     }
 
     // Whether the error was cut away by a displaced program or by one that was made anew, it must not be cut away again.
@@ -105,7 +105,7 @@ public sealed class SurfaceRunTests
     {
         var displaced = Displaced(Measured, Cam);
         var (before, after) = (File.ReadAllLines(Cam.File), Encoding.Latin1.GetString(displaced.Program.Span).Split('\n'));
-        var block = displaced.Displaced.Rewrite.ChangedBlocks[0];
+        var block = displaced.Report.Displaced.Rewrite.ChangedBlocks[0];
         var page = Encoding.UTF8.GetString(displaced.ReportHtml());
         var (old, changed) = (Regex.Escape(before[block]), Regex.Escape(after[block + 1].TrimEnd('\r')));
         Assert.Matches($"{old}</code></td>\\s*<td[^>]*><code>{changed}<", page);

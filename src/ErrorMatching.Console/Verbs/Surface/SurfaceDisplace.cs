@@ -51,7 +51,7 @@ internal sealed class SurfaceDisplace : Verb
 
         if (folder is not null)
         {
-            OutputFile.Write(displaced.File, displaced.Program, files.Read, cancellation);
+            OutputFile.Write(displaced.Report.File, displaced.Program, files.Read, cancellation);
         }
 
         return new SurfaceDisplaceAnswer(displaced);

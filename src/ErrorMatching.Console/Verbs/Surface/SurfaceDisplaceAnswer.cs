@@ -5,12 +5,13 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Console;
 
 /// <summary>A finishing program displaced by the compensation.</summary>
-internal sealed class SurfaceDisplaceAnswer(DisplacedSurface report) : Answer
+internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
 {
-    public override byte[] ToJson() => report.ReportJson();
+    public override byte[] ToJson() => surface.ReportJson();
 
     public override void WriteText(Page page)
     {
+        var report = surface.Report;
         var (displaced, compensation) = (report.Displaced, report.Compensation);
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,

@@ -1,15 +1,15 @@
 using System.Globalization;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Jobs;
+namespace ErrorMatching.Freeform;
 
 /// <summary>Writes the report of a displaced finishing program as one HTML file without network access or scripts.</summary>
-internal static class DisplacementReportHtml
+public static class DisplacementReportHtml
 {
     private const int MostBlocks = 1000;
 
     /// <summary>The page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
-    public static byte[] Write(DisplacedSurface report) => ReportPage.Write(
+    public static byte[] Write(DisplacementReport report) => ReportPage.Write(
         $"{report.Job.Name}: displaced finishing program",
         report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
         [
@@ -29,7 +29,7 @@ internal static class DisplacementReportHtml
                     ("--program", "program"))),
         ]);
 
-    private static void WriteSummary(HtmlText html, DisplacedSurface report)
+    private static void WriteSummary(HtmlText html, DisplacementReport report)
     {
         var (displaced, before, after) = (report.Displaced, report.Compensation.Before, report.Compensation.Predicted.Statistics);
         using (html.In("p", ("class", displaced.LargestMoveMm > 0 ? "verdict holds" : "verdict fails")))
@@ -64,7 +64,7 @@ internal static class DisplacementReportHtml
             ("Gain", report.Compensation.Input.Job.Compensation.Gain.ToString("0.###", CultureInfo.InvariantCulture)));
     }
 
-    private static void WritePoints(HtmlText html, DisplacedSurface report) =>
+    private static void WritePoints(HtmlText html, DisplacementReport report) =>
         HtmlTable.Write(
             html,
             "points-table",
@@ -80,7 +80,7 @@ internal static class DisplacementReportHtml
             row.Number(Micrometres(s.ErrorMm));
         }, isLong: true);
 
-    private static void WriteBlocks(HtmlText html, DisplacedSurface report)
+    private static void WriteBlocks(HtmlText html, DisplacementReport report)
     {
         // Without the marker, each block has its original position.
         var (before, after, blocks) = (

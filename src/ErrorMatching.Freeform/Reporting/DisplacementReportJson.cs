@@ -1,12 +1,11 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using ErrorMatching.Freeform;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Jobs;
+namespace ErrorMatching.Freeform;
 
 /// <summary>Writes the report of a displaced finishing program as JSON.</summary>
-internal static class DisplacementReportJson
+public static class DisplacementReportJson
 {
     // File names are not escaped: the document is UTF-8 and is not embedded in a web page.
     private static readonly JsonWriterOptions Options = new()
@@ -17,7 +16,7 @@ internal static class DisplacementReportJson
     };
 
     /// <summary>The document <c>errormatch/surface-displace/1</c>: UTF-8 without a byte order mark, ending with a newline.</summary>
-    public static byte[] Write(DisplacedSurface report)
+    public static byte[] Write(DisplacementReport report)
     {
         using var stream = new MemoryStream();
         using (var json = new Utf8JsonWriter(stream, Options))
@@ -32,7 +31,7 @@ internal static class DisplacementReportJson
         return stream.ToArray();
     }
 
-    private static void Write(Utf8JsonWriter json, DisplacedSurface report)
+    private static void Write(Utf8JsonWriter json, DisplacementReport report)
     {
         var displaced = report.Displaced;
         json.WriteString("job", report.Job.Name);
