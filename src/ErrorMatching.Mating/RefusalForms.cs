@@ -7,7 +7,7 @@ public static class RefusalForms
 {
     /// <summary>Point, feature, deviation and the job's limit, in mm.</summary>
     public static SentenceForm ImplausibleDeviation { get; } = new(
-        Decider.ImplausibleDeviation,
+        "implausible-deviation",
         "Point {0} of {1} is {2:0.000} mm off, more than the {3:0.###} mm that are plausible: check part, probe and files before raising "
             + "\"limitMm\".");
 

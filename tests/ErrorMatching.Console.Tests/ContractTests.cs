@@ -172,9 +172,10 @@ public class ContractTests
     {
         var page = File.ReadAllText(Repository.PathTo("docs", "refusals.md"));
         var mating = typeof(Mating.Matcher).Assembly.GetTypes()
-            .Where(t => t.Name is "FeatureMapper" or "BoundarySearch" or "AlignedMeasurement" or "Marker" or "Decider" or "OriginCheck")
+            .Where(t => t.Name is "FeatureMapper" or "BoundarySearch" or "AlignedMeasurement" or "Marker" or "OriginCheck")
             .SelectMany(ConstantsOf)
-            .Where(c => c.Contains('-', StringComparison.Ordinal));
+            .Where(c => c.Contains('-', StringComparison.Ordinal))
+            .Concat(Mating.RefusalForms.All.Select(f => f.Name));
         var codes = ConstantsOf(typeof(Nc.NcRefusalCodes)).Concat(mating).ToArray();
         Assert.True(codes.Length > 25);
         Assert.All(codes, c => Assert.Contains($"`{c}`", page, StringComparison.Ordinal));

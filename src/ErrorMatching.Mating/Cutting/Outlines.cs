@@ -9,12 +9,14 @@ internal static class Outlines
     private const int PointsOfAnArc = 24;
 
     /// <summary>The boundary along a pass: the path offset by the tool radius, or the path itself under cutter compensation.</summary>
-    public static IReadOnlyList<Point2> Boundary(MatingJob job, NcPath path, FeaturePass pass) => Boundary(job, path, pass, _ => 0);
+    public static IReadOnlyList<Point2> Boundary(JobCounterpart counterpart, NcPath path, FeaturePass pass) =>
+        Boundary(counterpart, path, pass, _ => 0);
 
     /// <summary>That boundary, moved toward the tool by a distance that depends on the length along the pass.</summary>
-    public static IReadOnlyList<Point2> Boundary(MatingJob job, NcPath path, FeaturePass pass, Func<double, double> towardTool)
+    public static IReadOnlyList<Point2> Boundary(
+        JobCounterpart counterpart, NcPath path, FeaturePass pass, Func<double, double> towardTool)
     {
-        var toPart = job.Counterpart.Frame.Inverse();
+        var toPart = counterpart.Frame.Inverse();
         var points = new List<Point2>();
         for (var i = pass.First; i <= pass.Last; i++)
         {
@@ -24,7 +26,7 @@ internal static class Outlines
                 continue;
             }
 
-            var radius = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : job.Counterpart.ToolDiameterMm / 2;
+            var radius = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : counterpart.ToolDiameterMm / 2;
             var (from, to) = (pass.Starts[i - pass.First], pass.Starts[i - pass.First + 1]);
             var steps = motion.IsArc ? PointsOfAnArc : 1;
             for (var step = 0; step <= steps; step++)

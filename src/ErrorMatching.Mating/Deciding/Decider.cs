@@ -9,9 +9,10 @@ namespace ErrorMatching.Mating;
 /// <remarks>
 /// <para>A feature is outside its tolerance if the normal deviation of any of its points is. All its points are then compensated, because
 /// moving only part of a line would bend it.</para>
-/// <para>The deviation must also be significant: the feature's largest normal deviation must exceed <see cref="CoverageFactor"/> times
-/// the combined standard uncertainty u of a normal deviation. Feed-forward compares a measured point with an exact one, so u is the
-/// gauge's. Feedback compares two measured points, so u is the gauge's times the square root of 2.</para>
+/// <para>The deviation must also be significant: the feature's largest normal deviation must exceed
+/// <see cref="UncertaintyBudget.CoverageFactor"/> times the combined standard uncertainty u of a normal deviation. Feed-forward compares a
+/// measured point with an exact one, so u is the gauge's. Feedback compares two measured points, so u is the gauge's times the square
+/// root of 2.</para>
 /// <para>Limits that are wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times a significant deviation
 /// of the feature are refused, because they are probably micrometers entered as millimeters. A tolerance may well be wider than the
 /// deviations of a good piece: by a factor of 50 if 0.05 mm are allowed and 1 um is found. Micrometers read as millimeters are off by a
@@ -20,12 +21,6 @@ namespace ErrorMatching.Mating;
 /// </remarks>
 internal static class Decider
 {
-    /// <summary>Code of the refusal of a deviation beyond the job's limit.</summary>
-    public const string ImplausibleDeviation = "implausible-deviation";
-
-    /// <summary>Coverage factor k of the expanded uncertainty: 2, about 95 % of normally distributed errors.</summary>
-    public const double CoverageFactor = 2;
-
     /// <summary>Largest ratio of a limit to the feature's deviation that is accepted without question.</summary>
     public const double MostTolerance = 100;
 
@@ -73,7 +68,7 @@ internal static class Decider
         var (band, off) = (feature.Tolerance.Band, Math.Abs(largest));
         var limit = Math.Abs(band.LowerMm) > Math.Abs(band.UpperMm) ? band.LowerMm : band.UpperMm;
         var form = RefusalForms.LimitImplausible;
-        var nothing = Math.Max(CoverageFactor * u, 0.0005);
+        var nothing = Math.Max(UncertaintyBudget.CoverageFactor * u, 0.0005);
         return Math.Abs(limit) <= UsualTolerance || off <= nothing || Math.Abs(limit) <= MostTolerance * off
             ? null
             : new(form.Name, form.With(feature.Name, limit, off, limit / 1000), new()
@@ -90,7 +85,7 @@ internal static class Decider
     {
         var largest = points.Select(p => p.NormalMm).MaxBy(Math.Abs);
         var decision = points.All(p => band.Contains(p.NormalMm)) ? Decision.WithinTolerance
-            : Math.Abs(largest) <= CoverageFactor * u ? Decision.NotSignificant
+            : Math.Abs(largest) <= UncertaintyBudget.CoverageFactor * u ? Decision.NotSignificant
             : Decision.Compensated;
         return new(
             name,
@@ -117,7 +112,7 @@ internal static class Decider
     }
 
     private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => new(
-        ImplausibleDeviation,
+        RefusalForms.ImplausibleDeviation.Name,
         RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit),
         new() { Feature = feature, Point = point.Label });
 }

@@ -12,7 +12,7 @@ internal static class FeatureWish
 
     /// <summary>Shift and tilt of a straight element: a field of values at the key points of a cut.</summary>
     public static Func<double[], ArcLengthField> Straight(FeatureCut cut) =>
-        values => ArcLengthField.Straight([.. cut.Pass.Feet.Select(cut.Pass.Along)], values, cut.Job.Gauge.Uncertainty.CombinedMm);
+        values => ArcLengthField.Straight([.. cut.Pass.Feet.Select(cut.Pass.Along)], values, cut.UncertaintyMm);
 
     /// <summary>The displacement at a length for the left normal there: along the normal, or both vector components, as the job
     /// requests.</summary>
@@ -20,7 +20,7 @@ internal static class FeatureWish
     /// <param name="field">The field of values at its key points.</param>
     public static Func<double, Vector2, Vector2> Course(FeatureCut cut, Func<double[], ArcLengthField> field)
     {
-        if (cut.Job.Compensation.Along == CompensationDirection.Vector)
+        if (cut.Along == CompensationDirection.Vector)
         {
             var (x, y) = (field([.. cut.Corrections.Select(c => c.X)]), field([.. cut.Corrections.Select(c => c.Y)]));
             return (s, _) => new(x.At(s), y.At(s));

@@ -23,7 +23,7 @@ internal sealed partial class JobReader
         }
 
         // A deviation is significant beyond the expanded uncertainty and plausible up to the limit.
-        var factor = Decider.CoverageFactor * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        var factor = UncertaintyBudget.CoverageFactor * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
         if (factor * job.Gauge.Uncertainty.CombinedMm is var expanded && expanded >= most)
         {
             var u = job.Gauge.Uncertainty.CombinedMm;

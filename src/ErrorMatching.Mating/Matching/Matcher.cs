@@ -56,7 +56,8 @@ public static class Matcher
 
         return path.Refusal
             ?? UnitCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart)
-            ?? OriginCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart) ?? AlignedMeasurement.Check(input.Job);
+            ?? OriginCheck.Refuse(input.Job.OriginCheck, input.Theoretical, input.Part, input.Counterpart)
+            ?? AlignedMeasurement.Check(input.Job);
     }
 
     // Why a program with this marker must not be compensated, or null.
@@ -103,7 +104,12 @@ public static class Matcher
         foreach (var (map, decided) in maps.Zip(decision.Features).Where(m => m.Second.Decision == Decision.Compensated))
         {
             Vector2[] corrections = [.. decided.Points.Select(p => input.Job.Counterpart.Frame.Apply(p.Correction))];
-            foreach (var cut in map.Passes.Select(pass => new FeatureCut(input.Job, path, pass, corrections)))
+            foreach (var cut in map.Passes.Select(pass => new FeatureCut(path, pass, corrections)
+            {
+                Along = input.Job.Compensation.Along,
+                UncertaintyMm = input.Job.Gauge.Uncertainty.CombinedMm,
+                ToolDiameterMm = input.Job.Counterpart.ToolDiameterMm,
+            }))
             {
                 if (map.Feature.RefuseCut(cut) is { } cannotFollow)
                 {

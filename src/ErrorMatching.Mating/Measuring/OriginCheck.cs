@@ -41,13 +41,14 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
         return new(check.Point, (measured.HasZ && theoretical.HasZ ? off : off with { Z = 0 }).Length, check.LimitMm);
     }
 
-    /// <summary>The refusal of the first measurement with an origin outside its limit, or null; null also if the job has no
-    /// check.</summary>
-    internal static Refusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
+    /// <summary>The refusal of the first measurement with an origin outside its limit, or null; null also if no check is
+    /// wanted.</summary>
+    internal static Refusal? Refuse(
+        JobOriginCheck? wanted, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)
         {
-            if (job.OriginCheck is { } check
+            if (wanted is { } check
                 && file is not null
                 && Of(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
             {

@@ -4,6 +4,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Contributions">Its causes, assumed independent.</param>
 public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Contributions)
 {
+    /// <summary>Coverage factor k of the expanded uncertainty: 2, about 95 % of normally distributed errors.</summary>
+    internal const double CoverageFactor = 2;
+
     /// <summary>Root sum of squares of all contributions.</summary>
     public double CombinedMm => Math.Sqrt(Contributions.Sum(c => c.ValueMm * c.ValueMm));
 

@@ -97,10 +97,15 @@ public static class MatchReporter
             UncertaintyMm = decision.StandardUncertaintyMm,
             ResidualsMm = evaluation.ResidualsMm,
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
-            TheoreticalOutline = Outlines.Boundary(job, result.Before, map.Passes[0]),
-            CorrectedOutline = Outlines.Boundary(job, result.After, map.Passes[0]),
+            TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
+            CorrectedOutline = Outlines.Boundary(job.Counterpart, result.After, map.Passes[0]),
             ActualOutline = map.Feature.MeasuredOutline(new(
-                job, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
+                job.Counterpart,
+                job.Gauge.Uncertainty.CombinedMm,
+                result.Before,
+                map,
+                Theoretical(result, map),
+                [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
             StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
         };
     }
@@ -119,7 +124,8 @@ public static class MatchReporter
     }
 
     private static double Moved(MatchResult result, FeatureMap map, int point, Point2 theoretical) =>
-        Correction.NormalMm(result.Input.Job, result.Before, result.After, map.Passes[0], map.Passes[0].Feet[point], theoretical);
+        BoundaryShift.NormalMm(
+            result.Input.Job.Counterpart, result.Before, result.After, map.Passes[0], map.Passes[0].Feet[point], theoretical);
 
     private static IEnumerable<ReportKeyPoint> KeyPoints(MatchResult result, FeatureMap map, FeatureDecision decision)
     {

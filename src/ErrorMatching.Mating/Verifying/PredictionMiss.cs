@@ -13,5 +13,5 @@ public readonly record struct PredictionMiss(string Point, double PredictedMm, d
 
     /// <summary>True if the difference exceeds the expanded uncertainty used for decisions (k = 2), so that measuring does not explain
     /// it.</summary>
-    public bool IsSignificant => Math.Abs(Mm) > Decider.CoverageFactor * StandardUncertaintyMm;
+    public bool IsSignificant => Math.Abs(Mm) > UncertaintyBudget.CoverageFactor * StandardUncertaintyMm;
 }

@@ -29,7 +29,7 @@ public static class VerifyRun
         IReadOnlyList<FeatureMap> maps = [];
         var refused = path.Refusal
             ?? UnitCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
-            ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
+            ?? OriginCheck.Refuse(job.OriginCheck, input.Theoretical, input.Part, input.Before, input.After)
             ?? AlignedMeasurement.Check(job)
             ?? FeatureMapper.Map(job, path, input.Theoretical, out maps);
         if (refused is { } refusal)
@@ -81,6 +81,6 @@ public static class VerifyRun
             feature.Name,
             feature.Tolerance.Band,
             [.. feature.Points.Select(l => (l, ProjectedPoint.Of(input.Theoretical[l], feature.Plane, input.Theoretical.File).Position))],
-            Outlines.Boundary(input.Job, path, map.Passes[0]));
+            Outlines.Boundary(input.Job.Counterpart, path, map.Passes[0]));
     }
 }

@@ -125,7 +125,7 @@ public sealed class RefusalMatchTests
 
         Assert.Null(match.Outcome.Result);
         Assert.Equal(
-            [(Decider.ImplausibleDeviation, "L1", "1"), (Decider.ImplausibleDeviation, "L1", "2")],
+            [(RefusalForms.ImplausibleDeviation.Name, "L1", "1"), (RefusalForms.ImplausibleDeviation.Name, "L1", "2")],
             match.Outcome.Refusals.Select(r => (r.Code, r.Place.Feature!, r.Place.Point!)));
         Assert.NotNull((match with { Part = "1 10 1; 2 40 1" }).Outcome.Result);
         Assert.NotNull((match with { Compensation = """{ "limitMm": 1.3 }""" }).Outcome.Result);

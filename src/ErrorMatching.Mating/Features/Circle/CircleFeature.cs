@@ -117,7 +117,7 @@ public sealed record CircleFeature(
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured)
     {
         var (wanted, found) = (Fit(measured.Theoretical, 0).Circle, Fit(measured.Actual, 0).Circle);
-        var boundary = Outlines.Boundary(measured.Job, measured.Path, measured.Map.Passes[0]);
+        var boundary = Outlines.Boundary(measured.Counterpart, measured.Path, measured.Map.Passes[0]);
         return [.. boundary.Select(p => found.Foot(found.Center + (p - wanted.Center)))];
     }
 

@@ -14,7 +14,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
     {
         var motion = cut.Path.Motions[cut.Pass.First];
         var isOutside = cut.Pass.Feet[0].MaterialIsLeft == (motion.Kind == MotionKind.ArcClockwise);
-        var aside = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : cut.Job.Counterpart.ToolDiameterMm / 2;
+        var aside = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight) ? 0 : cut.ToolDiameterMm / 2;
 
         // The normals point from the material to the tool: inward if the material is outside.
         return new(

@@ -65,27 +65,31 @@ public sealed record CurveFeature(
 
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         Outlines.Boundary(
-            measured.Job, measured.Path, measured.Map.Passes[0], Smooth(measured.Job, measured.Map.Passes[0], measured.Normals).At);
+            measured.Counterpart,
+            measured.Path,
+            measured.Map.Passes[0],
+            Smooth(measured.UncertaintyMm, measured.Map.Passes[0], measured.Normals).At);
 
     // An arc of the program can only follow as an arc. If that predicts its key points clearly worse than a smooth course does, use the
     // smooth course; the arc then comes as close as it can.
     private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
     {
-        if (cut.Job.Compensation.Along == CompensationDirection.Vector
+        if (cut.Along == CompensationDirection.Vector
             || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
         {
-            return FeatureWish.Course(cut, values => Smooth(cut.Job, cut.Pass, values));
+            return FeatureWish.Course(cut, values => Smooth(cut.UncertaintyMm, cut.Pass, values));
         }
 
-        var smooth = Smooth(cut.Job, cut.Pass, [.. cut.Corrections.Select((c, i) => c.Dot(FeatureWish.LeftOf(cut.Pass.Feet[i])))]);
+        var smooth = Smooth(
+            cut.UncertaintyMm, cut.Pass, [.. cut.Corrections.Select((c, i) => c.Dot(FeatureWish.LeftOf(cut.Pass.Feet[i])))]);
         return double.IsPositiveInfinity(circle.LeaveOneOutRms)
             || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
             ? circle.At
             : (s, normal) => normal * smooth.At(s);
     }
 
-    private ArcLengthField Smooth(MatingJob job, FeaturePass pass, double[] values) =>
-        ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, job.Gauge.Uncertainty.CombinedMm);
+    private ArcLengthField Smooth(double uncertaintyMm, FeaturePass pass, double[] values) =>
+        ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, uncertaintyMm);
 
     /// <summary>The fit; null for a curve that is not a function over its chord. Its compensation works along the boundary and needs no
     /// fit.</summary>

@@ -108,7 +108,7 @@ public sealed record SlotFeature(
 
     private (CutSlot Slot, MeasuredSlot Wanted) Wanted(FeatureCut cut)
     {
-        var slot = CutSlot.Of(cut.Path, cut.Pass, cut.Job.Counterpart.ToolDiameterMm).Slot!;
+        var slot = CutSlot.Of(cut.Path, cut.Pass, cut.ToolDiameterMm).Slot!;
         return (slot, Fit([.. cut.Pass.Feet.Select((f, i) => slot.BoundaryAt(cut.Path, f) + cut.Corrections[i])], 0));
     }
 

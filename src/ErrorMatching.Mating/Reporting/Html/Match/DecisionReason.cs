@@ -20,8 +20,9 @@ internal static class DecisionReason
             Decision.WithinTolerance =>
                 $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}.",
             Decision.NotSignificant =>
-                $"{beyond} But no deviation is larger than {ReportNumber.Fine(Decider.CoverageFactor * feature.UncertaintyMm)} mm, "
-                    + $"{ReportNumber.Short(Decider.CoverageFactor)} times its uncertainty: it may be the gauge's.",
+                $"{beyond} But no deviation is larger than "
+                    + $"{ReportNumber.Fine(UncertaintyBudget.CoverageFactor * feature.UncertaintyMm)} mm, "
+                    + $"{ReportNumber.Short(UncertaintyBudget.CoverageFactor)} times its uncertainty: it may be the gauge's.",
             _ =>
                 $"{beyond} The counterpart follows "
                     + $"{(report.Compensation.Amount == CompensationAmount.Whole ? "the whole deviation" : "what lies beyond the limit")}.",

@@ -4,16 +4,17 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>The actual effect of the new program at the key points, measured on its motions.</summary>
-internal static class Correction
+internal static class BoundaryShift
 {
     private const int Iterations = 6;
 
     /// <summary>Displacement of the boundary at a key point along the normal from the counterpart's material to its tool: the distance to
     /// go along it until the new path is as far away as the old one was from the point. Secant method; the distance falls by nearly the
     /// length of each step.</summary>
-    public static double NormalMm(MatingJob job, NcPath before, NcPath after, FeaturePass pass, KeyPointFoot foot, Point2 theoretical)
+    public static double NormalMm(
+        JobCounterpart counterpart, NcPath before, NcPath after, FeaturePass pass, KeyPointFoot foot, Point2 theoretical)
     {
-        var point = job.Counterpart.Frame.Apply(theoretical);
+        var point = counterpart.Frame.Apply(theoretical);
         var wanted = Distance(before, pass, foot, point);
         var (last, lastOff) = (0.0, Distance(after, pass, foot, point) - wanted);
         var at = lastOff;
