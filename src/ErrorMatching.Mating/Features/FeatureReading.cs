@@ -9,9 +9,16 @@ namespace ErrorMatching.Mating;
 /// <param name="Blocks">Selectors of its blocks.</param>
 /// <param name="Tolerance">Its limits.</param>
 /// <param name="Plane">Its plane.</param>
-/// <param name="Reader">The reader of the job.</param>
+/// <param name="Labels">The labels of all key points.</param>
+/// <param name="Problems">The problems of the job.</param>
 internal sealed record FeatureReading(
-    JsonItem Item, string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane, JobReader Reader)
+    JsonItem Item,
+    string Name,
+    IReadOnlyList<string> Blocks,
+    JobTolerance Tolerance,
+    CoordinatePlane Plane,
+    KeyPointLabels Labels,
+    JobProblems Problems)
 {
     /// <summary>Its labels, list by list, each with the kind's minimum number; errors become problems of the job.</summary>
     /// <param name="kind">The kind.</param>
@@ -19,13 +26,13 @@ internal sealed record FeatureReading(
     {
         var points = Item["points"];
         return kind.LeastPoints.Count == 1
-            ? [Reader.ReadPoints(points, Name, kind.LeastPoints[0])]
-            : [.. kind.LeastPoints.Select((least, i) => Reader.ReadPoints(points.Items[i], Name, least))];
+            ? [Labels.Read(points, Name, kind.LeastPoints[0])]
+            : [.. kind.LeastPoints.Select((least, i) => Labels.Read(points.Items[i], Name, least))];
     }
 
     /// <summary>A number; null if it is missing or chosen automatically.</summary>
     public double? Number(string key) => Item.Find(key) is { Kind: JsonItemKind.Number } n ? n.Number : null;
 
     /// <summary>Adds a problem with one of its keys to the job's.</summary>
-    public void Refuse(string key, string code, string found, string expected) => Reader.Refuse(Item[key], code, found, expected);
+    public void Refuse(string key, string code, string found, string expected) => Problems.Refuse(Item[key], code, found, expected);
 }

@@ -7,20 +7,23 @@ namespace ErrorMatching.Mating;
 
 /// <summary>Creates a job from a document that conforms to the schema, and collects the problems that a schema cannot detect: duplicate
 /// names, too few points, keys that require each other.</summary>
-internal sealed partial class JobReader(JsonItem root)
+internal sealed class JobReader(JsonItem root)
 {
-    /// <summary>Code of the problem of a gauge so uncertain that the job stops before a deviation is significant.</summary>
-    public const string UncertaintyImplausible = "uncertainty-implausible";
+    private readonly JobProblems _problems = new();
 
-    private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
-    private readonly Dictionary<string, string> _featureOfPoint = new(StringComparer.Ordinal);
+    /// <summary>What is wrong in the job.</summary>
+    public IReadOnlyList<Refusal> Problems => _problems.All;
 
-    public List<Refusal> Problems { get; } = [];
-
+    /// <summary>Reads the job.</summary>
+    /// <param name="file">The file, as the caller named it.</param>
+    /// <param name="sha256">SHA-256 of its bytes.</param>
     public MatingJob Read(string file, string sha256)
     {
+        var tolerances = new ToleranceReader(_problems);
+        var features = new FeatureReader(_problems, tolerances);
+
         // Read the chain first, because features may take their limits from it.
-        var chain = root.Find("toleranceChain") is { } links ? new ToleranceChain([.. links.Items.Select(ReadLink)]) : null;
+        var chain = root.Find("toleranceChain") is { } links ? tolerances.ReadChain(links) : null;
         var job = new MatingJob
         {
             File = file,
@@ -31,29 +34,26 @@ internal sealed partial class JobReader(JsonItem root)
             Gauge = ReadGauge(root["gauge"]),
             Alignment = root.Find("alignment") is { } alignment ? ReadAlignment(alignment) : JobAlignment.None,
             OriginCheck = root.Find("originCheck") is { } origin ? new(origin["point"].Text, origin["limitMm"].Number) : null,
-            Features = [.. root["features"].Items.Select(f => ReadFeature(f, chain))],
+            Features = [.. root["features"].Items.Select(f => features.Read(f, chain))],
             Counterpart = ReadCounterpart(root["counterpart"]),
             Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
             Chain = chain,
             Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
-            Verify = ReadComparisons(),
+            Verify = new ComparisonReader(_problems, features).Read(root.Find("verify")?.Items ?? []),
             MeasuredPlace = root["counterpart"].Find("measured")?.Place,
         };
         if (job.Compensation.From == CompensationSource.Counterpart && job.Counterpart.Measured is null)
         {
-            Refuse(
+            _problems.Refuse(
                 root["counterpart"],
                 "measured-missing",
                 "no key \"measured\"",
                 "the measured counterpart's file, since the compensation comes from it");
         }
 
-        CheckLimits(job);
+        new LimitCheck(_problems).Check(root, job);
         return job;
     }
-
-    private ChainLink ReadLink(JsonItem item) =>
-        new(item["name"].Text, item["nominalMm"].Number, ReadBand(item["toleranceMm"]), (int)item["sign"].Number);
 
     private JobGauge ReadGauge(JsonItem item)
     {
@@ -63,7 +63,8 @@ internal sealed partial class JobReader(JsonItem root)
         var diameter = item.Find("stylusDiameterMm")?.Number;
         if (reports == ProbeReport.StylusCenter && diameter is null)
         {
-            Refuse(item, "stylus-diameter-missing", "no key \"stylusDiameterMm\"", "the diameter of the ball whose centers the files hold");
+            _problems.Refuse(
+                item, "stylus-diameter-missing", "no key \"stylusDiameterMm\"", "the diameter of the ball whose centers the files hold");
         }
 
         return new(
@@ -88,7 +89,7 @@ internal sealed partial class JobReader(JsonItem root)
         }
         catch (InputException e)
         {
-            Problems.Add(e.Refusals[0] with { Code = "bad-format", Place = JsonRefusal.PlaceOf(item, e.Place.Path) });
+            _problems.Add(e.Refusals[0] with { Code = "bad-format", Place = JsonRefusal.PlaceOf(item, e.Place.Path) });
             return MeasurementFormat.Points;
         }
     }
@@ -101,7 +102,7 @@ internal sealed partial class JobReader(JsonItem root)
                 var (origin, direction) = (item["origin"], item["direction"]);
                 if (origin.Text == direction.Text)
                 {
-                    Refuse(
+                    _problems.Refuse(
                         direction,
                         "datum-needs-two-points",
                         $"the origin {direction.Text} again",
@@ -160,26 +161,10 @@ internal sealed partial class JobReader(JsonItem root)
             }
             catch (InputException e)
             {
-                Refuse(item["pattern"], "bad-pattern", e.Refusals[0].Found, e.Refusals[0].Expected);
+                _problems.Refuse(item["pattern"], "bad-pattern", e.Refusals[0].Found, e.Refusals[0].Expected);
             }
         }
 
         return rules;
     }
-
-    private ToleranceBand ReadBand(JsonItem item)
-    {
-        var (lower, upper) = (item.Items[0].Number, item.Items[1].Number);
-        if (lower <= upper)
-        {
-            return new(lower, upper);
-        }
-
-        Refuse(item, "reversed-tolerance", $"the limits {item.Items[0].Text} and {item.Items[1].Text}", "the lower limit first");
-        return default;
-    }
-
-    /// <summary>Adds a problem with an item.</summary>
-    public void Refuse(JsonItem item, string code, string found, string expected) =>
-        Problems.Add(JsonRefusal.At(item, code, found, expected));
 }

@@ -3,11 +3,18 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <content>Refuses limits and uncertainties that no deviation can reach before the job stops. They have no effect, and are usually
-/// micrometers.</content>
-internal sealed partial class JobReader
+/// <summary>Refuses limits and uncertainties that no deviation can reach before the job stops. They have no effect, and are usually
+/// micrometers.</summary>
+/// <param name="problems">The problems of the job.</param>
+internal sealed class LimitCheck(JobProblems problems)
 {
-    private void CheckLimits(MatingJob job)
+    /// <summary>Code of the problem of a gauge so uncertain that the job stops before a deviation is significant.</summary>
+    public const string UncertaintyImplausible = "uncertainty-implausible";
+
+    /// <summary>Checks a job.</summary>
+    /// <param name="root">Its document.</param>
+    /// <param name="job">The job.</param>
+    public void Check(JsonItem root, MatingJob job)
     {
         var most = job.Compensation.LimitMm;
         var features = root["features"].Items;
@@ -29,10 +36,10 @@ internal sealed partial class JobReader
             var u = job.Gauge.Uncertainty.CombinedMm;
             var expected = $"less than {Number(Math.Floor(most / factor * 1e4) / 1e4)}";
             var item = root["gauge"]["uncertaintyMm"];
-            Problems.Add(JsonRefusal.At(item, UncertaintyImplausible, Number(u), expected) with
+            problems.Add(JsonRefusal.At(item, UncertaintyImplausible, Number(u), expected) with
             {
-                Message = $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to the "
-                + $"{Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm."
+                Message = $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to "
+                + $"the {Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm."
             });
         }
     }
@@ -58,7 +65,7 @@ internal sealed partial class JobReader
     private void RefuseLimit(JsonItem item, double limit, double most, string found)
     {
         var expected = $"at most {Number(most)}";
-        Problems.Add(JsonRefusal.At(item, RefusalForms.LimitImplausible.Name, found, expected) with
+        problems.Add(JsonRefusal.At(item, RefusalForms.LimitImplausible.Name, found, expected) with
         {
             Message = $"found {found} mm; expected {expected} mm either way, since the job stops at any larger deviation (\"limitMm\"). "
             + $"um? {Number(limit)} um are {Number(limit / 1000)} mm."

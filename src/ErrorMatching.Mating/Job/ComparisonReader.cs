@@ -2,19 +2,23 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Mating;
 
-/// <content>Comparisons in addition to those that every feature has.</content>
-internal sealed partial class JobReader
+/// <summary>Reads comparisons in addition to those that every feature has.</summary>
+/// <param name="problems">The problems of the job.</param>
+/// <param name="features">The features, all of them read.</param>
+internal sealed class ComparisonReader(JobProblems problems, FeatureReader features)
 {
-    private List<JobComparison> ReadComparisons()
+    /// <summary>Reads a list of comparisons.</summary>
+    public List<JobComparison> Read(IReadOnlyList<JsonItem> items)
     {
         var comparisons = new List<JobComparison>();
-        var names = new HashSet<string>(_features.Keys, StringComparer.Ordinal);
-        foreach (var item in root.Find("verify")?.Items ?? [])
+        var names = new HashSet<string>(features.ByName.Keys, StringComparer.Ordinal);
+        foreach (var item in items)
         {
             var name = item["name"].Text;
             if (!names.Add(name))
             {
-                Refuse(item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no feature and no other comparison has");
+                problems.Refuse(
+                    item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no feature and no other comparison has");
             }
 
             comparisons.Add(item["quantity"].Text == "angle"
@@ -27,10 +31,10 @@ internal sealed partial class JobReader
 
     private List<string> ReadComparedPoints(JsonItem list)
     {
-        var labels = Labels(list);
-        foreach (var (label, item) in labels.Where(l => !_featureOfPoint.ContainsKey(l.Label)))
+        var labels = features.Labels.Expand(list);
+        foreach (var (label, item) in labels.Where(l => !features.Labels.Contains(l.Label)))
         {
-            Refuse(item, "unknown-point", $"the point {label}", "a point of one of the features");
+            problems.Refuse(item, "unknown-point", $"the point {label}", "a point of one of the features");
         }
 
         return [.. labels.Select(l => l.Label).Distinct(StringComparer.Ordinal)];
@@ -41,10 +45,10 @@ internal sealed partial class JobReader
         var slash = item.Text.IndexOf('/', StringComparison.Ordinal);
         var name = slash < 0 ? item.Text : item.Text[..slash];
         int? flank = slash < 0 ? null : item.Text[slash..] switch { "/1" => 1, "/2" => 2, _ => 0 };
-        if (_features.GetValueOrDefault(name)?.Element(flank) is null)
+        if (features.ByName.GetValueOrDefault(name)?.Element(flank) is null)
         {
             var expected = "the name " + string.Join(", or ", FeatureKinds.All.Select(k => k.ElementWords).OfType<string>());
-            Refuse(item, "unknown-element", $"\"{item.Text}\"", expected);
+            problems.Refuse(item, "unknown-element", $"\"{item.Text}\"", expected);
         }
 
         return new(name, flank);

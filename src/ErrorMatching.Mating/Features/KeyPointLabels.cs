@@ -1,0 +1,64 @@
+using System.Globalization;
+using ErrorMatching.Json;
+using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The labels of a job's key points during reading: each belongs to one feature.</summary>
+/// <param name="problems">The problems of the job.</param>
+internal sealed class KeyPointLabels(JobProblems problems)
+{
+    private readonly Dictionary<string, string> _features = new(StringComparer.Ordinal);
+
+    /// <summary>True if a feature that was read has the point.</summary>
+    public bool Contains(string label) => _features.ContainsKey(label);
+
+    /// <summary>The labels of a list of points; errors become problems of the job.</summary>
+    public List<string> Read(JsonItem list, string feature, int least)
+    {
+        var labels = Expand(list);
+        foreach (var (label, item) in labels)
+        {
+            // A point in two features would have two normals and two corrections.
+            if (!_features.TryAdd(label, feature))
+            {
+                problems.Refuse(
+                    item,
+                    "duplicate-point",
+                    $"the point {label} again, which belongs to {_features[label]}",
+                    "each point in one place");
+            }
+        }
+
+        if (labels.Count < least)
+        {
+            problems.Refuse(
+                list,
+                "too-few-points",
+                string.Create(CultureInfo.InvariantCulture, $"{labels.Count} point(s)"),
+                string.Create(CultureInfo.InvariantCulture, $"at least {least}"));
+        }
+
+        return [.. labels.Select(l => l.Label)];
+    }
+
+    /// <summary>The labels of a list, ranges expanded, each with its item; errors become problems of the job.</summary>
+    public List<(string Label, JsonItem Item)> Expand(JsonItem list)
+    {
+        var labels = new List<(string, JsonItem)>();
+        foreach (var item in list.Items)
+        {
+            try
+            {
+                labels.AddRange(LabelRange.Expand(item.Text).Select(l => (l, item)));
+            }
+            catch (InputException e)
+            {
+                problems.Refuse(item, "bad-range", e.Refusals[0].Found, e.Refusals[0].Expected);
+            }
+        }
+
+        return labels;
+    }
+}
