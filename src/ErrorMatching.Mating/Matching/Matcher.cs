@@ -100,30 +100,9 @@ public static class Matcher
         AlignedMeasurement? counterpart,
         MatingDecision decision)
     {
-        var elements = new List<ElementWish>();
-        foreach (var (map, decided) in maps.Zip(decision.Features).Where(m => m.Second.Decision == Decision.Compensated))
+        if (CourseEstimator.Estimate(input.Job, path, maps, decision, out var wish) is { } cannotFollow)
         {
-            Vector2[] corrections = [.. decided.Points.Select(p => input.Job.Counterpart.Frame.Apply(p.Correction))];
-            foreach (var cut in map.Passes.Select(pass => new FeatureCut(path, pass, corrections)
-            {
-                Along = input.Job.Compensation.Along,
-                UncertaintyMm = input.Job.Gauge.Uncertainty.CombinedMm,
-                ToolDiameterMm = input.Job.Counterpart.ToolDiameterMm,
-            }))
-            {
-                if (map.Feature.RefuseCut(cut) is { } cannotFollow)
-                {
-                    return cannotFollow;
-                }
-
-                elements.AddRange(map.Feature.Wishes(cut));
-            }
-        }
-
-        var wish = DisplacementWish.OfElements([.. elements.OrderBy(e => e.Motion)]);
-        if (BeyondLimit(input, path, maps, wish) is { } wild)
-        {
-            return wild;
+            return cannotFollow;
         }
 
         var rewrite = Rewriter.Apply(path, wish);
@@ -155,28 +134,6 @@ public static class Matcher
                 marker,
                 proof)
             : Outcome<MatchResult>.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
-    }
-
-    // The limit applies between and beyond the points too: a course that swings out there follows no measurement.
-    private static Refusal? BeyondLimit(MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
-    {
-        var compensation = input.Job.Compensation;
-        var limit = compensation.LimitMm * Math.Max(1, compensation.Gain);
-        var worst = wish.Elements.MaxBy(Largest)!;
-        if (Largest(worst) <= limit)
-        {
-            return null;
-        }
-
-        var block = path.Motions[worst.Motion].Block;
-        var name = path.Program.NameOf(path.Program[block]);
-        var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
-        return new(
-            RefusalForms.ImplausibleCourse.Name,
-            RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit),
-            new() { Feature = feature, Block = name, Line = block + 1 });
-
-        static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
 
     // Adds the name of the feature that owns the refused block, if any.
