@@ -80,7 +80,9 @@ public sealed class SurfaceRunTests
 
         // What is said to be expected, and by how much points move, is of the program that was made.
         Assert.Equal(byError.Report.Compensation.Mirror.Statistics, byPoints.Report.Compensation.Mirror.Statistics);
-        Assert.All(byPoints.Report.Compensation.Samples, s => Assert.Equal(byError.Report.Compensation.MoveAt(s), byPoints.Report.Compensation.MoveAt(s)));
+        Assert.All(
+            byPoints.Report.Compensation.Samples,
+            s => Assert.Equal(byError.Report.Compensation.MoveAt(s), byPoints.Report.Compensation.MoveAt(s)));
     }
 
     // Whether the error was cut away by a displaced program or by one that was made anew, it must not be cut away again.
