@@ -62,7 +62,7 @@ public static class ToolPathPlanner
 
         var sheet = toolpath.AlongU ? surface : Turned(surface);
         var rounding = new CenterRounding(dialect.MetricDecimals, toolpath.ProgramsTip ? tool.RadiusMm : 0, finest);
-        return new PathPlanning(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, dialect.MetricDecimals).Run();
+        return new PathPlanning(new(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath), dialect.MetricDecimals).Run();
     }
 
     // With u and v swapped, passes always run along u.

@@ -38,7 +38,6 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, int> LongerStill = new(StringComparer.Ordinal)
     {
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 969,
-        ["ErrorMatching.Freeform.PathPlanning"] = 646,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
     };
 
