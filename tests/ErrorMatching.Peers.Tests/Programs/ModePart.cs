@@ -1,14 +1,15 @@
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>Modes that are saved and restored.</content>
-internal sealed partial class RandomProgram
+/// <summary>Modes that are saved and restored.</summary>
+internal sealed class ModePart(ProgramDraft draft, RandomNumbers random)
+    : ProgramPart(draft, random)
 {
     private int _feeds;
 
     // Two subprograms that change modes, one of which calls the other; around the calls the main program saves and restores all it needs.
-    private void WriteSavedModes()
+    public void WriteSavedModes()
     {
-        var (inner, outer) = (_labels++, _labels++);
+        var (inner, outer) = (Draft.NextLabel(), Draft.NextLabel());
         Line($"o{inner} sub");
         WriteLevel(inner, null);
         Line($"o{inner} endsub");

@@ -2,14 +2,25 @@ using System.Globalization;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>Everything that shifts coordinates.</content>
-internal sealed partial class RandomProgram
+/// <summary>Everything that shifts coordinates.</summary>
+internal sealed class OffsetPart(ProgramDraft draft, RandomNumbers random, MotionPart motions)
+    : ProgramPart(draft, random)
 {
     private static readonly string[] Systems = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
     private readonly HashSet<string> _stored = [];
 
-    private void WriteWorkOffset(bool rotated)
+    /// <summary>What an offset is to begin with only the machine knows; a program that shifts by known amounts says it first.</summary>
+    public void StateOffsets()
+    {
+        Block("G92.1");
+        for (var system = 1; system <= Systems.Length; system++)
+        {
+            Block($"G10 L2 P{system} X0 Y0 Z0 R0");
+        }
+    }
+
+    public void WriteWorkOffset(bool rotated)
     {
         switch (Below(3))
         {
@@ -28,12 +39,12 @@ internal sealed partial class RandomProgram
                 Shifted();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteTouchedOffset()
+    public void WriteTouchedOffset()
     {
         if (Chance(0.5))
         {
@@ -43,10 +54,10 @@ internal sealed partial class RandomProgram
             Shifted();
         }
 
-        WriteMotion();
+        motions.WriteMotion();
     }
 
-    private void WriteSetPosition()
+    public void WriteSetPosition()
     {
         switch (Below(6))
         {
@@ -64,12 +75,12 @@ internal sealed partial class RandomProgram
                 Shifted();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteLocalShift()
+    public void WriteLocalShift()
     {
         if (Chance(0.4))
         {
@@ -77,29 +88,29 @@ internal sealed partial class RandomProgram
             Shifted();
         }
 
-        WriteMotion();
+        motions.WriteMotion();
     }
 
-    private void WriteMachineCoordinates()
+    public void WriteMachineCoordinates()
     {
         switch (Below(4))
         {
             case 0:
                 Block($"G90 G53 {Any("G0", "G1")}" + SomeAxes());
-                _incremental = false;
-                _motion = "";
+                Draft.IsIncremental = false;
+                Draft.Motion = "";
                 Shifted();
                 break;
             case 1:
                 WriteSetPosition();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteToolLength()
+    public void WriteToolLength()
     {
         switch (Below(4))
         {
@@ -112,12 +123,12 @@ internal sealed partial class RandomProgram
                 Shifted();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteReference()
+    public void WriteReference()
     {
         switch (Below(4))
         {
@@ -127,26 +138,26 @@ internal sealed partial class RandomProgram
                 if (_stored.Add(home) || Chance(0.4))
                 {
                     Block(home + ".1");
-                    WriteMotion();
+                    motions.WriteMotion();
                 }
 
                 Block(home + (Chance(0.5) ? SomeAxes() : ""));
                 Shifted();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteCompensation()
+    public void WriteCompensation()
     {
         if (Chance(0.3))
         {
             Block(Any("G40", "G41 D1", "G42 D2", "G41.1 D" + Number(0.5), "G42.1 D" + Number(0.5)));
         }
 
-        WriteMotion();
+        motions.WriteMotion();
     }
 
     // Increments go on from the shifted place, whatever it is; anything else needs its coordinates stated.

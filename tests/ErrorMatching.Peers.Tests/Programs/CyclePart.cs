@@ -2,13 +2,14 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>Canned cycles, probing, splines, feeds.</content>
-internal sealed partial class RandomProgram
+/// <summary>Canned cycles, polar coordinates, probing, splines, feeds.</summary>
+internal sealed class CyclePart(ProgramDraft draft, RandomNumbers random, MotionPart motions)
+    : ProgramPart(draft, random)
 {
-    private void WriteCycles()
+    public void WriteCycles()
     {
-        var scale = _inch ? 25.4 : 1;
-        var (third, first, second) = _plane switch
+        var scale = Draft.IsInch ? 25.4 : 1;
+        var (third, first, second) = Draft.Plane switch
         {
             CoordinatePlane.ZX => ("Y", "Z", "X"),
             CoordinatePlane.YZ => ("X", "Y", "Z"),
@@ -17,12 +18,12 @@ internal sealed partial class RandomProgram
         var plane = new[] { Grid(Uniform(-5, 5) / scale), Grid(Uniform(3, 9) / scale), Grid(Uniform(10, 30) / scale) };
 
         // Outside the plane XY the peer taps along the wrong axes.
-        var code = _plane == CoordinatePlane.XY && Chance(0.1) ? "G84" : Any("G81", "G82", "G83", "G73", "G85", "G86", "G89");
-        _incremental = Chance(0.3);
+        var code = Draft.Plane == CoordinatePlane.XY && Chance(0.1) ? "G84" : Any("G81", "G82", "G83", "G73", "G85", "G86", "G89");
+        Draft.IsIncremental = Chance(0.3);
 
         // In increments R is from where the tool stands, the bottom from R.
         Block($"G90 G0 {third}{Number(Chance(0.2) ? plane[0] : plane[2])}");
-        var heights = _incremental
+        var heights = Draft.IsIncremental
             ? $"{third}{Number(-Grid(Uniform(3, 20) / scale))} R{Number(Grid(Uniform(-4, 4) / scale))}"
             : $"{third}{Number(Grid(plane[0] - (Uniform(3, 20) / scale)))} R{Number(plane[1])}";
         var words = code switch
@@ -33,7 +34,7 @@ internal sealed partial class RandomProgram
         };
         var repeats = Chance(0.2) ? $" L{1 + Below(3)}" : "";
         Block(
-            $"{(_incremental ? "G91" : "G90")} {Any("G98", "G99")} {code} {first}{Number(Place())} {second}{Number(Place())} "
+            $"{(Draft.IsIncremental ? "G91" : "G90")} {Any("G98", "G99")} {code} {first}{Number(Place())} {second}{Number(Place())} "
                 + $"{heights}{words}{repeats}");
         for (var i = Below(4); i > 0; i--)
         {
@@ -47,14 +48,15 @@ internal sealed partial class RandomProgram
 
         Block("G80");
         Restate();
-        _motion = "G0";
+        Draft.Motion = "G0";
 
-        double Place() => _incremental ? Grid(Uniform(-9, 9) / scale) : Length();
+        double Place() => Draft.IsIncremental ? Grid(Uniform(-9, 9) / scale) : Length();
     }
 
     // Polar coordinates of the end, and holes on a circle.
-    private void WritePolar()
+    public void WritePolar()
     {
+        ToPlaneXY();
         switch (Below(4))
         {
             case 0:
@@ -64,19 +66,19 @@ internal sealed partial class RandomProgram
                 break;
             case 1:
                 Restate();
-                Block($"G90 G0 Z{Number(Grid(Uniform(20, 30) / (_inch ? 25.4 : 1)))}");
+                Block($"G90 G0 Z{Number(Grid(Uniform(20, 30) / (Draft.IsInch ? 25.4 : 1)))}");
                 Block($"G91 {Any("G98", "G99")} G81 ^[360/{3 + Below(5)}] Z-1 R-0.5 L{1 + Below(5)}");
                 Block("G80");
                 Restate();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
     // A wait beside a motion, a motion code that stands alone, a thread.
-    private void WriteOddBlock()
+    public void WriteOddBlock()
     {
         switch (Below(5))
         {
@@ -95,33 +97,28 @@ internal sealed partial class RandomProgram
                 Restate();
                 break;
             default:
-                WriteMotion();
+                motions.WriteMotion();
                 break;
         }
     }
 
-    private void WriteProbe()
+    public void WriteProbe()
     {
         if (Chance(0.3))
         {
             // The peer's probe trips at the end of the move, a little before it, so the place is said again.
-            Block($"G90 {Any("G38.2", "G38.3", "G38.4", "G38.5")} Z{Number(Length() + (_inch ? 5 : 100))}");
+            Block($"G90 {Any("G38.2", "G38.3", "G38.4", "G38.5")} Z{Number(Length() + (Draft.IsInch ? 5 : 100))}");
             Restate();
         }
 
-        WriteMotion();
+        motions.WriteMotion();
     }
 
-    private void WriteSpline()
+    public void WriteSpline()
     {
         if (Chance(0.4))
         {
-            if (_plane != CoordinatePlane.XY)
-            {
-                _plane = CoordinatePlane.XY;
-                Block("G17");
-            }
-
+            ToPlaneXY();
             Restate();
             var end = $"X{Number(Length())} Y{Number(Length())}";
             var pull = $"I{Number(Length())} J{Number(Length())}";
@@ -130,36 +127,45 @@ internal sealed partial class RandomProgram
             Restate();
         }
 
-        WriteMotion();
+        motions.WriteMotion();
     }
 
     // Cycles, probing, and blocks that state no feed, are refused in other modes.
-    private void FeedPerMinute()
+    public void FeedPerMinute()
     {
-        if (_feedMode != "G94")
+        if (Draft.FeedMode != "G94")
         {
-            (_feedMode, _inverseTime) = ("G94", false);
+            Draft.FeedMode = "G94";
             Block("G94 F" + Feed());
         }
     }
 
-    private void WriteFeedMode()
+    public void WriteFeedMode()
     {
         if (Chance(0.3))
         {
-            _feedMode = Any("G93", "G94", "G95");
-            _inverseTime = _feedMode == "G93";
-            Block(_inverseTime ? _feedMode : $"{_feedMode} F{Feed()}");
-            _motion = "";
-            if (_inverseTime)
+            Draft.FeedMode = Any("G93", "G94", "G95");
+            var isInverseTime = Draft.FeedMode == "G93";
+            Block(isInverseTime ? Draft.FeedMode : $"{Draft.FeedMode} F{Feed()}");
+            Draft.Motion = "";
+            if (isInverseTime)
             {
                 // The mode has no feed of its own: a cut states one.
                 Block("G0 X0");
-                _at[0] = _incremental ? _at[0] : 0;
+                Draft.At[0] = Draft.IsIncremental ? Draft.At[0] : 0;
             }
         }
 
-        WriteMotion();
+        motions.WriteMotion();
+    }
+
+    private void ToPlaneXY()
+    {
+        if (Draft.Plane != CoordinatePlane.XY)
+        {
+            Draft.Plane = CoordinatePlane.XY;
+            Block("G17");
+        }
     }
 
     private string Radius() => Number(Math.Abs(Length()));

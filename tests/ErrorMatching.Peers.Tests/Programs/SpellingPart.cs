@@ -2,10 +2,11 @@ using System.Text;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>The same blocks as no two post-processors write them.</content>
-internal sealed partial class RandomProgram
+/// <summary>The same blocks as no two post-processors write them.</summary>
+internal sealed class SpellingPart(ProgramDraft draft, RandomNumbers random, MotionPart motions)
+    : ProgramPart(draft, random)
 {
-    private void WriteSpelling()
+    public void WriteSpelling()
     {
         if (Chance(0.15))
         {
@@ -15,9 +16,9 @@ internal sealed partial class RandomProgram
                 "",
                 "   ",
                 "(MSG, hello)",
-                $"/N{_lines + 1} G1 X900 ; deleted or not",
+                $"/N{Draft.Lines + 1} G1 X900 ; deleted or not",
                 "( two ) ( comments )"));
-            if (_text[^2] == 't')
+            if (Draft.Text[^2] == 't')
             {
                 Restate();
             }
@@ -25,11 +26,11 @@ internal sealed partial class RandomProgram
             return;
         }
 
-        var before = _text.Length;
-        WriteMotion();
-        var plain = _text.ToString(before, _text.Length - before - 1);
-        _text.Length = before;
-        _text.Append(Respell(plain)).Append('\n');
+        var before = Draft.Text.Length;
+        motions.WriteMotion();
+        var plain = Draft.Text.ToString(before, Draft.Text.Length - before - 1);
+        Draft.Text.Length = before;
+        Draft.Text.Append(Respell(plain)).Append('\n');
     }
 
     private string Respell(string block)

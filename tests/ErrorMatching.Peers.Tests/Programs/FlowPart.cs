@@ -2,15 +2,14 @@ using System.Globalization;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>Parameters, expressions, branches, loops, subprograms.</content>
-internal sealed partial class RandomProgram
+/// <summary>Parameters, expressions, branches, loops, subprograms.</summary>
+internal sealed class FlowPart(ProgramDraft draft, RandomNumbers random)
+    : ProgramPart(draft, random)
 {
     // The peer reads lines of up to 255 characters.
     private const int LongestLine = 200;
 
-    private int _labels = 100;
-
-    private void WriteExpressions()
+    public void WriteExpressions()
     {
         switch (Below(3))
         {
@@ -24,7 +23,7 @@ internal sealed partial class RandomProgram
                     "#1=5 #2=#1"));
                 break;
             default:
-                _motion = Any("G0", "G1");
+                Draft.Motion = Any("G0", "G1");
                 string x, y;
                 do
                 {
@@ -32,8 +31,8 @@ internal sealed partial class RandomProgram
                 }
                 while (x.Length + y.Length > LongestLine);
 
-                Block($"G90 {_motion} X[{x}] Y[{y}] Z{Number(Length())}");
-                _incremental = false;
+                Block($"G90 {Draft.Motion} X[{x}] Y[{y}] Z{Number(Length())}");
+                Draft.IsIncremental = false;
                 break;
         }
     }
@@ -68,9 +67,9 @@ internal sealed partial class RandomProgram
         };
     }
 
-    private void WriteFlow()
+    public void WriteFlow()
     {
-        var label = _labels++;
+        var label = Draft.NextLabel();
         var counter = 20 + Below(10);
         switch (Below(6))
         {
@@ -123,9 +122,9 @@ internal sealed partial class RandomProgram
         Restate();
     }
 
-    private void WriteSubprogram()
+    public void WriteSubprogram()
     {
-        var label = _labels++;
+        var label = Draft.NextLabel();
         var name = Chance(0.3)
             ? string.Create(CultureInfo.InvariantCulture, $"<part{label}>")
             : label.ToString(CultureInfo.InvariantCulture);
@@ -155,8 +154,8 @@ internal sealed partial class RandomProgram
 
     private void Cut(string? value = null)
     {
-        _motion = "G1";
-        _incremental = false;
+        Draft.Motion = "G1";
+        Draft.IsIncremental = false;
         Block(Below(3) switch
         {
             0 => $"G90 G1 X[{value ?? Number(Length())}+1] Y{Number(Length())}",

@@ -3,12 +3,13 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <content>Lines and arcs in all their spellings.</content>
-internal sealed partial class RandomProgram
+/// <summary>Lines and arcs in all their spellings.</summary>
+internal sealed class MotionPart(ProgramDraft draft, RandomNumbers random, bool repeatsTurns)
+    : ProgramPart(draft, random)
 {
     private static readonly int[][] AxesOf = [[0, 1, 2], [2, 0, 1], [1, 2, 0]];
 
-    private void WriteLine()
+    public void WriteLine()
     {
         var motion = Chance(0.3) ? "G0" : "G1";
         var words = Distance() + Motion(motion) + FeedWord(motion);
@@ -25,13 +26,13 @@ internal sealed partial class RandomProgram
         Block(words.Trim());
     }
 
-    private void WriteArc(bool byRadius, bool full)
+    public void WriteArc(bool byRadius, bool full)
     {
-        var (first, second, third) = (AxesOf[(int)_plane][0], AxesOf[(int)_plane][1], AxesOf[(int)_plane][2]);
+        var (first, second, third) = (AxesOf[(int)Draft.Plane][0], AxesOf[(int)Draft.Plane][1], AxesOf[(int)Draft.Plane][2]);
         var ccw = Chance(0.5);
-        var scale = _inch ? 25.4 : 1;
+        var scale = Draft.IsInch ? 25.4 : 1;
         var words = Distance() + Centers();
-        var start = (A: _at[first], B: _at[second]);
+        var start = (A: Draft.At[first], B: Draft.At[second]);
         var away = Uniform(0, 2 * Math.PI);
         var reach = Uniform(2, 40) / scale;
         var center = (A: Grid(start.A + (reach * Math.Cos(away))), B: Grid(start.B + (reach * Math.Sin(away))));
@@ -58,11 +59,11 @@ internal sealed partial class RandomProgram
         }
         else
         {
-            var (a, b) = _absoluteCenters ? center : (center.A - start.A, center.B - start.B);
+            var (a, b) = Draft.HasAbsoluteCenters ? center : (center.A - start.A, center.B - start.B);
             words += $" {"IJK"[first]}{Number(Grid(a))} {"IJK"[second]}{Number(Grid(b))}";
         }
 
-        if (_topic is Topic.Turns or Topic.Everything && Chance(0.5))
+        if (repeatsTurns && Chance(0.5))
         {
             words += $" P{1 + Below(4)}";
         }
@@ -70,27 +71,38 @@ internal sealed partial class RandomProgram
         Block(words.Trim());
     }
 
-    private void WritePlane()
+    /// <summary>Any simple motion: what comes between the blocks of a topic.</summary>
+    public void WriteMotion()
+    {
+        switch (Below(4))
+        {
+            case 0: WriteArc(byRadius: true, full: false); break;
+            case 1: WriteArc(byRadius: false, full: Chance(0.3)); break;
+            default: WriteLine(); break;
+        }
+    }
+
+    public void WritePlane()
     {
         WritePlaneCode();
         WriteMotion();
     }
 
-    private void WritePlaneCode()
+    public void WritePlaneCode()
     {
         if (Chance(0.4))
         {
-            _plane = Any(CoordinatePlane.XY, CoordinatePlane.ZX, CoordinatePlane.YZ);
-            Block("G" + (17 + (int)_plane).ToString(CultureInfo.InvariantCulture));
+            Draft.Plane = Any(CoordinatePlane.XY, CoordinatePlane.ZX, CoordinatePlane.YZ);
+            Block("G" + (17 + (int)Draft.Plane).ToString(CultureInfo.InvariantCulture));
         }
     }
 
-    private void WriteUnits()
+    public void WriteUnits()
     {
         if (Chance(0.3))
         {
-            _inch = !_inch;
-            Block(_inch ? "G20" : "G21");
+            Draft.IsInch = !Draft.IsInch;
+            Block(Draft.IsInch ? "G20" : "G21");
             Restate();
         }
 
@@ -104,8 +116,8 @@ internal sealed partial class RandomProgram
             return "";
         }
 
-        _incremental = !_incremental;
-        return _incremental ? " G91" : " G90";
+        Draft.IsIncremental = !Draft.IsIncremental;
+        return Draft.IsIncremental ? " G91" : " G90";
     }
 
     private string Centers()
@@ -115,24 +127,24 @@ internal sealed partial class RandomProgram
             return "";
         }
 
-        _absoluteCenters = !_absoluteCenters;
-        return _absoluteCenters ? " G90.1" : " G91.1";
+        Draft.HasAbsoluteCenters = !Draft.HasAbsoluteCenters;
+        return Draft.HasAbsoluteCenters ? " G90.1" : " G91.1";
     }
 
     private string Motion(string code)
     {
-        var isModal = _motion == code && Chance(0.7);
-        _motion = code;
+        var isModal = Draft.Motion == code && Chance(0.7);
+        Draft.Motion = code;
         return isModal ? "" : " " + (Chance(0.2) ? code.Insert(1, "0") : code);
     }
 
-    private string FeedWord(string motion) => motion != "G0" && (_inverseTime || Chance(0.15)) ? " F" + Feed() : "";
+    private string FeedWord(string motion) => motion != "G0" && (Draft.FeedMode == "G93" || Chance(0.15)) ? " F" + Feed() : "";
 
     private string Coordinate(int axis, double target)
     {
-        var value = _incremental ? Grid(target - _at[axis]) : target;
-        var stays = target == _at[axis] && _motion is not ("G0" or "G1") && !_incremental && Chance(0.5);
-        _at[axis] = target;
+        var value = Draft.IsIncremental ? Grid(target - Draft.At[axis]) : target;
+        var stays = target == Draft.At[axis] && Draft.Motion is not ("G0" or "G1") && !Draft.IsIncremental && Chance(0.5);
+        Draft.At[axis] = target;
         return stays ? "" : $" {"XYZ"[axis]}{Number(value)}";
     }
 
