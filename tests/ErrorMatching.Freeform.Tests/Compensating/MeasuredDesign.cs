@@ -19,6 +19,9 @@ internal sealed class MeasuredDesign
         Plan = MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
     }
 
+    /// <summary>A linear error, in millimeters.</summary>
+    public static double Tilted(double u, double v) => 0.01 + (0.012 * u) + (0.008 * v);
+
     public PartSurface Surface { get; }
 
     public FreeformJob Job { get; }

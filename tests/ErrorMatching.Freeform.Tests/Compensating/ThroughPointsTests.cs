@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using static ErrorMatching.Freeform.Tests.MeasuredDesign;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -91,8 +92,6 @@ public sealed class ThroughPointsTests
     }
 
     private static PartSurface Broken { get; } = new("BROKEN", BrokenSpline(), SurfaceRegion.Whole, 1);
-
-    private static double Tilted(double u, double v) => 0.01 + (0.012 * u) + (0.008 * v);
 
     // A quadratic B-spline in u with a single knot at 0.43: its second derivative jumps there. Straight along v.
     private static SplineSurface BrokenSpline()
