@@ -91,3 +91,6 @@ internal sealed class SecretInput(Lazy<TextReader> input, Func<ConsoleKeyInfo>? 
         return typed.ToString();
     }
 }
+
+/// <summary>A requested password could not be read.</summary>
+internal sealed class SecretInputException(string message) : Exception(message);

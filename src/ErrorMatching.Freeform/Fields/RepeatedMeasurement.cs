@@ -123,3 +123,17 @@ public sealed class RepeatedMeasurement
         InputException.At(
             code, string.Create(CultureInfo.InvariantCulture, $"measurement {measurement + 1}"), FormattableString.Invariant(problem));
 }
+
+/// <summary>A point that was measured once or several times.</summary>
+/// <param name="Mean">The point with the mean of its errors.</param>
+/// <param name="Count">Number of measurements.</param>
+/// <param name="StandardDeviationMm">Standard deviation of its measurements with n - 1, in millimeters; NaN for one measurement.</param>
+/// <param name="StandardErrorMm">Standard uncertainty of the mean, the standard deviation divided by the root of n, in millimeters; NaN
+/// for one measurement.</param>
+public sealed record RepeatedPoint(ErrorSample Mean, int Count, double StandardDeviationMm, double StandardErrorMm);
+
+/// <summary>A measurement far from the others of the same point.</summary>
+/// <param name="Point">Number of the point.</param>
+/// <param name="Measurement">Index of the measurement in the given order, from 0.</param>
+/// <param name="DifferenceMm">Its error minus the median error of the point, in millimeters.</param>
+public sealed record MeasurementOutlier(int Point, int Measurement, double DifferenceMm);

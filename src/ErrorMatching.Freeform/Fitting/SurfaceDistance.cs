@@ -100,3 +100,8 @@ public sealed class SurfaceDistance
         return (us[best / vs.Length], vs[best % vs.Length]);
     }
 }
+
+/// <summary>Distances of points from a surface along its normals.</summary>
+/// <param name="MeanMm">Mean absolute distance in millimeters.</param>
+/// <param name="MaxMm">Largest absolute distance in millimeters.</param>
+public readonly record struct DistanceSummary(double MeanMm, double MaxMm);

@@ -79,3 +79,42 @@ public sealed record FreeformJob
     /// <summary>Resolves a path of the job: relative paths start from the job's folder, absolute paths are kept.</summary>
     public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
 }
+
+/// <summary>The nominal surface of a job.</summary>
+/// <param name="File">IGES (.igs, .iges), STEP (.stp, .step) or a grid of points (.csv), relative to the job.</param>
+/// <param name="Entity">Name or number, from 1, of the surface if the file has several; null if it has one.</param>
+/// <param name="OutsideIsUp">True if the material is below the surface, so that the normal points to +z; false for -z.</param>
+public sealed record JobSurface(string File, string? Entity, bool OutsideIsUp);
+
+/// <summary>A ball end mill with its speed and feed.</summary>
+/// <param name="DiameterMm">Diameter of the ball.</param>
+/// <param name="Flutes">Number of cutting edges.</param>
+/// <param name="SpindleRpm">Revolutions per minute.</param>
+/// <param name="FeedMmPerMin">Feed along the path.</param>
+public sealed record JobTool(double DiameterMm, int Flutes, double SpindleRpm, double FeedMmPerMin)
+{
+    /// <summary>Radius of the ball in millimeters.</summary>
+    public double RadiusMm => DiameterMm / 2;
+}
+
+/// <summary>How the measured error is compensated.</summary>
+/// <param name="Mirror">True: each place is moved by its own error, mirrored. False: the whole surface is moved by the mean error, like a
+/// modified tool radius.</param>
+/// <param name="Gain">Compensated share of the error; 1 is the pure mirror.</param>
+/// <param name="LimitMm">Largest plausible compensation. The job stops beyond it.</param>
+public sealed record JobMirror(bool Mirror, double Gain, double LimitMm)
+{
+    /// <summary>The pure mirror, limited to 0.2 mm.</summary>
+    public static JobMirror Default { get; } = new(true, 1, 0.2);
+}
+
+/// <summary>How measured points are fitted.</summary>
+/// <param name="Method">The method of fitting.</param>
+/// <param name="OfError">True: the error over (u, v) is fitted and added to the exact nominal surface. False: a surface is fitted to the
+/// compensation points, as in the paper.</param>
+/// <param name="CurveToleranceMm">Mean distance from points to a fitted curve that determines its degree (1 um in the paper).</param>
+public sealed record JobFit(FitMethod Method, bool OfError, double CurveToleranceMm)
+{
+    /// <summary>The best method for the error field, with 1 um.</summary>
+    public static JobFit Default { get; } = new(FitMethod.Best, true, 0.001);
+}

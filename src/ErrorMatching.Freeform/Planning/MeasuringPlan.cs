@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
@@ -95,4 +96,34 @@ public sealed record MeasuringPlan
         ArgumentNullException.ThrowIfNull(point);
         return point.Position + (point.Normal * distance);
     }
+}
+
+/// <summary>A measured curve along u with its points.</summary>
+/// <param name="V">The fixed parameter.</param>
+/// <param name="Reason">The reason for the curve.</param>
+/// <param name="Nodes">Its points by ascending u.</param>
+internal sealed record PlanCurve(double V, PlanReason Reason, IReadOnlyList<(double U, PlanReason Reason)> Nodes);
+
+/// <summary>A planned measuring point on the nominal surface.</summary>
+/// <param name="Number">Number of the point, from 1, in the order of measuring.</param>
+/// <param name="I">Index of the point along its curve (along u), from 0.</param>
+/// <param name="J">Index of its curve (along v), from 0.</param>
+/// <param name="U">First parameter.</param>
+/// <param name="V">Second parameter.</param>
+/// <param name="Position">The point on the nominal finished surface, in millimeters.</param>
+/// <param name="Normal">Unit normal out of the material.</param>
+/// <param name="Reason">The reason for the point.</param>
+public sealed record PlanPoint(int Number, int I, int J, double U, double V, Point3 Position, Vector3 Normal, PlanReason Reason);
+
+/// <summary>The reason for a point of a measuring plan.</summary>
+public enum PlanReason
+{
+    /// <summary>An end of the curve: always measured.</summary>
+    End,
+
+    /// <summary>The slope has changed by its share since the previous point.</summary>
+    Slope,
+
+    /// <summary>The curvature breaks here.</summary>
+    Break,
 }

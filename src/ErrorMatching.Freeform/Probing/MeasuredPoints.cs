@@ -39,3 +39,9 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         }
     }
 }
+
+/// <summary>A planned point with its measurement.</summary>
+/// <param name="Planned">The planned point.</param>
+/// <param name="Contact">Where the ball touched the surface, in millimeters.</param>
+/// <param name="Line">Line of the file.</param>
+public sealed record MeasuredPoint(PlanPoint Planned, Point3 Contact, int Line);

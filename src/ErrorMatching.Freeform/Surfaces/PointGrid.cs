@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Points on curves of a surface. Each curve has one j, and its points have ascending i. Numbers of points may differ.</summary>
@@ -10,3 +12,9 @@ public sealed record PointGrid(IReadOnlyList<IReadOnlyList<GridPoint>> Curves)
     /// <summary>True if all curves have the same numbers i, so that the points form curves in both directions.</summary>
     public bool IsRectangular => Curves.All(c => c.Select(p => p.I).SequenceEqual(Curves[0].Select(p => p.I)));
 }
+
+/// <summary>A point with its indices in a grid.</summary>
+/// <param name="I">Index of the point along its curve (along u), from 0 or 1 as in the file.</param>
+/// <param name="J">Index of its curve (along v).</param>
+/// <param name="Position">The point in millimeters.</param>
+public readonly record struct GridPoint(int I, int J, Point3 Position);

@@ -138,3 +138,10 @@ internal sealed class CenterLine
         return Vector256.Sqrt(Vector256.Max(Vector256<double>.Zero, off.Dot(off) - (forward * forward)));
     }
 }
+
+/// <summary>A straight segment of the path of the ball's center.</summary>
+/// <param name="From">Its start.</param>
+/// <param name="To">Its end.</param>
+/// <param name="Along">Its unit direction; zero if both ends coincide.</param>
+/// <param name="LengthMm">Its length.</param>
+internal readonly record struct CenterPiece(Point3 From, Point3 To, Vector3 Along, double LengthMm);

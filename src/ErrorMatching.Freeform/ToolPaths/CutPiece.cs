@@ -14,3 +14,9 @@ internal sealed record CutPiece(IReadOnlyList<Point2> Guide, double Finer, doubl
     /// <summary>The points, if some were raised or the path is short enough; null if they are recalculated from the guide.</summary>
     public IReadOnlyList<Point3>? Centers { get; init; }
 }
+
+/// <summary>Pieces of the path that are cut consecutively without leaving the surface.</summary>
+/// <param name="Pieces">The pieces in order; each starts where the previous one ends.</param>
+/// <param name="LeadIn">From the first center to the place where the tool descends, in millimeters.</param>
+/// <param name="LeadOut">From the last center to the place where the tool retracts.</param>
+internal sealed record CutChain(IReadOnlyList<CutPiece> Pieces, Vector3 LeadIn, Vector3 LeadOut);

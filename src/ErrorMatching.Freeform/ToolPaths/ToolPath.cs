@@ -86,3 +86,12 @@ public sealed class ToolPath
         }
     }
 }
+
+/// <summary>A straight move of the ball's center.</summary>
+/// <param name="Center">Its end, in millimeters.</param>
+/// <param name="IsRapid">True for positioning in the air, false for a move at feed.</param>
+public readonly record struct ToolMove(Point3 Center, bool IsRapid);
+
+/// <summary>The figures of a finished path.</summary>
+internal sealed record ToolPathPlan(
+    int Passes, int Points, double LengthMm, double TravelCenterZ, ToolPathCertificate Certificate, int Decimals);

@@ -33,3 +33,8 @@ public sealed record GaugeDraft
     /// <summary>Number of points that the gauge touches, if it is not the number of key points.</summary>
     public string Touches { get; init; } = "";
 }
+
+/// <summary>A named contribution to the gauge's uncertainty, as typed.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Value">Its standard uncertainty, mm.</param>
+public sealed record ContributionDraft(string Name = "", string Value = "");

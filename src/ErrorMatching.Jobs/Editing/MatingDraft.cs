@@ -151,3 +151,36 @@ public sealed record MatingDraft
         return this with { Features = Features.Replaced(feature, change(Features[feature])) };
     }
 }
+
+/// <summary>The alignment of measured points, as typed.</summary>
+/// <param name="Kind"><c>none</c>, <c>datum</c> or <c>best-fit</c>.</param>
+/// <param name="Origin">Label of the datum's origin.</param>
+/// <param name="Direction">Label of the point that gives the datum's direction.</param>
+/// <param name="LockX">True if a best fit must not shift along the first axis.</param>
+/// <param name="LockY">True if a best fit must not shift along the second axis.</param>
+/// <param name="LockRotation">True if a best fit must not rotate.</param>
+public sealed record AlignmentDraft(
+    string Kind = "none", string Origin = "", string Direction = "", bool LockX = false, bool LockY = false, bool LockRotation = false);
+
+/// <summary>How deviations are compensated, as typed. An empty field means the job's default.</summary>
+/// <param name="From"><c>part</c> or <c>counterpart</c>.</param>
+/// <param name="Gain">Fraction of a deviation to compensate.</param>
+/// <param name="Amount"><c>whole</c> or <c>excess</c>.</param>
+/// <param name="Along"><c>normal</c> or <c>vector</c>.</param>
+/// <param name="Limit">A larger deviation stops the job, mm.</param>
+public sealed record CompensationDraft(
+    string From = "part", string Gain = "", string Amount = "whole", string Along = "normal", string Limit = "");
+
+/// <summary>A comparison in addition to those that every feature has, as typed.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Quantity"><c>angle</c>, <c>deviation</c> or <c>deviation-x</c>.</param>
+/// <param name="Of">Two elements of an angle, or point labels, separated by commas; ranges are allowed.</param>
+public sealed record ComparisonDraft(string Name = "", string Quantity = "angle", string Of = "");
+
+/// <summary>A dimension of the tolerance chain, as typed.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Nominal">Its nominal value, mm.</param>
+/// <param name="Lower">Its lower limit, mm.</param>
+/// <param name="Upper">Its upper limit, mm.</param>
+/// <param name="Sign"><c>1</c> if a larger dimension lengthens the chain, <c>-1</c> if it shortens it.</param>
+public sealed record ChainLinkDraft(string Name = "", string Nominal = "", string Lower = "", string Upper = "", string Sign = "1");

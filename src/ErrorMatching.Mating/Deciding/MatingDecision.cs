@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
@@ -12,4 +13,37 @@ public sealed record MatingDecision(IReadOnlyList<FeatureDecision> Features, IRe
 
     /// <summary>True if at least one feature is compensated.</summary>
     public bool Compensates => Features.Any(f => f.Decision == Decision.Compensated);
+}
+
+/// <summary>The decision on one feature, and the numbers behind it.</summary>
+/// <param name="Feature">Name of the feature.</param>
+/// <param name="Decision">The decision.</param>
+/// <param name="LargestMm">The signed normal deviation with the largest magnitude among its points.</param>
+/// <param name="StandardUncertaintyMm">Combined standard uncertainty of a normal deviation of this feature.</param>
+/// <param name="Points">The key points in the order of cutting.</param>
+public sealed record FeatureDecision(
+    string Feature, Decision Decision, double LargestMm, double StandardUncertaintyMm, IReadOnlyList<PointDecision> Points);
+
+/// <summary>The effect of a decision at one key point.</summary>
+/// <param name="Point">The key point.</param>
+/// <param name="ExcessMm">Signed part of its normal deviation beyond the limit; zero inside the tolerance.</param>
+/// <param name="Correction">Displacement of the boundary there, in the part's frame, gain included; zero if the feature is not
+/// compensated.</param>
+public sealed record PointDecision(BoundaryPoint Point, double ExcessMm, Vector2 Correction)
+{
+    /// <summary>Signed length of the correction along the point's normal.</summary>
+    public double CorrectionNormalMm => Correction.Dot(Point.Normal);
+}
+
+/// <summary>The decision on a whole feature.</summary>
+public enum Decision
+{
+    /// <summary>Every point is within the tolerance; nothing is compensated.</summary>
+    WithinTolerance,
+
+    /// <summary>A point is outside the tolerance, but no deviation exceeds its uncertainty: reported, not compensated.</summary>
+    NotSignificant,
+
+    /// <summary>The counterpart's boundary is displaced.</summary>
+    Compensated,
 }

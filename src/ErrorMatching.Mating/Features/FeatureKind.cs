@@ -63,3 +63,18 @@ public abstract class FeatureKind
     /// <summary>Creates the feature from a job that conforms to the schema.</summary>
     internal abstract JobFeature Read(FeatureReading reading);
 }
+
+/// <summary>A job key that only some kinds of features have.</summary>
+/// <param name="Name">The key, such as <c>method</c>.</param>
+/// <param name="Words">The words that it accepts; empty for a number, or <c>auto</c> to have it chosen.</param>
+public sealed record FeatureKey(string Name, IReadOnlyList<string> Words)
+{
+    /// <summary>The default: the first of its words; empty for a number, which is then chosen automatically.</summary>
+    public string Default => Words.Count > 0 ? Words[0] : "";
+}
+
+/// <summary>A sketch of a feature whose position is unknown.</summary>
+/// <param name="Points">Its key points in the order of cutting.</param>
+/// <param name="Outline">The boundary through them.</param>
+/// <param name="WidthMm">Its extent along x.</param>
+public sealed record FeatureSketch(IReadOnlyList<Point2> Points, IReadOnlyList<Point2> Outline, double WidthMm);

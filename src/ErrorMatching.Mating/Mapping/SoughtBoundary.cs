@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -15,3 +16,8 @@ public sealed record SoughtBoundary(string Name, CoordinatePlane Plane, IReadOnl
     /// <summary>True if both ends are straight, like a line and the flanks of a triangle, so that no arc or bend continues it.</summary>
     public bool IsStraight => Kind?.IsStraight == true;
 }
+
+/// <summary>The result of a search for a boundary.</summary>
+/// <param name="Passes">The passes that cut it, in the order of the program; empty if it was not found.</param>
+/// <param name="Refusal">Why it was not found, or null.</param>
+public sealed record FoundBoundary(IReadOnlyList<FoundPass> Passes, Refusal? Refusal = null);

@@ -13,3 +13,16 @@ public sealed record JobAlignment(JobAlignmentKind Kind, string? Origin, string?
     /// <summary>No alignment, the default: an alignment can hide the very error to be matched.</summary>
     public static JobAlignment None { get; } = new(JobAlignmentKind.None, null, null, false, false, false);
 }
+
+/// <summary>How measured points are moved before they are compared.</summary>
+public enum JobAlignmentKind
+{
+    /// <summary>Not at all; they are already in the part's frame.</summary>
+    None,
+
+    /// <summary>One point onto its theoretical position, a second one into its theoretical direction.</summary>
+    Datum,
+
+    /// <summary>The rigid least-squares fit of all key points to their theoretical positions.</summary>
+    BestFit,
+}

@@ -10,3 +10,13 @@ namespace ErrorMatching.Mating;
 /// <param name="Measuring">The terms of equation (7).</param>
 public sealed record JobGauge(
     MeasurementFormat Format, UncertaintyBudget Uncertainty, ProbeReport Reports, double? StylusDiameterMm, MeasuringTime Measuring);
+
+/// <summary>The meaning of the coordinates in a gauge's file.</summary>
+public enum ProbeReport
+{
+    /// <summary>Points where the stylus touched the piece.</summary>
+    Contact,
+
+    /// <summary>Centers of the stylus ball at the moment of touch.</summary>
+    StylusCenter,
+}

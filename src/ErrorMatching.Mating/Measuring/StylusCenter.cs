@@ -26,3 +26,13 @@ internal static class StylusCenter
     public static Point2 ToContact(Point2 center, double radiusMm, Vector2 normal, MeasuredPiece piece) =>
         center + (normal * (piece == MeasuredPiece.Part ? radiusMm : -radiusMm));
 }
+
+/// <summary>Which of the two pieces was measured.</summary>
+internal enum MeasuredPiece
+{
+    /// <summary>The part: its material is on the tool's side of the boundary that the counterpart's tool cuts.</summary>
+    Part,
+
+    /// <summary>The counterpart: its material is on the other side.</summary>
+    Counterpart,
+}

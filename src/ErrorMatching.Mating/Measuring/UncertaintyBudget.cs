@@ -13,3 +13,8 @@ public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Co
     /// <summary>A budget with a single contribution.</summary>
     public static UncertaintyBudget Of(double valueMm) => new([new("gauge", valueMm)]);
 }
+
+/// <summary>One cause of uncertainty of a measured coordinate.</summary>
+/// <param name="Name">The cause.</param>
+/// <param name="ValueMm">Its standard uncertainty, zero or more.</param>
+public sealed record UncertaintyContribution(string Name, double ValueMm);

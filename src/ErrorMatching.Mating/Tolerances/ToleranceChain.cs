@@ -29,3 +29,22 @@ public sealed record ToleranceChain(IReadOnlyList<ChainLink> Links)
 
     private static double Square(double value) => value * value;
 }
+
+/// <summary>One dimension of a tolerance chain.</summary>
+/// <param name="Name">What it measures.</param>
+/// <param name="NominalMm">Its nominal size.</param>
+/// <param name="Tolerance">The limits of its deviation from nominal.</param>
+/// <param name="Sign">1 if a larger dimension lengthens the chain, -1 if it shortens it.</param>
+public sealed record ChainLink(string Name, double NominalMm, ToleranceBand Tolerance, int Sign);
+
+/// <summary>The total dimension of a tolerance chain.</summary>
+/// <param name="NominalMm">Its nominal size.</param>
+/// <param name="Band">The limits of its deviation from nominal.</param>
+public readonly record struct ChainDimension(double NominalMm, ToleranceBand Band)
+{
+    /// <summary>Its smallest size.</summary>
+    public double SmallestMm => NominalMm + Band.LowerMm;
+
+    /// <summary>Its largest size.</summary>
+    public double LargestMm => NominalMm + Band.UpperMm;
+}

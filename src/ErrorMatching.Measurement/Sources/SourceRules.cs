@@ -32,3 +32,13 @@ public sealed class SourceRules(IReadOnlyList<SourceRule> part, IReadOnlyList<So
 
     private static string Words(IReadOnlyList<SourceRule> rules) => rules.Count == 0 ? "no rule" : string.Join(", ", rules);
 }
+
+/// <summary>The source of a measurement.</summary>
+public enum SourceSide
+{
+    /// <summary>The part, which was cut first and is to be matched.</summary>
+    Part,
+
+    /// <summary>The counterpart, whose program is rewritten.</summary>
+    Counterpart,
+}

@@ -159,3 +159,16 @@ internal sealed class Table
 
     private static string Bare(string text) => text.Trim().Trim('"').Trim();
 }
+
+/// <summary>The layout of a table in its text.</summary>
+/// <param name="SkipLines">Lines above the table.</param>
+/// <param name="Delimiter">The cell separator.</param>
+/// <param name="DecimalComma">True if numbers are written 32,067 instead of 32.067.</param>
+/// <param name="HasHeader">True if the first line names the columns.</param>
+internal readonly record struct TableLayout(int SkipLines, char Delimiter, bool DecimalComma, bool HasHeader);
+
+/// <summary>A name and value from the lines above the table, such as <c>Serial number: 4711</c>.</summary>
+/// <param name="Name">The text before the first colon, equals sign or delimiter.</param>
+/// <param name="Value">The text after it.</param>
+/// <param name="Line">Line of the file, from 1.</param>
+public readonly record struct HeaderField(string Name, string Value, int Line);

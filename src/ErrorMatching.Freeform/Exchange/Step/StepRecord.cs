@@ -106,3 +106,13 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
         : value.Kind == StepValueKind.Typed && value.Items.Count == 1 && value.Items[0].Kind == kind ? value.Items[0]
         : throw Fail("bad-value", $"attribute {index + 1} is not {expected}");
 }
+
+/// <summary>An attribute of a STEP instance.</summary>
+/// <param name="Kind">Its kind.</param>
+/// <param name="Text">The string, the word without its periods, or the type name.</param>
+/// <param name="Number">The number, or the referenced instance number.</param>
+/// <param name="Items">The values in parentheses.</param>
+internal sealed record StepValue(StepValueKind Kind, string Text, double Number, IReadOnlyList<StepValue> Items)
+{
+    public static StepValue Omitted { get; } = new(StepValueKind.Omitted, "", 0, []);
+}
