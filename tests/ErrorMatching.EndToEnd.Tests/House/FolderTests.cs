@@ -29,7 +29,7 @@ public sealed partial class FolderTests
         ],
         ["Freeform"] =
         [
-            "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
+            "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
             "Evaluating", "Compensating", "Displacing", "Reporting",
         ],
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
