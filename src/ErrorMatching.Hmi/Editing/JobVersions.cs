@@ -1,7 +1,5 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
-using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;

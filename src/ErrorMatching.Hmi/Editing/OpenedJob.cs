@@ -1,8 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
-using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;

@@ -1,6 +1,5 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
@@ -18,7 +17,6 @@ public static class Failures
             or SlotTakenException
             or InputException
             or OutputException
-            or InputException
             or JobEditException
             or IOException
             or UnauthorizedAccessException;

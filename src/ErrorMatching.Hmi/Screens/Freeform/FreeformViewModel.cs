@@ -1,7 +1,4 @@
 using ErrorMatching.Cell;
-using ErrorMatching.Freeform;
-using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;

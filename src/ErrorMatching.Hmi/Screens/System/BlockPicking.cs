@@ -1,6 +1,4 @@
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
