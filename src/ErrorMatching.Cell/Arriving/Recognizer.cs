@@ -1,4 +1,4 @@
-using ErrorMatching.Json;
+using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
@@ -59,10 +59,10 @@ internal sealed class Recognizer
                 RecognitionResult.ContradictoryPiece, Recorded.ContradictoryPiece.With(Shown(fileName), contradiction));
         }
 
-        string piece;
+        MatingJob? rules;
         try
         {
-            piece = job.Piece ?? Decide(job, fileName, bytes);
+            rules = job.Piece is null ? JobWithRules(job) : null;
         }
         catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
         {
@@ -70,20 +70,25 @@ internal sealed class Recognizer
                 RecognitionResult.UnusableJob, Recorded.UnusableJob.With(job.File, Shown(fileName), e.Message));
         }
 
-        return new() { Job = job, Piece = piece, Serial = found.Serial, WorkOrder = found.WorkOrder };
+        return new()
+        {
+            Job = job,
+            Piece = rules is null ? job.Piece : Decide(rules, fileName, bytes),
+            Serial = found.Serial,
+            WorkOrder = found.WorkOrder,
+        };
     }
 
+    private static MatingJob JobWithRules(CellJobSettings job) => NamedJob.Read(job.File).Mating is { Recognition: not null } mating
+        ? mating
+        : throw new InputException(new Refusal(
+            "recognition-missing",
+            "the job's rules of recognition are gone; expected the rules that were there when the cell started.",
+            new() { File = job.File, Line = 1, Column = 1, Path = "$.recognition" }));
+
     // The job reads the file itself, because its rules may need columns of its own format.
-    private static string Decide(CellJobSettings job, string fileName, ReadOnlyMemory<byte> bytes) => NamedJob.Read(job.File).Mating switch
-    {
-        { Recognition: { } rules } mating =>
-            rules.Decide(MeasurementReader.Read(bytes, fileName, mating.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart",
-        _ =>
-            throw new InputException(new Refusal(
-                "recognition-missing",
-                "the job's rules of recognition are gone; expected the rules that were there when the cell started.",
-                new() { File = job.File, Line = 1, Column = 1, Path = "$.recognition" })),
-    };
+    private static string Decide(MatingJob job, string fileName, ReadOnlyMemory<byte> bytes) =>
+        job.Recognition!.Decide(MeasurementReader.Read(bytes, fileName, job.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart";
 
     private string Asked(string gauge) =>
         _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
