@@ -56,7 +56,7 @@ internal static class EditedFiles
             return MatingDraftFiles.Job(saved).AsSpan().SequenceEqual(MatingDraftFiles.Job(draft))
                 && MatingDraftFiles.Theoretical(saved).AsSpan().SequenceEqual(MatingDraftFiles.Theoretical(draft));
         }
-        catch (Exception e) when (e is InputException or DraftException)
+        catch (Exception e) when (e is InputException { Code: not MeasurementError.FileUnreadable } or DraftException)
         {
             return false;
         }
