@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -220,7 +221,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         return false;
     }
 
-    private string Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
+    private Statement Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
 
     private void Guarded(Action act) => Guarded(() =>
     {

@@ -1,10 +1,10 @@
 using System.Globalization;
-using System.Text.RegularExpressions;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -27,7 +27,7 @@ public sealed partial class JobEdits
         [
             .. store
                 .Read(AuditRow.Select + " WHERE what = @word OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { word, Found })
-                .Where(e => e.Subject is { } subject && names.Contains(subject))
+                .Where(e => e.Subject is { Words: { } subject } && names.Contains(subject))
                 .Select(Version)
                 .OfType<JobVersion>()
                 .Where(v => v.Files.All(f => IsKept(f.Sha256)))
@@ -97,9 +97,12 @@ public sealed partial class JobEdits
 
     private static JobVersion? Version(AuditEntry entry)
     {
-        var list = Recorded.JobInPlace.Read(entry.Basis) is [var written, ..] ? written : entry.Basis;
-        var found = FileAndHash().Matches(list);
-        (string Name, string Sha256)[] files = [.. found.Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
+        var written = entry.Basis.Is(Recorded.JobInPlace) ? entry.Basis.Values[0] : entry.Basis;
+        IReadOnlyList<(string Name, string Sha256)> files = written.Is(Recorded.JobFiles)
+            ? [
+                .. written.Values[0].Parts.Where(f => f.Is(Recorded.JobFile))
+                    .Select(f => (f.Values[0].Sentence, f.Values[1].Sentence))]
+            : EnglishRecord.JobFilesOf(entry.Basis);
         return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, "", job.Sha256, files) : null;
     }
 
@@ -159,14 +162,14 @@ public sealed partial class JobEdits
         return version;
     }
 
-    private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) =>
-        string.Join(", ", files.Select(f => $"{f.Name} {HashOf(f.Bytes)}"));
+    private static Statement Stated(IEnumerable<(string Name, byte[] Bytes)> files) =>
+        Recorded.JobFiles.With(files.Select(f => Recorded.JobFile.With(f.Name, HashOf(f.Bytes))));
 
     // Stores before and after in one transaction with their audit entry; what was saved here is already stored.
     private void Keep(
         CellJobSettings job, SignedIn by, List<(string Name, byte[] Bytes)> before, List<(string Name, byte[] Bytes)> after)
     {
-        var found = Told(before);
+        var found = Stated(before);
         var isKnown = before.Count == 0 || Versions(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, HashOf(f.Bytes)))));
         store.Write(t =>
         {
@@ -180,14 +183,10 @@ public sealed partial class JobEdits
                 t.Audit(by.Name, Found, job.Name, found);
             }
 
-            var written = Told(after);
+            var written = Stated(after);
             var basis = before.Count > 0 ? Recorded.JobInPlace.With(written, HashOf(before[^1].Bytes)) : written;
             t.Audit(by.Name, IsInUse(job) ? Edited : Prepared, job.Name, basis);
             return true;
         });
     }
-
-    [GeneratedRegex(
-        "(^|, )(?<name>.+?) (?<hash>[0-9a-f]{64})", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, Timeout.Infinite)]
-    private static partial Regex FileAndHash();
 }

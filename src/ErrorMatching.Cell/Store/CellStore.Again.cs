@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <content>Resubmitted measurements.</content>
@@ -65,7 +67,7 @@ public sealed partial class CellStore
                 throw Conflict(transaction, correction, CorrectionState.Superseded);
             }
 
-            Note(transaction, ended, correction.State, by, reason is null ? basis : $"{basis} {reason}");
+            Note(transaction, ended, correction.State, by, Statement.InARow(basis, reason ?? ""));
             return given;
         });
     }

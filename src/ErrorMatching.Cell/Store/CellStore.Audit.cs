@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <content>The audit trail and the history.</content>
@@ -8,12 +10,12 @@ public sealed partial class CellStore
     /// <summary>Records an act that is not a step of a correction.</summary>
     /// <param name="who">The user's name, or <c>cell</c>.</param>
     /// <param name="what">What was done, in one word.</param>
-    /// <param name="basis">The basis, in words.</param>
+    /// <param name="basis">The basis.</param>
     /// <param name="subject">What it was done to; null if nothing in particular.</param>
-    public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
+    public void Audit(string who, string what, Statement basis, Statement? subject = null) => Audit(who, what, basis, subject, null);
 
     /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
-    internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
+    internal void Audit(string who, string what, Statement basis, Statement? subject, byte[]? content) => Write(transaction =>
     {
         if (content is not null) Keep(transaction, Sha256(content), content);
         transaction.Audit(who, what, subject, basis);

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <content>Detection of changes from outside the cell.</content>
@@ -16,26 +18,26 @@ public sealed partial class CellStore
     {
         if (Database.Snapshot((connection, transaction) => _ledger.Fault(Database, connection, transaction, correction)) is { } fault)
         {
-            throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Message));
+            throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Statement));
         }
     }
 
     /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
     /// the database schema. <c>audit verify</c> may find more.</summary>
-    public IReadOnlyList<string> Tampered() => Database.Snapshot((connection, transaction) =>
+    public IReadOnlyList<Statement> Tampered() => Database.Snapshot((connection, transaction) =>
     {
-        var found = new List<string>();
-        if (Database.FormFault(connection, transaction) is { } form) found.Add(form.Message);
+        var found = new List<Statement>();
+        if (Database.FormFault(connection, transaction) is { } form) found.Add(form.Statement);
         foreach (var (person, fault) in Look(Person.SelectKept + " ORDER BY name_key", Person.ReadKept, "user"))
         {
-            if (fault is not null) found.Add(fault.Message);
-            else if (Person.Looked(person!, _auditKey).Problem is { } problem) found.Add(problem.Message);
+            if (fault is not null) found.Add(fault.Statement);
+            else if (Person.Looked(person!, _auditKey).Problem is { } problem) found.Add(problem.Statement);
         }
 
         foreach (var (slot, fault) in Look(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot"))
         {
-            if (fault is not null) found.Add(fault.Message);
-            else if (!slot!.Holds(_auditKey)) found.Add(SlotRow.Tampered(slot).Message);
+            if (fault is not null) found.Add(fault.Statement);
+            else if (!slot!.Holds(_auditKey)) found.Add(SlotRow.Tampered(slot).Statement);
         }
 
         var open = Enum.GetValues<CorrectionState>().Where(s => !CorrectionSteps.IsEnd(s) && s != CorrectionState.Released);
@@ -43,7 +45,7 @@ public sealed partial class CellStore
             $"{CorrectionRow.SelectKept} WHERE {CorrectionRow.IsIn("state", open)} ORDER BY id LIMIT {CodedRow.Number(MostLooked)}",
                 CorrectionRow.ReadKept, "correction"))
         {
-            if (fault is not null) found.Add(fault.Message);
+            if (fault is not null) found.Add(fault.Statement);
             else if (!correction!.Holds(_auditKey)) found.Add(Recorded.CorrectionTampered.With(correction.Value.Id));
         }
 

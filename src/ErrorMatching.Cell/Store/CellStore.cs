@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -177,7 +178,7 @@ public sealed partial class CellStore : IDisposable
     /// <param name="from">The correction as it was read.</param>
     /// <param name="to">The state after.</param>
     /// <param name="by">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
-    /// <param name="basis">The basis, in words.</param>
+    /// <param name="basis">The basis.</param>
     /// <param name="with">Other changes; arrival, number, state, version and time belong to the store. Null for none.</param>
     /// <param name="contents">Contents to store by hash with this step; null for none.</param>
     /// <returns>The correction after the step.</returns>
@@ -189,7 +190,7 @@ public sealed partial class CellStore : IDisposable
         Correction from,
         CorrectionState to,
         string by,
-        string basis,
+        Statement basis,
         Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
@@ -247,7 +248,7 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Frees a slot of the correction that has it, as after a revert. A slot that is free or that another correction has stays as
     /// it is.</summary>
-    public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
+    public void FreeSlot(string machine, string slot, long correction, string by, Statement basis) => Write(transaction =>
     {
         SlotRow.Demand(transaction, machine, slot);
         var freed = transaction.Execute(
@@ -382,7 +383,7 @@ public sealed partial class CellStore : IDisposable
 
     // Without a basis, the cell itself took it from its gauge.
     private static Correction Arrive(
-        StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
+        StoreTransaction transaction, Correction arriving, string key, string by = "cell", Statement? basis = null)
     {
         var arrived = CorrectionRow.Kept(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new
@@ -395,7 +396,7 @@ public sealed partial class CellStore : IDisposable
             arrived.MeasurementSha256,
             arrived.MeasurementBytes,
             arrived.Code,
-            arrived.Reason,
+            Reason = arrived.Reason?.Text,
             arrived.Trace,
             arrived.Job,
             arrived.Piece,
@@ -413,7 +414,7 @@ public sealed partial class CellStore : IDisposable
         return arrived;
     }
 
-    private static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, string basis)
+    private static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, Statement basis)
     {
         transaction.Execute(
             "INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (@Id, @From, @To, @At, @By, @Basis)",
@@ -424,7 +425,7 @@ public sealed partial class CellStore : IDisposable
                 To = CorrectionRow.Word(after.State),
                 At = StoredTime.Of(transaction.Now),
                 By = StoredText.Name(by),
-                Basis = StoredText.Sentence(basis),
+                Basis = StoredText.Of(basis).Text,
             });
         var subject = from is null
             ? Recorded.File.With(after.Id, after.MeasurementSha256)

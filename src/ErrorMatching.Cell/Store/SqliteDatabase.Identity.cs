@@ -1,4 +1,5 @@
 using Dapper;
+using ErrorMatching.Reporting;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -36,7 +37,7 @@ internal sealed partial class SqliteDatabase
                     _refused = WhyNotTheSame() is { } reason ? (now, reason) : null;
                 }
 
-                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Message, still.Reason);
+                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Statement, still.Reason);
             }
 
             _identity = now;

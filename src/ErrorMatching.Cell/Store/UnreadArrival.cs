@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>A file that arrived and is refused without being stored, such as one that is too large.</summary>
@@ -10,4 +12,4 @@ namespace ErrorMatching.Cell;
 /// <param name="Reason">The reason in a setter's terms.</param>
 /// <param name="Trace">The W3C trace that follows it; null without tracing.</param>
 public sealed record UnreadArrival(
-    string Gauge, string FileName, string Key, string Sha256, long Length, string Code, string Reason, string? Trace = null);
+    string Gauge, string FileName, string Key, string Sha256, long Length, string Code, Statement Reason, string? Trace = null);

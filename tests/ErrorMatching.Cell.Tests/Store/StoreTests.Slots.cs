@@ -131,7 +131,7 @@ public abstract partial class StoreTests
         Assert.Null(store.Slot("mill", "1").Correction);
         Assert.Equal(
             ("anna", "freed", "slot 1 of mill", "cut"),
-            store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject, e.Basis) : default);
+            store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject?.Sentence, e.Basis.Sentence) : default);
     }
 
     [Fact]
