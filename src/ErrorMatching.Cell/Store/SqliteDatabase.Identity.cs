@@ -1,5 +1,4 @@
 using Dapper;
-using ErrorMatching.Reporting;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
