@@ -1,8 +1,9 @@
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Sentences of refusals that a cell records, each named by the refusal's code.</summary>
+/// <summary>The forms of refusals that a cell records, each named by the refusal's code.</summary>
 public static class RefusalForms
 {
     /// <summary>Point, feature, deviation and the job's limit, in mm.</summary>
@@ -31,4 +32,20 @@ public static class RefusalForms
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers];
+
+    /// <summary>A refusal as a statement, without its place; its message as words if its code has no form.</summary>
+    /// <param name="refusal">The refusal.</param>
+    public static Statement StatementOf(Refusal refusal)
+    {
+        ArgumentNullException.ThrowIfNull(refusal);
+        return All.FirstOrDefault(f => f.Name == refusal.Code && f.Kinds.Count == refusal.Values.Count) is { } form
+            ? form.With([.. refusal.Values])
+            : refusal.Message;
+    }
+
+    internal static Refusal Refusal(SentenceForm form, InputPlace place, params ReadOnlySpan<object?> values)
+    {
+        var statement = form.With(values);
+        return new(form.Name, statement.Sentence, place) { Values = [.. statement.Values.Select(v => v.Sentence)] };
+    }
 }

@@ -1,6 +1,7 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -90,9 +91,9 @@ internal sealed class Recognizer
     private static string Decide(MatingJob job, string fileName, ReadOnlyMemory<byte> bytes) =>
         job.Recognition!.Decide(MeasurementReader.Read(bytes, fileName, job.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart";
 
-    private string Asked(string gauge) =>
+    private Statement Asked(string gauge) =>
         _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
-        ? string.Join("; ", asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p)))
+        ? Statement.InARow(asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p.Like)))
         : Recorded.AskedNobody.With();
 
     private static string Shown(string fileName) => fileName.Length <= MostShown ? fileName : fileName[..MostShown] + "...";

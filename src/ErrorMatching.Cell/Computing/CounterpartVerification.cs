@@ -3,6 +3,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.Cell;
 /// measurements.</summary>
 /// <param name="Report">The result; null if nothing was compared.</param>
 /// <param name="Otherwise">Why not, in a setter's terms; empty if there is a report.</param>
-internal sealed record CounterpartVerification(VerifyReport? Report, string Otherwise)
+internal sealed record CounterpartVerification(VerifyReport? Report, Statement Otherwise)
 {
     /// <summary>Compares a counterpart with its part. The state before is the job's measured counterpart or, if it names none, the nominal
     /// one.</summary>
@@ -33,7 +34,9 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
             {
                 OwnDialect = files.OwnDialect()
             };
-            return VerifyRun.Report(input, out var refusals) is { } report ? new(report, "") : Failed(refusals[0].Message);
+            return VerifyRun.Report(input, out var refusals) is { } report
+                ? new(report, "")
+                : Failed(RefusalForms.StatementOf(refusals[0]));
         }
         catch (GeometryException e)
         {
@@ -46,5 +49,5 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
     }
 
     // A measurement is evidence even if it cannot be compared.
-    private static CounterpartVerification Failed(string why) => new(null, Recorded.NotComparable.With(why));
+    private static CounterpartVerification Failed(Statement why) => new(null, Recorded.NotComparable.With(why));
 }

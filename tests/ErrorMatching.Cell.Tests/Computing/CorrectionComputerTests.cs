@@ -1,4 +1,7 @@
+using System.Globalization;
 using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Mating;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
@@ -77,17 +80,33 @@ public sealed class CorrectionComputerTests
         Assert.True(Samples.Program(own).Program.Span.SequenceEqual(half.Program.Span));
     }
 
+    [Fact]
+    public void A_refusal_with_values_is_stated_by_its_code_and_not_by_its_sentence()
+    {
+        var request = Samples.Part("complex-mating");
+        var moved = Encoding.UTF8.GetString(request.Measurement.Bytes.Span).Split('\n')
+            .Select(l => l.Split(',') is [var point, var x, var y, ..] && double.TryParse(x, CultureInfo.InvariantCulture, out var mm)
+                ? string.Create(CultureInfo.InvariantCulture, $"{point},{mm + 3},{y.Trim()}")
+                : l);
+        var refused = Samples.Refusal(
+            request with { Measurement = request.Measurement with { Bytes = Encoding.UTF8.GetBytes(string.Join('\n', moved)) } });
+        Assert.Equal("implausible-deviation", refused.Code);
+        Assert.Equal(
+            ["implausible-deviation", "implausible-deviation", "implausible-deviation", "and-more"], refused.Reason.Parts.Select(p => p.Code));
+        Assert.All(refused.Reason.Parts.SkipLast(1), p => Assert.Same(RefusalForms.ImplausibleDeviation, p.Form));
+    }
+
     // The flanks of the triangle turn: at N150, where they meet, the program moves further than at any key point.
     [Fact]
     public void A_step_beyond_the_limit_is_refused_and_says_where()
     {
         var computed = Samples.Program(Samples.Part("complex-mating"), Samples.NoLimits with { LimitMm = 0.3 });
-        Assert.Equal("block N150", computed.LargestAt);
+        Assert.Equal("block N150", computed.LargestAt.Sentence);
         Assert.InRange(computed.LargestMm, computed.Corrections.Max(c => c.LengthMm), 0.3);
         Assert.Equal(computed.LargestMm, computed.SumMm);
         var refused = Samples.Refusal(Samples.Part("complex-mating"), Samples.NoLimits with { LimitMm = computed.LargestMm - 0.001 });
         Assert.Equal(CorrectionCodes.OverLimit, refused.Code);
-        Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
+        Assert.Contains(computed.LargestAt.Sentence, refused.Reason.Sentence, StringComparison.Ordinal);
         Assert.Equal("N150", refused.Block);
         Assert.False(refused.MayPass);
     }
@@ -98,11 +117,11 @@ public sealed class CorrectionComputerTests
     public void A_surface_beyond_the_limit_is_refused_and_names_a_point(string name)
     {
         var computed = Samples.Program(Request(name));
-        Assert.StartsWith("point ", computed.LargestAt, StringComparison.Ordinal);
+        Assert.StartsWith("point ", computed.LargestAt.Sentence, StringComparison.Ordinal);
         Assert.True(computed.Corrections.Max(c => c.LengthMm) <= computed.LargestMm + 1e-9);
         var refused = Samples.Refusal(Request(name), Samples.NoLimits with { LimitMm = computed.LargestMm / 2 });
         Assert.Equal(CorrectionCodes.OverLimit, refused.Code);
-        Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
+        Assert.Contains(computed.LargestAt.Sentence, refused.Reason.Sentence, StringComparison.Ordinal);
     }
 
     // What the store sent last has cut a piece without stock: nothing that follows a measurement is compensated once more. A piece that
@@ -137,15 +156,15 @@ public sealed class CorrectionComputerTests
             File.Delete(folder[file]);
             var refused = Samples.Refusal(request);
             Assert.Equal(("file-unreadable", true), (refused.Code, refused.MayPass));
-            Assert.Contains(file, refused.Reason, StringComparison.Ordinal);
+            Assert.Contains(file, refused.Reason.Sentence, StringComparison.Ordinal);
         }
     }
 
     [Fact]
     public void A_job_of_the_other_kind_is_refused()
     {
-        Assert.NotEmpty(Samples.Refusal(Samples.Part("complex-mating") with { Piece = "surface" }).Reason);
-        Assert.NotEmpty(Samples.Refusal(Samples.Surface("surface-one") with { Piece = "part" }).Reason);
+        Assert.NotEmpty(Samples.Refusal(Samples.Part("complex-mating") with { Piece = "surface" }).Reason.Sentence);
+        Assert.NotEmpty(Samples.Refusal(Samples.Surface("surface-one") with { Piece = "part" }).Reason.Sentence);
         Assert.Throws<ArgumentException>(() => Samples.Compute(Samples.Part("complex-mating") with { Piece = "Part" }));
     }
 
