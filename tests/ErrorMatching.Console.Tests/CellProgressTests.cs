@@ -80,7 +80,7 @@ public sealed partial class CellProgressTests : IDisposable
         var settings = CellSettingsReader.Read(_cell.Config);
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder));
         var entry = Assert.Single(store.AuditEntries(0, 10_000), e => e.What == "restored");
-        Assert.Equal((SystemUser.Name(Environment.GetEnvironmentVariable), "from the backup copy.db"), (entry.Who, entry.Basis));
+        Assert.Equal((SystemUser.Name(Environment.GetEnvironmentVariable), "from the backup copy.db"), (entry.Who, entry.Basis.Sentence));
         Assert.StartsWith("os:" + Environment.UserName, entry.Who, StringComparison.Ordinal);
     }
 

@@ -179,7 +179,7 @@ public sealed class CompensationTests
         Assert.Equal("chip under the probe", rejected.Reason);
         Assert.Contains(
             seat.Station.Store.StepsOf(1),
-            s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis: "chip under the probe" });
+            s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis.Sentence: "chip under the probe" });
     });
 
     [Fact]

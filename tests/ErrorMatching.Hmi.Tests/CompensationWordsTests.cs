@@ -83,7 +83,7 @@ public sealed partial class CompensationWordsTests
         Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. Warnings: 2", detail.Steps[1].Basis);
         Assert.Contains(
             "Point 2 lies on a rounded corner",
-            seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis,
+            seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis.Sentence,
             StringComparison.Ordinal);
     });
 

@@ -2,6 +2,7 @@ using System.Text.RegularExpressions;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -12,37 +13,62 @@ public sealed partial class RecordedTextTests
     private static readonly string[] Kept = [
         "errormatch cell release CONFIG", "errormatch", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
 
+    private static readonly SentenceForm[] Forms = [.. Recorded.All, .. WarningForms.All, .. RefusalForms.All];
+
     [Fact]
-    public Task Every_form_is_read_back_and_said_in_Chinese_with_its_values() =>
-        InChinese(() => Assert.All(Recorded.All.Concat(WarningForms.All).Concat(RefusalForms.All), form =>
+    public Task Every_form_is_shown_in_Chinese_with_its_values() => InChinese(() => Assert.All(Forms, form =>
     {
-        var sentence = form.With([.. form.Kinds.Select(Sample)]);
-        var read = form.Read(sentence)!;
-        Assert.Equal(sentence, form.With([.. read]));
-        var shown = RecordedText.Of(sentence);
+        var statement = Read(form.With([.. form.Kinds.Select(Sample)]).Text);
+        var shown = RecordedText.Of(statement);
         Assert.DoesNotMatch(English(), Without(shown, Kept));
-        Assert.All(read.Where((_, i) => form.Kinds[i] is "" or ['0', ..]), v => Assert.Contains(v, shown, StringComparison.Ordinal));
+        Assert.All(
+            statement.Values.Zip(form.Kinds).Where(v => v.Second is "" or ['0' or 'y', ..]),
+            v => Assert.Contains(
+                SentenceForm.Formatted(v.Second, v.First.Words!) ?? v.First.Words!, shown, StringComparison.Ordinal));
     }));
 
     [Fact]
-    public void Forms_have_names_of_their_own() => Assert.Distinct(Recorded.All.Select(f => f.Name));
+    public void Every_form_is_shown_in_English_with_its_values() => Assert.All(Forms, form =>
+    {
+        var statement = Read(form.With([.. form.Kinds.Select(Sample)]).Text);
+        Assert.Same(form, statement.Form);
+        Assert.Equal(statement.Text, Read(statement.Text).Text);
+        Assert.DoesNotContain('{', RecordedText.Of(statement));
+        Assert.DoesNotContain('{', statement.Sentence);
+        Assert.All(
+            statement.Values.Where((_, i) => form.Kinds[i] is ""),
+            v => Assert.Contains(v.Sentence, statement.Sentence, StringComparison.Ordinal));
+    });
 
     [Fact]
-    public Task What_no_form_fits_is_shown_as_it_is_recorded() => InChinese(() => Assert.All(
+    public void Forms_have_names_of_their_own() => Assert.Distinct(Forms.Select(f => f.Name));
+
+    [Fact]
+    public Task Words_are_shown_as_they_were_written() => InChinese(() => Assert.All(
         [
             "Coolant ran out",
-            "because of chips",
             "slot",
-            "displaced by at most a lot at block N5.",
-            "displaced by at most 0.1 mm at the door.",
+            "[\"slot\",\"A\",\"m1\"]",
+            "\u001e[\"slot\",\"A\"",
+
+            // Of earlier versions.
+            "displaced by at most 0.3283 mm at block N150. C1 has 3 key points on 40 mm; one per 5 mm is recommended.",
+            "policy: automatic within 0.05 mm",
+            "slot A of m1",
             ""],
-        r => Assert.Equal(r, RecordedText.Of(r))));
+        r => Assert.Equal(r, RecordedText.Of(Read(r)))));
 
     [Fact]
-    public Task Of_several_sentences_those_that_are_known_are_said() => InChinese(() => Assert.Equal(
+    public Task Of_several_statements_each_is_shown() => InChinese(() => Assert.Equal(
         "最大位移 0.3283\u00a0mm，在單節 N150。C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。Somebody says more.",
-        RecordedText.Of("displaced by at most 0.3283 mm at block N150. C1 has 3 key points on 40 mm; one per 5 mm is recommended. "
-                + "Somebody says more.")));
+        RecordedText.Of(Read(Statement.InARow(
+            Recorded.DisplacedAt.With(0.32829999999999998, Recorded.AtBlock.With("N150")),
+            WarningForms.SparsePoints.With("C1", "3", "40", "5"),
+            "Somebody says more.").Text))));
+
+    [Fact]
+    public Task A_code_that_this_station_does_not_know_is_shown_with_its_values() => InChinese(() => Assert.Equal(
+        "newer-code: A; the machine held it after a cut", RecordedText.Of(Read("\u001e[\"newer-code\",\"A\",[\"held-after-cut\"]]"))));
 
     [Fact]
     public Task Nothing_that_a_cell_records_is_left_in_English_on_a_Chinese_screen() => Seat.AtAsync(async seat =>
@@ -123,24 +149,16 @@ public sealed partial class RecordedTextTests
     private static object Sample(string kind, int index) => kind switch
     {
         "" => $"X{index + 3}",
-        "any" => "the piece is cut",
-        "word" => "setter",
-        "amount" => "the job's",
-        "state" => "proposed",
-        "named" => "serial number X1",
-        "at" => "point X1 of X2",
-        "asked" => "\"X1\" wants a file name like X2; \"X2\" wants a column X1 like X3",
-        "like" => "a field X1 like X2",
-        "says" => "the serial numbers \"X1\" and \"X2\"",
-        "who" => "who was operator then, and this takes setter",
-        "form" => "it lacks the X1 X2",
-        "wrong" => "wrong password, 3 in a row",
-        "policies" =>
-            "policy a person, limit the job's, sum 0.3 mm, gain the job's; X1: automatic, limit 0.2 mm, sum none of its own, gain 0.8",
-        ['0', ..] => 7,
-        ['y', ..] => "2026-11-22 08:00:00",
+        SentenceForm.Word => "setter",
+        SentenceForm.State => "proposed",
+        ['0', ..] => 7.25,
+        ['y', ..] => new DateTimeOffset(2026, 11, 22, 8, 0, 0, TimeSpan.Zero),
+        _ when SentenceForm.SeparatorOf(kind) is not null =>
+            Statement.InARow(Recorded.AtPoint.With("X1"), Recorded.AtPointOf.With("X1", "X2")),
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "A kind without a sample."),
     };
+
+    private static Statement Read(string text) => Statement.Read(text, Forms.ToDictionary(f => f.Name, StringComparer.Ordinal));
 
     private static string Without(string text, IEnumerable<string> names) =>
         names.Aggregate(text, (t, n) => t.Replace(n, "", StringComparison.Ordinal));

@@ -34,6 +34,8 @@ public sealed partial class TextTests
                     or "Shell.OtherLanguage"
                     or "Banner.Trouble"
                     or "Recorded.Between"
+                    or "Recorded.job-file"
+                    or "Recorded.job-files"
                     or "List.Between"
                     or "System.LabelsOf"
                     or "Detail.X"

@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -217,7 +218,7 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
         return false;
     }
 
-    private string Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
+    private Statement Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
 
     private void Guarded(Action act) => Guarded(() =>
     {

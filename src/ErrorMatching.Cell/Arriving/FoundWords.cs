@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -13,7 +14,7 @@ internal sealed class FoundWords
 
     /// <summary>Values from two places that differ, or a value that is not usable as a serial number or work order; null if nothing is
     /// wrong.</summary>
-    public string? Contradiction { get; private set; }
+    public Statement? Contradiction { get; private set; }
 
     /// <summary>Adds what a match captured.</summary>
     public void Add(Match match)

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -29,13 +30,13 @@ internal sealed class JobPatterns
             && (_column is not { } column || Matches(column.Pattern, file.Column(column.Name), found)) ? found : null;
     }
 
-    /// <summary>The patterns in words.</summary>
-    public override string ToString() => new[]
+    /// <summary>What the patterns match.</summary>
+    public Statement Like => new[]
     {
         _fileName is null ? null : Recorded.LikeName.With(_fileName),
-        _headerField is { } field ? Recorded.LikeField.With(field.Name, field.Pattern) : null,
+        _headerField is { } header ? Recorded.LikeField.With(header.Name, header.Pattern) : null,
         _column is { } column ? Recorded.LikeColumn.With(column.Name, column.Pattern) : null,
-    }.OfType<string>().DefaultIfEmpty("").Aggregate((first, second) => Recorded.LikeAll.With(first, second));
+    }.OfType<Statement>().DefaultIfEmpty("").Aggregate((first, second) => Recorded.LikeAll.With(first, second));
 
     private static (string, Regex)? Named((string Name, string Pattern)? rule) =>
         rule is { } r ? (r.Name, RecognitionReader.Expression(r.Pattern)) : null;

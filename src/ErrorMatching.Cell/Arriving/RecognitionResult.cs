@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Which job and piece a file belongs to, or why that cannot be decided.</summary>
@@ -35,7 +37,7 @@ public sealed record RecognitionResult
     public string? Code { get; init; }
 
     /// <summary>The reason in a setter's terms; null if the file is recognized.</summary>
-    public string? Reason { get; init; }
+    public Statement? Reason { get; init; }
 
-    internal static RecognitionResult Refused(string code, string reason) => new() { Code = code, Reason = reason };
+    internal static RecognitionResult Refused(string code, Statement reason) => new() { Code = code, Reason = reason };
 }

@@ -1,6 +1,7 @@
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -85,9 +86,9 @@ internal sealed class Recognizer
                 new() { File = job.File, Line = 1, Column = 1, Path = "$.recognition" })),
     };
 
-    private string Asked(string gauge) =>
+    private Statement Asked(string gauge) =>
         _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked
-        ? string.Join("; ", asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p)))
+        ? Statement.InARow(asked.Select(p => Recorded.AskedWants.With(p.Job.Name, p.Like)))
         : Recorded.AskedNobody.With();
 
     private static string Shown(string fileName) => fileName.Length <= MostShown ? fileName : fileName[..MostShown] + "...";

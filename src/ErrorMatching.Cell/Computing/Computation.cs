@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The result of a measurement: <see cref="Identified"/> before it is computed, then a <see cref="ComputedProgram"/> or
@@ -12,7 +14,7 @@ public sealed record Identified(CorrectionBasis Basis) : Computation;
 /// <param name="Basis">The inputs that it is based on.</param>
 /// <param name="Code">Stable code: one of <see cref="CorrectionCodes"/>.</param>
 /// <param name="Reason">Why nothing is sent, in a setter's terms.</param>
-public sealed record NothingToSend(CorrectionBasis Basis, string Code, string Reason) : Computation
+public sealed record NothingToSend(CorrectionBasis Basis, string Code, Statement Reason) : Computation
 {
     /// <summary>How well a counterpart fits its part, as JSON (<c>errormatch/verify/1</c>); null if nothing was compared.</summary>
     public ReadOnlyMemory<byte>? Report { get; init; }
@@ -24,7 +26,7 @@ public sealed record NothingToSend(CorrectionBasis Basis, string Code, string Re
 /// <summary>Why no program may be made from a measurement.</summary>
 /// <param name="Code">Stable code: one of <see cref="CorrectionCodes"/>, or the console's code for the same inputs.</param>
 /// <param name="Reason">The problem and what to do, in a setter's terms.</param>
-public sealed record RefusedComputation(string Code, string Reason) : Computation
+public sealed record RefusedComputation(string Code, Statement Reason) : Computation
 {
     /// <summary>The block concerned as the setter knows it, such as <c>N110</c>; null for none.</summary>
     public string? Block { get; init; }

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>A program that may be proposed, with the data that people need for a decision. The same inputs give the same bytes.</summary>
@@ -23,7 +25,7 @@ public sealed record ComputedProgram : Computation
     public required double LargestMm { get; init; }
 
     /// <summary>Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty if nothing moves.</summary>
-    public required string LargestAt { get; init; }
+    public required Statement LargestAt { get; init; }
 
     /// <summary>The displacement of this step at each measured point, in the job's order.</summary>
     public required IReadOnlyList<PointCorrection> Corrections { get; init; }
@@ -41,6 +43,6 @@ public sealed record ComputedProgram : Computation
     /// <summary>Number of words that were changed or inserted; null if the program is generated.</summary>
     public required int? ChangedWords { get; init; }
 
-    /// <summary>Sentences that a person must not overlook before approving.</summary>
-    public required IReadOnlyList<string> Warnings { get; init; }
+    /// <summary>What a person must not overlook before approving.</summary>
+    public required IReadOnlyList<Statement> Warnings { get; init; }
 }

@@ -2,6 +2,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -76,8 +77,9 @@ public sealed class CorrectionComputer(PolicySettings policy)
     // The correction names its job and program; only a place inside the job adds to that.
     private static RefusedComputation Refused(IReadOnlyList<Refusal> items, Func<Refusal, string> words) => new(
         items[0].Code,
-        string.Join(' ', items.Take(MostReasons).Select(words))
-            + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))
+        Statement.InARow([
+            .. items.Take(MostReasons).Select(i => (Statement)words(i)),
+            items.Count > MostReasons ? Recorded.AndMore.With(items.Count - MostReasons) : ""]))
     {
         Block = items[0].Place.Block,
         MayPass = items[0].Code == MeasurementError.FileUnreadable,

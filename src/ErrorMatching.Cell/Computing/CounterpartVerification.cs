@@ -3,6 +3,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.Cell;
 /// measurements.</summary>
 /// <param name="Report">The result; null if nothing was compared.</param>
 /// <param name="Otherwise">Why not, in a setter's terms; empty if there is a report.</param>
-internal sealed record CounterpartVerification(VerifyReport? Report, string Otherwise)
+internal sealed record CounterpartVerification(VerifyReport? Report, Statement Otherwise)
 {
     /// <summary>Compares a counterpart with its part. The state before is the job's measured counterpart or, if it names none, the nominal
     /// one.</summary>

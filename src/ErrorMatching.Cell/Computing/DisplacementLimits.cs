@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The limits of the policy for one correction.</summary>
@@ -9,7 +11,7 @@ internal sealed class DisplacementLimits(PolicySettings policy, double jobLimitM
     /// <param name="mm">Its largest displacement.</param>
     /// <param name="at">Where that is.</param>
     /// <param name="block">The block concerned; null for none.</param>
-    public RefusedComputation? OfStep(double mm, string at, string? block) => policy.LimitMm is { } limit && !(mm <= limit)
+    public RefusedComputation? OfStep(double mm, Statement at, string? block) => policy.LimitMm is { } limit && !(mm <= limit)
         ? new(CorrectionCodes.OverLimit, Recorded.OverLimit.With(at, mm, limit))
         { Block = block }
         : null;
@@ -19,7 +21,7 @@ internal sealed class DisplacementLimits(PolicySettings policy, double jobLimitM
     /// <param name="mm">The largest distance from the original program.</param>
     /// <param name="at">Where that is.</param>
     /// <param name="block">The block concerned; null for none.</param>
-    public RefusedComputation? OfSum(double mm, string at, string? block)
+    public RefusedComputation? OfSum(double mm, Statement at, string? block)
     {
         var limit = policy.SumLimitMm ?? policy.LimitMm ?? jobLimitMm;
         return !(mm <= limit)

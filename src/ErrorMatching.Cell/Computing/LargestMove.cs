@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -7,7 +8,7 @@ namespace ErrorMatching.Cell;
 /// <param name="Mm">The largest displacement in mm; 0 if nothing moves.</param>
 /// <param name="At">Where that is: <c>point 5 of C1</c>, <c>block N170</c>; empty if nothing moves.</param>
 /// <param name="Block">The block concerned; null for none.</param>
-public sealed record LargestMove(double Mm, string At, string? Block)
+public sealed record LargestMove(double Mm, Statement At, string? Block)
 {
     /// <summary>The largest displacement of a match: at a key point, or between or next to key points if a block must move further
     /// there.</summary>

@@ -86,7 +86,7 @@ internal sealed class MatingCorrection
                     Report = VerifyReportJson.Write(report),
                     Page = VerifyReportHtml.Write(report)
                 },
-                var none => new(basis, CorrectionCodes.FirstArticle, $"{Recorded.FirstArticle.With()} {none.Otherwise}"),
+                var none => new(basis, CorrectionCodes.FirstArticle, Statement.InARow(Recorded.FirstArticle.With(), none.Otherwise)),
             };
     }
 
@@ -136,7 +136,7 @@ internal sealed class MatingCorrection
             SumMm = sum.Mm,
             ChangedBlocks = matched.Report.Program.ChangedBlocks,
             ChangedWords = matched.Report.Program.ChangedWords,
-            Warnings = [.. matched.Report.Warnings.Select(w => w.Message)],
+            Warnings = [.. matched.Report.Warnings.Select(WarningForms.StatementOf)],
         };
     }
 
@@ -165,8 +165,8 @@ internal sealed class MatingCorrection
 
     // The largest distance from the original program: of the sums at the points, or between or next to them as measured on the program
     // itself. Null if the two programs cannot be compared.
-    private (double Mm, string At, string? Block)? SinceOriginal(
-        MatchedProgram matched, CorrectionSums sums, (double Mm, string At, string? Block) step)
+    private (double Mm, Statement At, string? Block)? SinceOriginal(
+        MatchedProgram matched, CorrectionSums sums, (double Mm, Statement At, string? Block) step)
     {
         if (!_request.Job.Accumulates || _request.Base is null)
         {
@@ -180,10 +180,11 @@ internal sealed class MatingCorrection
             return null;
         }
 
-        var atPoints = sums.Largest is { } largest ? (largest.LengthMm, Recorded.AtPoint.With(largest.Point)) : (0, "");
-        if (elsewhere.Mm <= atPoints.Item1 + LeastIncrement(match))
+        (double Mm, Statement At) atPoints =
+            sums.Largest is { } largest ? (largest.LengthMm, Recorded.AtPoint.With(largest.Point)) : (0, "");
+        if (elsewhere.Mm <= atPoints.Mm + LeastIncrement(match))
         {
-            return (atPoints.Item1, atPoints.Item2, null);
+            return (atPoints.Mm, atPoints.At, null);
         }
 
         var name = match.After.Program.NameOf(match.After.Program[elsewhere.Block]);

@@ -3,6 +3,7 @@ using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -89,7 +90,7 @@ internal sealed class SurfaceCorrection
             SumMm = result.LargestMoveMm,
             ChangedBlocks = null,
             ChangedWords = null,
-            Warnings = result.Warnings,
+            Warnings = [.. result.Warnings.Select(w => (Statement)w)],
         });
     }
 
@@ -117,15 +118,15 @@ internal sealed class SurfaceCorrection
             SumMm = largest,
             ChangedBlocks = rewrite.ChangedBlocks.Count,
             ChangedWords = rewrite.ChangedWords,
-            Warnings = displaced.Compensation.Warnings,
+            Warnings = [.. displaced.Compensation.Warnings.Select(w => (Statement)w)],
         });
     }
 
     private Computation Within(
-        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, ComputedProgram> computed)
+        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], Statement, ComputedProgram> computed)
     {
         var worst = steps.MaxBy(s => s.LengthMm)!;
-        var at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
+        Statement at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
         return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null)
             ?? (Computation)computed(steps, at);
     }

@@ -8,7 +8,8 @@ internal static class AuditRow
     public const string Select = "SELECT seq, at, who, what, subject, basis, previous, hash, row_codes FROM audit";
 
     public static AuditEntry Read(DbDataReader row) => new(
-        row.GetInt64(0), StoredTime.From(row.GetInt64(1)), row.GetString(2), row.GetString(3), row.TextOrNull(4), row.GetString(5),
+        row.GetInt64(0), StoredTime.From(row.GetInt64(1)), row.GetString(2), row.GetString(3), row.StatementOrNull(4),
+            Recorded.Read(row.GetString(5)),
             row.GetString(6), row.GetString(7))
     {
         RowCodes = row.TextOrNull(8),

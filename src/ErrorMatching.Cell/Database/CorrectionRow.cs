@@ -70,7 +70,7 @@ internal static class CorrectionRow
         SumMm = row.IsDBNull(23) ? null : row.GetDouble(23),
         PreviousSha256 = row.TextOrNull(24),
         Code = row.TextOrNull(25),
-        Reason = row.TextOrNull(26),
+        Reason = row.StatementOrNull(26),
         Trace = row.TextOrNull(27),
         PartSha256 = row.TextOrNull(28),
         SumsSha256 = row.TextOrNull(29),
@@ -91,7 +91,7 @@ internal static class CorrectionRow
         Slot = StoredText.NameOrNull(correction.Slot),
         Program = StoredText.NameOrNull(correction.Program),
         Code = StoredText.NameOrNull(correction.Code),
-        Reason = StoredText.SentenceOrNull(correction.Reason),
+        Reason = StoredText.OfOrNull(correction.Reason),
         Trace = StoredText.NameOrNull(correction.Trace),
     };
 
@@ -120,7 +120,7 @@ internal static class CorrectionRow
         to.SumMm,
         to.PreviousSha256,
         to.Code,
-        to.Reason,
+        Reason = to.Reason?.Text,
         to.Trace,
         to.PartSha256,
         to.SumsSha256,
@@ -136,7 +136,7 @@ internal static class CorrectionRow
         c.MeasurementSha256, CodedRow.Number(c.MeasurementBytes), c.Job, c.Piece, c.Serial, c.WorkOrder, c.Identity, c.JobSha256,
             c.BaseSha256, c.Machine, c.Slot, c.Program,
         c.ProgramSha256, c.ReportSha256, c.PageSha256, CodedRow.Number(c.LargestMm), CodedRow.Number(c.SumMm), c.PreviousSha256, c.Code,
-            c.Reason, c.Trace, c.PartSha256, c.SumsSha256,
+            c.Reason?.Text, c.Trace, c.PartSha256, c.SumsSha256,
         c.JobWorkOrder, CodedRow.Number(c.MeasuredAs),
     ]);
 
@@ -152,7 +152,7 @@ internal static class CorrectionRow
         State(row.GetString(2)),
         StoredTime.From(row.GetInt64(3)),
         row.GetString(4),
-        row.GetString(5));
+        Recorded.Read(row.GetString(5)));
 
     internal static CorrectionState? StateOrNull(string word) => Array.IndexOf(Words, word) is >= 0 and var at ? (CorrectionState)at : null;
 

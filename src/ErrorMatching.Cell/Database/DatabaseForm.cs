@@ -1,5 +1,6 @@
 using System.Data.Common;
 using Dapper;
+using ErrorMatching.Reporting;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -61,7 +62,7 @@ internal static class DatabaseForm
         return expected.Except(found).Order().Select(e => Of(Recorded.FormLacks.With(e.Kind, e.Name))).FirstOrDefault();
     }
 
-    private static AuditFault Of(string what) => new(AuditFaultKind.FormDiffers, 0, Recorded.FormDiffers.With(what));
+    private static AuditFault Of(Statement what) => new(AuditFaultKind.FormDiffers, 0, Recorded.FormDiffers.With(what));
 
     // Statistics tables belong to the engine.
     private static Dictionary<(string Kind, string Name), string> OfFile(DbConnection connection, DbTransaction? transaction) => Rows

@@ -1,5 +1,6 @@
 using System.Data.Common;
 using Dapper;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -30,6 +31,10 @@ internal static class Rows
         using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
         while (reader.Read()) yield return row(reader);
     }
+
+    /// <summary>A statement in a column; null for none.</summary>
+    public static Statement? StatementOrNull(this DbDataReader reader, int column) =>
+        reader.TextOrNull(column) is { } text ? Recorded.Read(text) : null;
 
     public static string? TextOrNull(this DbDataReader reader, int column) => reader.IsDBNull(column) ? null : reader.GetString(column);
 }

@@ -1,5 +1,6 @@
 using System.Data.Common;
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -67,7 +68,7 @@ internal static class SlotRow
 
     /// <summary>Frees a slot of the correction that has it; otherwise the slot stays as it is.</summary>
     /// <returns>True if it was freed.</returns>
-    public static bool Free(StoreTransaction transaction, string machine, string slot, long correction, string by, string basis)
+    public static bool Free(StoreTransaction transaction, string machine, string slot, long correction, string by, Statement basis)
     {
         Demand(transaction, machine, slot);
         if (transaction.Execute(GiveBack, new { Machine = machine, Slot = slot, Id = correction }) != 1) return false;

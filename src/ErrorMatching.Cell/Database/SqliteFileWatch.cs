@@ -44,7 +44,7 @@ internal sealed class SqliteFileWatch(string file, Func<AuditHead?> seen)
                     _refused = WhyNotTheSame() is { } reason ? (now, reason) : null;
                 }
 
-                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Message, still.Reason);
+                if (_refused is { } still) throw new StoreException(still.Reason.Error, still.Reason.Statement, still.Reason);
             }
 
             _identity = now;

@@ -1,6 +1,7 @@
 using System.Data.Common;
 using System.Globalization;
 using Dapper;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -65,7 +66,7 @@ internal sealed class StoreTransaction
     public string? CodeOf(CodedRow row) => _auditKey is null ? null : _rowCodes[row.Name] = row.Code(_auditKey);
 
     /// <summary>Appends an entry to the audit trail.</summary>
-    public void Audit(string who, string what, string? subject, string basis)
+    public void Audit(string who, string what, Statement? subject, Statement basis)
     {
         if (_head == _before && _head.Seq > 0 && _head.At - Now > ClockTolerance)
         {
@@ -77,7 +78,7 @@ internal sealed class StoreTransaction
 
         var rows = _rowCodes.Count == 0 ? null : CodedRow.Lines(_rowCodes.Select(r => (r.Key, r.Value)));
         _rowCodes.Clear();
-        Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Sentence(basis), rows);
+        Append(StoredText.Name(who), StoredText.Name(what), StoredText.NameOrNull(subject), StoredText.Of(basis), rows);
     }
 
     /// <summary>Stores the current end of the audit trail.</summary>
@@ -96,7 +97,7 @@ internal sealed class StoreTransaction
         return _head;
     }
 
-    private void Append(string who, string what, string? subject, string basis, string? rowCodes = null)
+    private void Append(string who, string what, Statement? subject, Statement basis, string? rowCodes = null)
     {
         var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, Now, who, what, subject, basis, rowCodes);
 
@@ -111,8 +112,8 @@ internal sealed class StoreTransaction
                 At = StoredTime.Of(Now),
                 entry.Who,
                 entry.What,
-                entry.Subject,
-                entry.Basis,
+                Subject = entry.Subject?.Text,
+                Basis = entry.Basis.Text,
                 entry.Previous,
                 entry.Hash,
                 entry.RowCodes,

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -10,7 +11,7 @@ internal static class StoredText
     public const int MostOfName = 800;
 
     /// <summary>Maximum characters of any other text.</summary>
-    public const int MostOfSentence = 8000;
+    public const int MostOfStatement = StatementText.MostCharacters;
 
     /// <summary>A name in stored form: unpaired surrogates and the character 0 are replaced, excess length is cut off.</summary>
     public static string Name(string text) => Kept(text, MostOfName);
@@ -18,11 +19,19 @@ internal static class StoredText
     /// <summary>A name in stored form, or null.</summary>
     public static string? NameOrNull(string? text) => text is null ? null : Kept(text, MostOfName);
 
-    /// <summary>A sentence in stored form.</summary>
-    public static string Sentence(string text) => Kept(text, MostOfSentence);
+    /// <summary>A statement in stored form.</summary>
+    public static Statement Of(Statement statement) => Kept(statement, MostOfStatement);
 
-    /// <summary>A sentence in stored form, or null.</summary>
-    public static string? SentenceOrNull(string? text) => text is null ? null : Kept(text, MostOfSentence);
+    /// <summary>A statement in stored form, or null.</summary>
+    public static Statement? OfOrNull(Statement? statement) => statement is null ? null : Kept(statement, MostOfStatement);
+
+    /// <summary>A statement in an indexed column, or null.</summary>
+    public static Statement? NameOrNull(Statement? statement) => statement is null ? null : Kept(statement, MostOfName);
+
+    private static Statement Kept(Statement statement, int most) =>
+        statement.Words is { } words && !StatementText.IsMarked(words) ? Kept(words, most)
+        : statement.Fitted(most) is { Words: { } cut } shorter && !StatementText.IsMarked(cut) ? Kept(cut, most)
+        : statement.Fitted(most);
 
     private static string Kept(string text, int most)
     {

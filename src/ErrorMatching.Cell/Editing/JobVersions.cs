@@ -1,17 +1,17 @@
 using System.Globalization;
-using System.Text.RegularExpressions;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
 /// <summary>The versions of a job: stored with each save, and opened again as drafts.</summary>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
-internal sealed partial class JobVersions(CellSettings settings, CellStore store)
+internal sealed class JobVersions(CellSettings settings, CellStore store)
 {
     private readonly PreparedJobs _prepared = new(settings);
 
@@ -26,7 +26,7 @@ internal sealed partial class JobVersions(CellSettings settings, CellStore store
             .. store
                 .Read(
                     AuditRow.Select + " WHERE what = @word OR what = @Found ORDER BY seq DESC", AuditRow.Read, new { word, JobEdits.Found })
-                .Where(e => e.Subject is { } subject && names.Contains(subject))
+                .Where(e => e.Subject is { Words: { } subject } && names.Contains(subject))
                 .Select(Version)
                 .OfType<JobVersion>()
                 .Where(v => v.Files.All(f => IsKept(f.Sha256)))
@@ -55,9 +55,12 @@ internal sealed partial class JobVersions(CellSettings settings, CellStore store
 
     private static JobVersion? Version(AuditEntry entry)
     {
-        var list = Recorded.JobInPlace.Read(entry.Basis) is [var written, ..] ? written : entry.Basis;
-        var found = FileAndHash().Matches(list);
-        (string Name, string Sha256)[] files = [.. found.Select(m => (m.Groups["name"].Value, m.Groups["hash"].Value))];
+        var written = entry.Basis.Is(Recorded.JobInPlace) ? entry.Basis.Values[0] : entry.Basis;
+        IReadOnlyList<(string Name, string Sha256)> files = written.Is(Recorded.JobFiles)
+            ? [
+                .. written.Values[0].Parts.Where(f => f.Is(Recorded.JobFile))
+                    .Select(f => (f.Values[0].Sentence, f.Values[1].Sentence))]
+            : EnglishRecord.JobFilesOf(entry.Basis);
         return files is [.., var job] ? new(entry.Seq, entry.At, entry.Who, "", job.Sha256, files) : null;
     }
 
@@ -117,15 +120,15 @@ internal sealed partial class JobVersions(CellSettings settings, CellStore store
         return version;
     }
 
-    private static string Told(IEnumerable<(string Name, byte[] Bytes)> files) =>
-        string.Join(", ", files.Select(f => $"{f.Name} {StoredContent.Sha256(f.Bytes)}"));
+    private static Statement Stated(IEnumerable<(string Name, byte[] Bytes)> files) =>
+        Recorded.JobFiles.With(files.Select(f => Recorded.JobFile.With(f.Name, StoredContent.Sha256(f.Bytes))));
 
     /// <summary>Stores the files before and after a save in one transaction with the audit entry. What was saved here is already
     /// stored.</summary>
     public void Keep(
         CellJobSettings job, SignedIn by, List<(string Name, byte[] Bytes)> before, List<(string Name, byte[] Bytes)> after)
     {
-        var found = Told(before);
+        var found = Stated(before);
         var isKnown = before.Count == 0
             || Of(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, StoredContent.Sha256(f.Bytes)))));
         store.Write(t =>
@@ -140,16 +143,12 @@ internal sealed partial class JobVersions(CellSettings settings, CellStore store
                 t.Audit(by.Name, JobEdits.Found, job.Name, found);
             }
 
-            var written = Told(after);
+            var written = Stated(after);
             var basis = before.Count > 0 ? Recorded.JobInPlace.With(written, StoredContent.Sha256(before[^1].Bytes)) : written;
             t.Audit(by.Name, WordFor(job), job.Name, basis);
             return true;
         });
     }
-
-    [GeneratedRegex(
-        "(^|, )(?<name>.+?) (?<hash>[0-9a-f]{64})", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, Timeout.Infinite)]
-    private static partial Regex FileAndHash();
 }
 
 /// <summary>A saved version of a job, stored by content.</summary>

@@ -1,5 +1,6 @@
 using System.Data.Common;
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -9,7 +10,8 @@ namespace ErrorMatching.Cell;
 /// <remarks>Failures of the store throw a <see cref="StoreException"/>, failures of the keys a <see cref="PeopleException"/>.</remarks>
 public sealed class AuditTrail(CellStore store, string keysFolder)
 {
-    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows"];
+    private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows",
+        "subjectRecorded", "basisRecorded"];
 
     /// <summary>Checks every entry of one snapshot of the trail. An intact end is remembered next to the keys, if they exist.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
@@ -89,7 +91,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     /// <param name="by">Who did it.</param>
     /// <param name="basis">What was done, or why.</param>
     /// <returns>True if it was accepted.</returns>
-    public bool TakeOver(string by, string basis)
+    public bool TakeOver(string by, Statement basis)
     {
         var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
         if (key is null || !head.IsSealedBy(key) || EndFault() is null)
@@ -106,8 +108,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         return true;
     }
 
-    /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, texts unchanged except for an apostrophe
-    /// before anything that looks like a formula.</summary>
+    /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, and an apostrophe before anything that
+    /// looks like a formula. Subject and basis are English sentences; the last columns have them as they are recorded.</summary>
     /// <param name="writer">The destination.</param>
     /// <returns>The number of entries.</returns>
     public long Export(TextWriter writer) => Export(writer, null, CancellationToken.None);
@@ -135,11 +137,13 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
                 e.At.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss.ffffff'Z'", CultureInfo.InvariantCulture),
                 e.Who,
                 e.What,
-                e.Subject ?? "",
-                e.Basis,
+                e.Subject?.Sentence ?? "",
+                e.Basis.Sentence,
                 e.Previous,
                 e.Hash,
-                e.RowCodes ?? "");
+                e.RowCodes ?? "",
+                e.Subject?.Text ?? "",
+                e.Basis.Text);
             count++;
         }
 

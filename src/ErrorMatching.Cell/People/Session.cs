@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>One user's session at a station, until sign-out or a period of inactivity. Thread-safe.</summary>
@@ -82,7 +84,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle)
 
     private void Restart() => (_touched, _touchedAt) = (clock.GetTimestamp(), clock.GetUtcNow());
 
-    private void Leave(string basis)
+    private void Leave(Statement basis)
     {
         var name = _who!.Name;
         _who = null;

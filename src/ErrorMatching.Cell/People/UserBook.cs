@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -113,7 +114,7 @@ public sealed class UserBook
             // Regardless of the password: the row is not the cell's, or its role is unknown.
             _store.Write(t =>
             {
-                t.Audit(person.Name, "sign-in-failed", null, problem.Message);
+                t.Audit(person.Name, "sign-in-failed", null, problem.Statement);
                 return true;
             });
             throw problem;
@@ -143,7 +144,7 @@ public sealed class UserBook
     });
 
     /// <summary>Records a sign-out.</summary>
-    internal void SignedOut(string name, string basis) => _store.Write(t =>
+    internal void SignedOut(string name, Statement basis) => _store.Write(t =>
     {
         t.Audit(name, "signed-out", null, basis);
         return name;
@@ -218,7 +219,7 @@ public sealed class UserBook
         SignedIn by,
         string name,
         string what,
-        string basis,
+        Statement basis,
         Func<Person, Person> change,
         bool isUnlocked = false,
         bool isOwnAllowed = false) =>
@@ -302,7 +303,7 @@ public sealed class UserBook
         return Hashes.Of(password);
     }
 
-    private static User Insert(StoreTransaction t, string by, string name, Role role, string hash, string basis)
+    private static User Insert(StoreTransaction t, string by, string name, Role role, string hash, Statement basis)
     {
         var person = new Person(name, role, hash, IsDisabled: false, t.Now, t.Now);
         person.Insert(t);

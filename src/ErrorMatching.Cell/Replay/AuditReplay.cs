@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -70,7 +71,7 @@ internal sealed class AuditReplay
 
     private void AddStep(AuditEntry entry, CorrectionState to)
     {
-        if (Subject(entry.Subject ?? "") is not var (id, file, program))
+        if (Subject(entry.Subject) is not var (id, file, program))
         {
             Fault ??= Of(entry, Recorded.NoCorrection.With(entry.Seq, entry.What, entry.Subject ?? ""));
             return;
@@ -120,18 +121,18 @@ internal sealed class AuditReplay
 
     // Null if the approval is valid: by the policy, by a person who had the right at that time, or an earlier one that continues when a
     // slot is given back.
-    private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
+    private Statement? ApprovalProblem(AuditEntry entry, CorrectionState? from)
     {
         if (entry.Who == AuditEntry.ByCell)
         {
-            var isPolicy = Recorded.Policy.Read(entry.Basis) is not null || Recorded.PolicyWithin.Read(entry.Basis) is not null;
+            var isPolicy = entry.Basis.Is(Recorded.Policy) || entry.Basis.Is(Recorded.PolicyWithin) || EnglishRecord.IsPolicy(entry.Basis);
             return from == CorrectionState.Uploading || (from == CorrectionState.Proposed && isPolicy) ? null : Recorded.NotByPolicy.With();
         }
 
         return NotEntitled(entry.Who, Act.Approve);
     }
 
-    private string? NotEntitled(string who, Act act) => _people.GetValueOrDefault(UserName.Key(who)) switch
+    private Statement? NotEntitled(string who, Act act) => _people.GetValueOrDefault(UserName.Key(who)) switch
     {
         null => Recorded.WasNobody.With(),
         { IsDisabled: true } => Recorded.WasDisabled.With(),
@@ -141,7 +142,8 @@ internal sealed class AuditReplay
 
     private void AddPerson(AuditEntry entry)
     {
-        var (name, key) = (entry.Subject ?? "", UserName.Key(entry.Subject ?? ""));
+        var name = entry.Subject?.Words ?? "";
+        var key = UserName.Key(name);
         if (entry is { What: "user-added", Who: Console })
         {
             // Anyone who can write the store and has its keys may start over with new users; the entry itself shows it.
@@ -163,7 +165,10 @@ internal sealed class AuditReplay
             return;
         }
 
-        var role = (Recorded.AsRole.Read(entry.Basis) ?? Recorded.ToRole.Read(entry.Basis)) is [var word] ? Rights.RoleOf(word) : null;
+        var word = entry.Basis.Is(Recorded.AsRole) || entry.Basis.Is(Recorded.ToRole)
+            ? entry.Basis.Values[0].Words
+            : EnglishRecord.RoleOf(entry.Basis);
+        var role = word is null ? null : Rights.RoleOf(word);
         var before = _people.GetValueOrDefault(key);
         var after = entry.What switch
         {
@@ -189,16 +194,17 @@ internal sealed class AuditReplay
         Fault ??= fault;
     }
 
-    private static AuditFault Of(AuditEntry entry, string message) => new(AuditFaultKind.NotAllowed, entry.Seq, message);
+    private static AuditFault Of(AuditEntry entry, Statement message) => new(AuditFaultKind.NotAllowed, entry.Seq, message);
 
-    private static (long Id, string? File, string? Program)? Subject(string subject) =>
-        Recorded.File.Read(subject) is [var ofFile, var file] && Number(ofFile) is { } arrived ? (arrived, file, null)
-        : Recorded.Program.Read(subject) is [var ofProgram, var program] && Number(ofProgram) is { } computed ? (computed, null, program)
-        : Recorded.Correction.Read(subject) is [var alone] && Number(alone) is { } other ? (other, null, null)
+    private static (long Id, string? File, string? Program)? Subject(Statement? subject) =>
+        subject is null ? null
+        : EnglishRecord.CorrectionOf(subject) is { } earlier ? earlier
+        : subject.Values is not [{ Words: { } digits }, ..]
+            || !long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var id) ? null
+        : subject.Is(Recorded.File) ? (id, subject.Values[1].Words, null)
+        : subject.Is(Recorded.Program) ? (id, null, subject.Values[1].Words)
+        : subject.Is(Recorded.Correction) ? (id, null, null)
         : null;
-
-    private static long? Number(string digits) =>
-        long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
 }
 
 /// <summary>What the audit trail says of a correction.</summary>

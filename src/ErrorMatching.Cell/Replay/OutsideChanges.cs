@@ -1,4 +1,5 @@
 using System.Data.Common;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -17,26 +18,26 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     {
         if (database.Snapshot((connection, transaction) => _ledger.Fault(database, connection, transaction, correction)) is { } fault)
         {
-            throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Message));
+            throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Statement));
         }
     }
 
     /// <summary>Changes found by a quick check of users, slots, the first 500 corrections that have not ended, and the database
     /// schema.</summary>
-    public IReadOnlyList<string> Find() => database.Snapshot((connection, transaction) =>
+    public IReadOnlyList<Statement> Find() => database.Snapshot((connection, transaction) =>
     {
-        var found = new List<string>();
-        if (database.FormFault(connection, transaction) is { } form) found.Add(form.Message);
+        var found = new List<Statement>();
+        if (database.FormFault(connection, transaction) is { } form) found.Add(form.Statement);
         foreach (var (person, fault) in Look(Person.SelectKept + " ORDER BY name_key", Person.ReadKept, "user"))
         {
-            if (fault is not null) found.Add(fault.Message);
-            else if (Person.Looked(person!, key).Problem is { } problem) found.Add(problem.Message);
+            if (fault is not null) found.Add(fault.Statement);
+            else if (Person.Looked(person!, key).Problem is { } problem) found.Add(problem.Statement);
         }
 
         foreach (var (slot, fault) in Look(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot"))
         {
-            if (fault is not null) found.Add(fault.Message);
-            else if (!slot!.Holds(key)) found.Add(SlotRow.Tampered(slot).Message);
+            if (fault is not null) found.Add(fault.Statement);
+            else if (!slot!.Holds(key)) found.Add(SlotRow.Tampered(slot).Statement);
         }
 
         var open = Enum.GetValues<CorrectionState>().Where(s => !CorrectionSteps.IsEnd(s) && s != CorrectionState.Released);
@@ -44,7 +45,7 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
             $"{CorrectionRow.SelectKept} WHERE {CorrectionRow.IsIn("state", open)} ORDER BY id LIMIT {CodedRow.Number(MostLooked)}",
                 CorrectionRow.ReadKept, "correction"))
         {
-            if (fault is not null) found.Add(fault.Message);
+            if (fault is not null) found.Add(fault.Statement);
             else if (!correction!.Holds(key)) found.Add(Recorded.CorrectionTampered.With(correction.Value.Id));
         }
 

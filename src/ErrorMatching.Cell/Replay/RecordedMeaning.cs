@@ -1,6 +1,7 @@
 using System.Data.Common;
 using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -44,8 +45,8 @@ internal sealed class RecordedMeaning
             Recorded.StepUnrecorded.With(count, _steps.Count));
     }
 
-    private static long Digest(long id, CorrectionState? from, CorrectionState to, DateTimeOffset at, string who, string basis) =>
+    private static long Digest(long id, CorrectionState? from, CorrectionState to, DateTimeOffset at, string who, Statement basis) =>
         BitConverter.ToInt64(
         SHA256.HashData(Encoding.UTF8.GetBytes(
-            FormattableString.Invariant($"{id}\n{from}\n{to}\n{StoredTime.Of(at)}\n{who.Length}\n{who}\n{basis}"))));
+            FormattableString.Invariant($"{id}\n{from}\n{to}\n{StoredTime.Of(at)}\n{who.Length}\n{who}\n{basis.Text}"))));
 }

@@ -1,4 +1,5 @@
 using System.Data.Common;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -158,7 +159,8 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             .Select(r => Differs(replay.CodeOf(r)!.Value.Seq, Recorded.RowMissing.With(r, replay.CodeOf(r)!.Value.Seq))).FirstOrDefault();
     }
 
-    private AuditFault? OfCode(CodedRow coded, string? code, Func<long, string> message) => replay.CodeOf(coded.Name) is var (expected, seq)
+    private AuditFault? OfCode(CodedRow coded, string? code, Func<long, Statement> message) =>
+        replay.CodeOf(coded.Name) is var (expected, seq)
         ? code == expected && (key is null || coded.Code(key) == expected) ? null : Differs(seq, message(seq))
         : code is null ? null : Differs(0, message(0));
 
@@ -168,5 +170,5 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     private IEnumerable<(KeptRow<T>? Row, AuditFault? Fault)> Stream<T>(string sql, Func<DbDataReader, KeptRow<T>> read, string kind) =>
         Rows.Stream(connection, sql, r => Read(r, read, kind), null, transaction);
 
-    private static AuditFault Differs(long seq, string message) => new(AuditFaultKind.RowDiffers, seq, message);
+    private static AuditFault Differs(long seq, Statement message) => new(AuditFaultKind.RowDiffers, seq, message);
 }

@@ -1,3 +1,4 @@
+using ErrorMatching.Reporting;
 using Serilog;
 
 namespace ErrorMatching.Cell;
@@ -69,14 +70,14 @@ internal sealed class CellFlow(
     public Correction Step(
         Correction from,
         CorrectionState to,
-        string basis,
+        Statement basis,
         Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
         AroundStep?.Invoke(to, false);
         var now = store.Step(from, to, ByCell, basis, with, contents);
         AroundStep?.Invoke(to, true);
-        StepLog.Write(log, from.State, now, basis);
+        StepLog.Write(log, from.State, now, basis.Sentence);
         CellTelemetry.Count(now);
         Tell(now);
         return now;
@@ -92,15 +93,15 @@ internal sealed class CellFlow(
         }
         catch (StoreException e) when (e.Error == StoreError.Tampered)
         {
-            SayTampered(Recorded.Correction.With(correction.Id), e.Message);
+            SayTampered(Recorded.Correction.With(correction.Id), e.Statement);
             throw;
         }
     }
 
     /// <summary>Records a change to the store from outside the cell, once while the cell runs.</summary>
-    public void SayTampered(string? subject, string message)
+    public void SayTampered(Statement? subject, Statement message)
     {
-        if (_saidTampered.TryAdd(message, true)) store.Audit(ByCell, AuditLedger.Tampered, message, subject);
+        if (_saidTampered.TryAdd(message.Text, true)) store.Audit(ByCell, AuditLedger.Tampered, message, subject);
     }
 
     /// <summary>Stores an arrival, and wakes the workers concerned if it is new.</summary>
@@ -112,7 +113,7 @@ internal sealed class CellFlow(
         AroundStep?.Invoke(CorrectionState.Archived, true);
         if (isNew)
         {
-            StepLog.Write(log, null, arrived, arrived.Reason ?? $"arrived from {arrived.Gauge}");
+            StepLog.Write(log, null, arrived, arrived.Reason?.Sentence ?? $"arrived from {arrived.Gauge}");
             CellTelemetry.Count(arrived);
             Tell(arrived);
         }
@@ -128,7 +129,7 @@ internal sealed class CellFlow(
         }
         catch (StoreException e) when (e.Error is StoreError.Damaged or StoreError.Missing or StoreError.Tampered)
         {
-            Fail(correction, CellCodes.Of(e.Error), e.Message);
+            Fail(correction, CellCodes.Of(e.Error), e.Statement);
         }
         catch (Exception e) when (e is not (StoreException or OperationCanceledException))
         {
@@ -137,7 +138,7 @@ internal sealed class CellFlow(
         }
     }
 
-    private void Fail(Correction correction, string code, string reason) =>
+    private void Fail(Correction correction, string code, Statement reason) =>
         Step(correction, CorrectionState.Failed, reason, c =>
             c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
 

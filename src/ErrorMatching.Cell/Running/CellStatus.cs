@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The status of a cell: what it holds, what waits, and what prevents it from working.</summary>
@@ -20,8 +22,8 @@ public sealed record CellStatus(
     // More than a person looks through at once; beyond this, corrections are only counted.
     internal const int Most = 100;
 
-    /// <summary>Changes made to the store from outside the cell, as sentences: see <see cref="CellStore.Tampered"/>.</summary>
-    public IReadOnlyList<string> Tampered { get; init; } = [];
+    /// <summary>Changes made to the store from outside the cell: see <see cref="CellStore.Tampered"/>.</summary>
+    public IReadOnlyList<Statement> Tampered { get; init; } = [];
 
     /// <summary>The number of corrections in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);

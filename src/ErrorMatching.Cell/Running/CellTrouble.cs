@@ -1,3 +1,6 @@
+using System.Text.Json.Serialization;
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Something that prevents a part of a running cell from working.</summary>
@@ -8,6 +11,13 @@ namespace ErrorMatching.Cell;
 /// <param name="Since">Since when.</param>
 public sealed record CellTrouble(string Where, string Code, string Message, DateTimeOffset Since)
 {
+    /// <summary>The message as it is recorded; null from a cell of an earlier version.</summary>
+    public string? Recorded { get; init; }
+
+    /// <summary>The message as a statement.</summary>
+    [JsonIgnore]
+    public Statement Statement => Recorded is { } text ? Cell.Recorded.Read(text) : Message;
+
     /// <summary>Name of the part that checks whether a machine responds.</summary>
     public static string OfMachine(string machine) => $"machine {machine}";
 

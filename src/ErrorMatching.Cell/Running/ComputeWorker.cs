@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Computes recognized corrections. Several loops may run concurrently: each takes a different correction, the earliest
@@ -98,7 +100,7 @@ internal sealed class ComputeWorker(CellFlow flow)
         flow.Step(
             recognized,
             CorrectionState.Computed,
-            string.Join(" ", computed.Warnings.Prepend(basis)),
+            Statement.InARow(computed.Warnings.Prepend(basis)),
             c => c with
             {
                 ProgramSha256 = HashOf(computed.Program),
@@ -112,7 +114,7 @@ internal sealed class ComputeWorker(CellFlow flow)
     }
 
     // Its identity becomes free: the refused measurement may come again once the reason is gone.
-    private void Refuse(Correction recognized, string code, string reason) =>
+    private void Refuse(Correction recognized, string code, Statement reason) =>
         flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
 
     private static string HashOf(ReadOnlyMemory<byte> bytes) =>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -83,7 +84,7 @@ public sealed class CorrectionDecisions(CellStore store)
                     + $"{done}."));
     }
 
-    internal Correction Step(Correction correction, CorrectionState to, string by, string basis, Func<Correction, Correction>? with)
+    internal Correction Step(Correction correction, CorrectionState to, string by, Statement basis, Func<Correction, Correction>? with)
     {
         try
         {

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Determines which program cut a measured counterpart, if corrections accumulate.</summary>
@@ -39,7 +41,7 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
                 && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
 
     /// <summary>Why nothing is computed until it is known, and what to do.</summary>
-    public string Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
+    public Statement Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted
         ? Recorded.NotReleasedReverted.With(held.Id, held.Slot, held.Machine, held.Id)
         : Recorded.NotReleased.With(held.Id, held.Slot, held.Machine, held.Id);
 }

@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -57,21 +58,21 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
             return true;
         }
 
-        var sentence = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? Missing);
+        var changed = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? Missing);
         if (_of.Id != held.Id || _told != (hash ?? Missing))
         {
             // Stored first: what a person changed there may be gone a moment later.
-            flow.Store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, sentence, Subject, found);
+            flow.Store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, changed, Subject, found);
         }
 
         (_of, _readAt, _told) = ((held.Id, program), flow.Clock.GetTimestamp(), hash ?? Missing);
-        if (flow.Troubles.Begin(_where, CellCodes.ChangedAtMachine, sentence))
+        if (flow.Troubles.Begin(_where, CellCodes.ChangedAtMachine, changed))
         {
-            flow.Log.Warning("{Where}: {Code}: {Message}", _where, CellCodes.ChangedAtMachine, sentence);
+            flow.Log.Warning("{Where}: {Code}: {Message}", _where, CellCodes.ChangedAtMachine, changed);
         }
 
         return false;
     }
 
-    private string Subject => Recorded.Slot.With(slot.Name, machine.Name);
+    private Statement Subject => Recorded.Slot.With(slot.Name, machine.Name);
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Proposes computed corrections, supersedes older ones of the same piece, and approves by the policy.</summary>
@@ -22,7 +24,7 @@ internal sealed class ProposeWorker(CellFlow flow)
                 }
                 catch (StoreException e) when (e.Error == StoreError.Tampered)
                 {
-                    flow.SayTampered(Recorded.Correction.With(proposed.Id), e.Message);
+                    flow.SayTampered(Recorded.Correction.With(proposed.Id), e.Statement);
                 }
             }
 
@@ -44,8 +46,8 @@ internal sealed class ProposeWorker(CellFlow flow)
             }
             catch (StoreException e) when (e.Error == StoreError.Tampered)
             {
-                flow.Step(computed, CorrectionState.Refused, e.Message, c =>
-                    c with { Code = CellCodes.Of(e.Error), Reason = e.Message, Identity = null });
+                flow.Step(computed, CorrectionState.Refused, e.Statement, c =>
+                    c with { Code = CellCodes.Of(e.Error), Reason = e.Statement, Identity = null });
             }
         }
 
@@ -121,7 +123,7 @@ internal sealed class ProposeWorker(CellFlow flow)
         Recorded.NewerMeasurement.With(newer.Id, newer.Serial),
         c => c with { Code = CellCodes.Superseded, Reason = Recorded.NewerOfSamePiece.With(newer.Id, newer.FileName) });
 
-    private static string Millimeters(Correction computed) => (computed.LargestMm, computed.SumMm) switch
+    private static Statement Millimeters(Correction computed) => (computed.LargestMm, computed.SumMm) switch
     {
         ({ } largest, { } sum) when sum > largest => Recorded.DisplacedInSum.With(largest, sum),
         ({ } largest, _) => Recorded.Displaced.With(largest),

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Determines whose measurement an archived file is and what its correction is based on, and refuses repeated
@@ -133,7 +135,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
         .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Turn);
 
-    private static string? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
+    private static Statement? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
     {
         ({ } serial, { } order) => Recorded.NamedBoth.With(serial, order),
         ({ } serial, null) => Recorded.NamedSerial.With(serial),
@@ -141,10 +143,10 @@ internal sealed class RecognizeWorker(CellFlow flow)
         _ => null,
     };
 
-    private static string AlreadyKnown(Correction other) =>
+    private static Statement AlreadyKnown(Correction other) =>
         Recorded.AlreadyKnown.With(other.Id, other.FileName, other.State.ToString().ToLowerInvariant());
 
-    private void Refuse(Correction archived, Correction known, string code, string reason) =>
+    private void Refuse(Correction archived, Correction known, string code, Statement reason) =>
         flow.Step(archived, CorrectionState.Refused, reason, _ =>
             known with { Code = code, Reason = reason, BaseSha256 = null, PartSha256 = null, SumsSha256 = null });
 }

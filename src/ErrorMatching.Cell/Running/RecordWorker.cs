@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Checks every few seconds whether the store was changed from outside the cell: users, slots, corrections that have not ended, or
@@ -16,8 +18,8 @@ internal sealed class RecordWorker(CellFlow flow)
         {
             flow.Troubles.End(Where);
         }
-        else if (flow.Troubles.Begin(Where, CellCodes.Of(StoreError.Tampered), found.Count == 1 ? first : first + " "
-            + Recorded.AndMore.With(found.Count - 1)))
+        else if (flow.Troubles.Begin(Where, CellCodes.Of(StoreError.Tampered), 
+            Statement.InARow(first, found.Count == 1 ? "" : Recorded.AndMore.With(found.Count - 1))))
         {
             flow.Log.Error("{Where}: {Message}", Where, string.Join(" ", found));
             foreach (var message in found) flow.SayTampered(null, message);

@@ -2,6 +2,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.Cell;
 internal sealed record RevertedBase(Correction By)
 {
     /// <summary>Why the correction is not sent, and what to do.</summary>
-    public string Reason => Recorded.BaseReverted.With(By.Id, By.Reason);
+    public Statement Reason => Recorded.BaseReverted.With(By.Id, By.Reason);
 
     /// <summary>The reverted program that a correction builds on; null if it builds on none, or on one that was not reverted.</summary>
     /// <param name="flow">State shared by the workers.</param>

@@ -41,8 +41,8 @@ public sealed class SlotRelease(CellSettings settings, CellStore store, Func<Mac
             return;
         }
 
-        var sentence = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? "missing");
-        store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, sentence, Recorded.Slot.With(slot.Name, machine.Name), found);
-        throw new DecisionException(DecisionException.ChangedAtMachine, sentence);
+        var changed = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? "missing");
+        store.Audit(CellFlow.ByCell, CellCodes.ChangedAtMachine, changed, Recorded.Slot.With(slot.Name, machine.Name), found);
+        throw new DecisionException(DecisionException.ChangedAtMachine, changed.Sentence);
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -92,7 +93,7 @@ internal sealed class SlotWorker(
         }
         catch (ChangedAtMachineException e)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Message,
+            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Statement,
                 e.Found);
             return null;
         }
@@ -148,7 +149,7 @@ internal sealed class SlotWorker(
         }
         catch (ChangedAtMachineException e)
         {
-            Fail(uploading, CellCodes.ChangedAtMachine, e.Message, e.Found);
+            Fail(uploading, CellCodes.ChangedAtMachine, e.Statement, e.Found);
         }
         catch (OperationCanceledException) when (flow.Finish.IsCancellationRequested)
         {
@@ -166,7 +167,7 @@ internal sealed class SlotWorker(
         }
     }
 
-    private async Task<string> SendOrFindAsync(Correction uploading, ISlotLock slotLock)
+    private async Task<Statement> SendOrFindAsync(Correction uploading, ISlotLock slotLock)
     {
         if (!_isInOrder)
         {
@@ -208,7 +209,7 @@ internal sealed class SlotWorker(
         return Recorded.ReadBack.With();
     }
 
-    private void Verify(Correction uploading, string basis)
+    private void Verify(Correction uploading, Statement basis)
     {
         var verified = flow.Step(uploading, CorrectionState.Verified, basis);
         CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
@@ -218,7 +219,7 @@ internal sealed class SlotWorker(
 
     // After all attempts: recovers the slot if the machine can be reached, and gives it back if it then holds its previous program.
     // Otherwise the correction keeps the slot, and the next look continues.
-    private async Task GiveBackAsync(Correction uploading, TransportException? cause, string basis, CancellationToken cancellation)
+    private async Task GiveBackAsync(Correction uploading, TransportException? cause, Statement basis, CancellationToken cancellation)
     {
         _isInOrder = false;
         byte[]? found;
@@ -228,7 +229,7 @@ internal sealed class SlotWorker(
         }
         catch (ChangedAtMachineException e)
         {
-            Fail(uploading, CellCodes.ChangedAtMachine, e.Message, e.Found);
+            Fail(uploading, CellCodes.ChangedAtMachine, e.Statement, e.Found);
             return;
         }
         catch (TransportException) when (cause is { IsWorthAnotherTry: false })
@@ -267,7 +268,7 @@ internal sealed class SlotWorker(
         }
     }
 
-    private void Fail(Correction uploading, string code, string reason, byte[]? found = null) =>
+    private void Fail(Correction uploading, string code, Statement reason, byte[]? found = null) =>
         flow.Step(
             uploading,
             CorrectionState.Failed,

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -12,13 +13,13 @@ internal sealed class Troubles(TimeProvider clock)
 
     /// <summary>Reports that a worker is prevented from working.</summary>
     /// <returns>True if this is new, or differs from its previous trouble.</returns>
-    public bool Begin(string where, string code, string message)
+    public bool Begin(string where, string code, Statement message)
     {
         var isNew = true;
-        _open.AddOrUpdate(where, _ => new(where, code, message, clock.GetUtcNow()), (_, old) =>
+        _open.AddOrUpdate(where, _ => new(where, code, message.Sentence, clock.GetUtcNow()) { Recorded = message.Text }, (_, old) =>
         {
             isNew = old.Code != code;
-            return old with { Code = code, Message = message };
+            return old with { Code = code, Message = message.Sentence, Recorded = message.Text };
         });
         return isNew;
     }

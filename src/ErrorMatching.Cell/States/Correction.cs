@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>An incoming file and its result. Every file that arrives becomes a correction, whatever it is. Hashes are SHA-256 as 64
@@ -93,7 +95,7 @@ public sealed record Correction(
     public string? Code { get; init; }
 
     /// <summary>The reason in a setter's terms; null if there is none.</summary>
-    public string? Reason { get; init; }
+    public Statement? Reason { get; init; }
 
     /// <summary>The W3C trace that follows this correction from file to verified; null without tracing.</summary>
     public string? Trace { get; init; }

@@ -1,16 +1,24 @@
+using System.Collections.Frozen;
+using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The sentence forms of what the cell writes into steps, reasons and the audit trail. Recorded text is evidence and stays as
-/// written; these forms parse it for display in another language.</summary>
-/// <remarks>Kinds of values: a number's format; <c>word</c> for one of a few words; <c>amount</c> for one of these or a number with its
-/// unit; <c>state</c> for a state of a correction; <c>any</c> for another sentence, of the cell or foreign; and the prefix of a form's
-/// name, such as <c>at</c>, for one or several sentences of such forms, separated by "; ".</remarks>
+/// <summary>The forms of what the cell states in steps, reasons and the audit trail: a code with its values. Sentences are made where they
+/// are shown.</summary>
 public static class Recorded
 {
     /// <summary>A program's largest displacement, in mm, and where it is.</summary>
-    public static SentenceForm DisplacedAt { get; } = new("displaced-at", "displaced by at most {0:0.0000} mm at {1:at}.");
+    public static SentenceForm DisplacedAt { get; } = new("displaced-at", "displaced by at most {0:0.0000} mm at {1}.");
+
+    /// <summary>A key point and its feature.</summary>
+    public static SentenceForm AtPointOf { get; } = new("at-point-of", "point {0} of {1}");
+
+    /// <summary>A key point.</summary>
+    public static SentenceForm AtPoint { get; } = new("at-point", "point {0}");
+
+    /// <summary>A block.</summary>
+    public static SentenceForm AtBlock { get; } = new("at-block", "block {0}");
 
     // Steps of a correction.
     internal static readonly SentenceForm Arrived = new("arrived", "arrived from {0} as {1}");
@@ -24,10 +32,7 @@ public static class Recorded
         "displaced-in-sum", "displaced by at most {0:0.0000} mm, {1:0.0000} mm since the original");
     internal static readonly SentenceForm Displaced = new("displaced", "displaced by at most {0:0.0000} mm");
     internal static readonly SentenceForm Computed = new("computed", "computed");
-    internal static readonly SentenceForm AtPointOf = new("at-point-of", "point {0} of {1}");
     internal static readonly SentenceForm AtPointAndBeside = new("at-point-and-beside", "point {0} and beside it");
-    internal static readonly SentenceForm AtPoint = new("at-point", "point {0}");
-    internal static readonly SentenceForm AtBlock = new("at-block", "block {0}");
     internal static readonly SentenceForm PolicyWithin = new("policy-within", "policy: automatic within {0} mm");
     internal static readonly SentenceForm Policy = new("policy", "policy: automatic");
     internal static readonly SentenceForm NewerMeasurement = new("newer-measurement", "correction {0:0} is a newer measurement of {1}");
@@ -42,7 +47,7 @@ public static class Recorded
         "first-article", "A counterpart is measured: this verifies what was sent, and sends nothing.");
     internal static readonly SentenceForm NotCompared = new(
         "not-compared", "It was compared with nothing, for no program was sent for a part of its number.");
-    internal static readonly SentenceForm NotComparable = new("not-comparable", "It could not be compared with its part: {0:any}");
+    internal static readonly SentenceForm NotComparable = new("not-comparable", "It could not be compared with its part: {0}");
     internal static readonly SentenceForm PartRecorded = new(
         "part-recorded", "The part is measured; its counterparts are compared with it.");
     internal static readonly SentenceForm Approved = new("approved", "approved");
@@ -57,10 +62,10 @@ public static class Recorded
     internal static readonly SentenceForm CellStopped = new("cell-stopped", "the cell was stopped");
     internal static readonly SentenceForm HeldAfterCut = new("held-after-cut", "the machine held it after a cut");
     internal static readonly SentenceForm ReadBack = new("read-back", "read back from the machine, the same to the last bit");
-    internal static readonly SentenceForm GivenBack = new("given-back", "given back: {0:any}");
+    internal static readonly SentenceForm GivenBack = new("given-back", "given back: {0}");
     internal static readonly SentenceForm MachineWrote = new("machine-wrote", "the machine wrote {0}");
     internal static readonly SentenceForm EitherProgram = new(
-        "either-program", "{0:any} The slot may hold the program before or this one.");
+        "either-program", "{0} The slot may hold the program before or this one.");
     internal static readonly SentenceForm ChangedBefore = new(
         "changed-before",
         "{0} at {1} is neither what the cell put there nor an original: somebody changed it. It is kept as {2}. Look at it, then approve "
@@ -82,26 +87,24 @@ public static class Recorded
     internal static readonly SentenceForm AnswersAgain = new("answers-again", "{0} answers again.");
 
     // Why a measurement is refused, or nothing is sent.
-    internal static readonly SentenceForm UnknownPiece = new("unknown-piece", "No job takes \"{0}\" from \"{1}\": {2:asked}.");
+    internal static readonly SentenceForm UnknownPiece = new("unknown-piece", "No job takes \"{0}\" from \"{1}\": {2:list; }.");
     internal static readonly SentenceForm AskedNobody = new("asked-nobody", "no job listens to this gauge");
-    internal static readonly SentenceForm AskedWants = new("asked-wants", "\"{0}\" wants {1:like}");
-    internal static readonly SentenceForm LikeAll = new("like-all", "{0:like} and {1:like}");
+    internal static readonly SentenceForm AskedWants = new("asked-wants", "\"{0}\" wants {1}");
+    internal static readonly SentenceForm LikeAll = new("like-all", "{0} and {1}");
     internal static readonly SentenceForm LikeName = new("like-name", "a file name like {0}");
     internal static readonly SentenceForm LikeField = new("like-field", "a field {0} like {1}");
     internal static readonly SentenceForm LikeColumn = new("like-column", "a column {0} like {1}");
     internal static readonly SentenceForm AmbiguousPiece = new(
         "ambiguous-piece", "Several jobs take \"{0}\": {1}. Make their patterns narrower.");
     internal static readonly SentenceForm ContradictoryPiece = new(
-        "contradictory-piece", "\"{0}\" says two things about its piece: {1:says}.");
+        "contradictory-piece", "\"{0}\" says two things about its piece: {1}.");
     internal static readonly SentenceForm SaysNoName = new(
         "says-no-name", "its {0:word} is empty, longer than {1:0} characters, or no printable text");
     internal static readonly SentenceForm SaysTwo = new("says-two", "the {0:word}s \"{1}\" and \"{2}\"");
     internal static readonly SentenceForm UnusableJob = new(
-        "unusable-job", "The job {0} cannot be used any more, so nobody can tell whose measurement \"{1}\" is: {2:any}");
+        "unusable-job", "The job {0} cannot be used any more, so nobody can tell whose measurement \"{1}\" is: {2}");
     internal static readonly SentenceForm UnreadableInside = new(
-        "unreadable-inside", "The patterns of the jobs must look into \"{0}\", which cannot be read: {1:any}");
-    // No longer written: from stores of versions whose expressions had a time limit.
-    internal static readonly SentenceForm SlowPattern = new("slow-pattern", "A pattern takes too long on \"{0}\": {1}. Make it simpler.");
+        "unreadable-inside", "The patterns of the jobs must look into \"{0}\", which cannot be read: {1}");
     internal static readonly SentenceForm TooLarge = new(
         "too-large",
         "The file has {0:0} bytes, and \"{1}\" takes at most {2:0}. It lies in {3} under its hash. Is it a measurement at all? If so, "
@@ -114,7 +117,7 @@ public static class Recorded
             + "sums. Revert that correction, and begin from the original.");
     internal static readonly SentenceForm PartOfNumberUnmeasured = new(
         "part-of-number-unmeasured",
-        "The counterpart with {0:named} is compared with its part, and no part with {1:named} is measured. Measure that part, then give "
+        "The counterpart with {0} is compared with its part, and no part with {1} is measured. Measure that part, then give "
             + "{2} again; if the two pieces have other numbers, let the job's patterns read only what both of them say.");
     internal static readonly SentenceForm NamedBoth = new("named-both", "serial number {0} and work order {1}");
     internal static readonly SentenceForm NamedSerial = new("named-serial", "serial number {0}");
@@ -152,11 +155,11 @@ public static class Recorded
             + "original.");
     internal static readonly SentenceForm OverLimit = new(
         "over-limit",
-        "At {0:at} the program would move by {1:0.0000} mm; the policy allows {2:0.####} mm in one step. Look for a wrong part, a chip "
+        "At {0} the program would move by {1:0.0000} mm; the policy allows {2:0.####} mm in one step. Look for a wrong part, a chip "
             + "or a wrong probe; if the piece really is so, a setter raises limitMm.");
     internal static readonly SentenceForm OverSumLimit = new(
         "over-sum-limit",
-        "At {0:at} the program would lie {1:0.0000} mm from the original one; the policy allows {2:0.####} mm in sum. Find out why "
+        "At {0} the program would lie {1:0.0000} mm from the original one; the policy allows {2:0.####} mm in sum. Find out why "
             + "errors add up: worn tool, drift, wrong clamping. If it is meant, a setter raises sumLimitMm.");
     internal static readonly SentenceForm AndMore = new("and-more", "And {0:0} more.");
     internal static readonly SentenceForm Defect = new(
@@ -168,7 +171,7 @@ public static class Recorded
     internal static readonly SentenceForm SignedIn = new("signed-in", "by password, as {0:word}");
     internal static readonly SentenceForm AsRole = new("as-role", "as {0:word}");
     internal static readonly SentenceForm ToRole = new("to-role", "to {0:word}");
-    internal static readonly SentenceForm UntilUtc = new("until-utc", "{0:wrong}; until {1:yyyy-MM-dd HH:mm:ss} UTC");
+    internal static readonly SentenceForm UntilUtc = new("until-utc", "{0}; until {1:yyyy-MM-dd HH:mm:ss} UTC");
     internal static readonly SentenceForm WrongPassword = new("wrong-password", "wrong password, {0:0} in a row");
     internal static readonly SentenceForm WrongDisabled = new("wrong-disabled", "the user is disabled");
     internal static readonly SentenceForm NoSuchName = new("no-such-name", "no user has this name");
@@ -181,9 +184,11 @@ public static class Recorded
     internal static readonly SentenceForm StoreMade = new("store-made", "The store was made.");
     internal static readonly SentenceForm FromBackup = new("from-backup", "from the backup {0}");
     internal static readonly SentenceForm KeptAside = new("kept-aside", "what was there before is {0}");
-    internal static readonly SentenceForm SetBack = new("set-back", "{0:any} It had gone to entry {1:0} with the hash {2}.");
+    internal static readonly SentenceForm SetBack = new("set-back", "{0} It had gone to entry {1:0} with the hash {2}.");
     internal static readonly SentenceForm WitnessBegun = new(
-        "witness-begun", "How far the trail goes is remembered again from here: {0:any}");
+        "witness-begun", "How far the trail goes is remembered again from here: {0}");
+    internal static readonly SentenceForm JobFiles = new("job-files", "{0:list, }");
+    internal static readonly SentenceForm JobFile = new("job-file", "{0} {1}");
     internal static readonly SentenceForm JobInPlace = new("job-in-place", "{0}, in place of the job {1}");
     internal static readonly SentenceForm Program = new("program", "correction {0:0} program {1}");
     internal static readonly SentenceForm File = new("file", "correction {0:0} file {1}");
@@ -210,7 +215,7 @@ public static class Recorded
         "user-of-no-role",
         "The store says that the user {0} is \"{1}\", and there is no such role: it is operator, setter or administrator. This user may "
         + "do nothing until another administrator sets the role and a new password (errormatch user role, errormatch user password).");
-    internal static readonly SentenceForm NotSent = new("not-sent", "It is not sent: {0:any}");
+    internal static readonly SentenceForm NotSent = new("not-sent", "It is not sent: {0}");
     internal static readonly SentenceForm NoCorrection = new(
         "no-correction",
         "Entry {0:0} is \"{1}\" of \"{2}\", which is no correction.");
@@ -222,7 +227,7 @@ public static class Recorded
         "Entry {0:0} makes correction {1:0} {2:state}, and it was {3:state}: from there no step leads to it.");
     internal static readonly SentenceForm ApprovalNotAllowed = new(
         "approval-not-allowed",
-        "Entry {0:0} approves correction {1:0} by {2}, {3:who}. It takes the policy, or a setter or administrator.");
+        "Entry {0:0} approves correction {1:0} by {2}, {3}. It takes the policy, or a setter or administrator.");
     internal static readonly SentenceForm NotByPolicy = new("who-not-by-policy", "and names no policy");
     internal static readonly SentenceForm WasNobody = new("who-was-nobody", "who was no user then");
     internal static readonly SentenceForm WasDisabled = new("who-was-disabled", "who was disabled then");
@@ -230,7 +235,7 @@ public static class Recorded
     internal static readonly SentenceForm OtherProgram = new(
         "other-program",
         "Entry {0:0} is about correction {1:0} with the program {2}; the one that was computed is {3}.");
-    internal static readonly SentenceForm UserNotAllowed = new("user-not-allowed", "Entry {0:0} ({1} of {2}) is by {3}, {4:who}.");
+    internal static readonly SentenceForm UserNotAllowed = new("user-not-allowed", "Entry {0:0} ({1} of {2}) is by {3}, {4}.");
     internal static readonly SentenceForm UserUnknown = new(
         "user-unknown",
         "Entry {0:0} ({1} of {2}) does not fit what is recorded of this user before.");
@@ -290,7 +295,7 @@ public static class Recorded
         "step-differs",
         "Step {0:0} of the store is not what entry {1:0} of the audit trail says: correction {2:0}, {3:state}.");
     internal static readonly SentenceForm StepUnrecorded = new("step-unrecorded", "The store has {0:0} steps; the audit trail has {1:0}.");
-    internal static readonly SentenceForm FormDiffers = new("form-differs", "The database is not as the cell made it: {0:form}.");
+    internal static readonly SentenceForm FormDiffers = new("form-differs", "The database is not as the cell made it: {0}.");
     internal static readonly SentenceForm FormUnknown = new("form-unknown", "it has the {0} {1}, which the cell did not make");
     internal static readonly SentenceForm FormLacks = new("form-lacks", "it lacks the {0} {1}");
     internal static readonly SentenceForm FormOther = new("form-other", "its {0} {1} is another one");
@@ -303,20 +308,20 @@ public static class Recorded
     public static SentenceForm BackupBroughtBack { get; } = new("backup-brought-back", "A backup was brought back: {0}.");
 
     /// <summary>A cell was started: SHA-256 of its configuration, and the policies in force.</summary>
-    public static SentenceForm Started { get; } = new("started", "configuration {0}; {1:policies}");
+    public static SentenceForm Started { get; } = new("started", "configuration {0}; {1:list; }");
 
     /// <summary>The policy of a cell: who approves, limit, limit of the sum, and gain.</summary>
     public static SentenceForm PoliciesOfCell { get; } = new(
-        "policies-of-cell", "policy {0:word}, limit {1:amount}, sum {2:amount}, gain {3:amount}");
+        "policies-of-cell", "policy {0:word}, limit {1:word}, sum {2:word}, gain {3:word}");
 
     /// <summary>The policy of a job: its name, who approves, limit, limit of the sum, and gain.</summary>
     public static SentenceForm PoliciesOfJob { get; } = new(
-        "policies-of-job", "{0}: {1:word}, limit {2:amount}, sum {3:amount}, gain {4:amount}");
+        "policies-of-job", "{0}: {1:word}, limit {2:word}, sum {3:word}, gain {4:word}");
 
     /// <summary>A cell was stopped.</summary>
     public static SentenceForm Stopped { get; } = new("stopped", "told to stop");
 
-    /// <summary>All forms; if two match a sentence, the first one applies.</summary>
+    /// <summary>All forms.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
     [
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf,
@@ -326,14 +331,14 @@ public static class Recorded
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
         EitherProgram, ChangedBefore, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
         UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
-        AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, SlowPattern, TooLarge, AlreadyKnown,
+        AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, TooLarge, AlreadyKnown,
         SumsUnknown,
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted,
         NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole,
         ToRole, UntilUtc,
         WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, WitnessBegun,
-        JobInPlace, Program, File,
+        JobFiles, JobFile, JobInPlace, Program, File,
         RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,
         ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,
         CorrectionUnrecorded, StateDiffers, ProgramDiffers, FileDiffers, CorrectionDiffers, CorrectionMissing, SlotHeldByOther,
@@ -341,4 +346,10 @@ public static class Recorded
         StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
     ];
+
+    private static readonly FrozenDictionary<string, SentenceForm> Known =
+        All.Concat(WarningForms.All).Concat(RefusalForms.All).ToFrozenDictionary(f => f.Name, StringComparer.Ordinal);
+
+    /// <summary>Reads a text of the store. What earlier versions wrote in English is words.</summary>
+    internal static Statement Read(string text) => Statement.Read(text, Known);
 }

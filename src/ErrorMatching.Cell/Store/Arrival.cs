@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>A finished file as it arrived.</summary>
@@ -19,4 +21,4 @@ public sealed record Arrival(string Gauge, string FileName, string Key, ReadOnly
 /// <param name="Reason">The reason in a setter's terms.</param>
 /// <param name="Trace">The W3C trace that follows it; null without tracing.</param>
 internal sealed record UnreadArrival(
-    string Gauge, string FileName, string Key, string Sha256, long Length, string Code, string Reason, string? Trace = null);
+    string Gauge, string FileName, string Key, string Sha256, long Length, string Code, Statement Reason, string? Trace = null);

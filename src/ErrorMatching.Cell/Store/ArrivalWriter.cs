@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Stores what arrives as new corrections.</summary>
@@ -45,7 +47,7 @@ internal static class ArrivalWriter
 
     /// <summary>Stores a new correction with its first step. Without a basis, the cell itself took it from its gauge.</summary>
     public static Correction Arrive(
-        StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, string? basis = null)
+        StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, Statement? basis = null)
     {
         var arrived = CorrectionRow.Kept(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new
@@ -58,7 +60,7 @@ internal static class ArrivalWriter
             arrived.MeasurementSha256,
             arrived.MeasurementBytes,
             arrived.Code,
-            arrived.Reason,
+            Reason = arrived.Reason?.Text,
             arrived.Trace,
             arrived.Job,
             arrived.Piece,

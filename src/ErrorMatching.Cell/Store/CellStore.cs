@@ -1,5 +1,6 @@
 using System.Data.Common;
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -166,7 +167,7 @@ public sealed class CellStore : IDisposable
     /// <param name="from">The correction as it was read.</param>
     /// <param name="to">The state after.</param>
     /// <param name="by">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
-    /// <param name="basis">The basis, in words.</param>
+    /// <param name="basis">The basis.</param>
     /// <param name="with">Other changes; arrival, number, state, version and time belong to the store. Null for none.</param>
     /// <param name="contents">Contents to store by hash with this step; null for none.</param>
     /// <returns>The correction after the step.</returns>
@@ -178,7 +179,7 @@ public sealed class CellStore : IDisposable
         Correction from,
         CorrectionState to,
         string by,
-        string basis,
+        Statement basis,
         Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
@@ -217,7 +218,7 @@ public sealed class CellStore : IDisposable
 
     /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
     /// the database schema. <c>audit verify</c> may find more.</summary>
-    public IReadOnlyList<string> Tampered() => _outside.Find();
+    public IReadOnlyList<Statement> Tampered() => _outside.Find();
 
     /// <summary>What a slot holds.</summary>
     public SlotHolding Slot(string machine, string slot) =>
@@ -225,7 +226,7 @@ public sealed class CellStore : IDisposable
 
     /// <summary>Frees a slot of the correction that has it, as after a revert. A slot that is free or that another correction has stays as
     /// it is.</summary>
-    public void FreeSlot(string machine, string slot, long correction, string by, string basis) =>
+    public void FreeSlot(string machine, string slot, long correction, string by, Statement basis) =>
         Write(transaction => SlotRow.Free(transaction, machine, slot, correction, by, basis));
 
     /// <summary>Takes the right to send to a slot; one process at a time can hold it.</summary>
@@ -240,12 +241,12 @@ public sealed class CellStore : IDisposable
     /// <summary>Records an act that is not a step of a correction.</summary>
     /// <param name="who">The user's name, or <c>cell</c>.</param>
     /// <param name="what">What was done, in one word.</param>
-    /// <param name="basis">The basis, in words.</param>
+    /// <param name="basis">The basis.</param>
     /// <param name="subject">What it was done to; null if nothing in particular.</param>
-    public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
+    public void Audit(string who, string what, Statement basis, Statement? subject = null) => Audit(who, what, basis, subject, null);
 
     /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
-    internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
+    internal void Audit(string who, string what, Statement basis, Statement? subject, byte[]? content) => Write(transaction =>
     {
         if (content is not null) StoredContent.Keep(transaction, StoredContent.Sha256(content), content);
         transaction.Audit(who, what, subject, basis);

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Resubmits a measurement: a new correction takes the place of one that is not at its machine.</summary>
@@ -52,7 +54,7 @@ internal static class Resubmission
             Reason = basis,
         });
         StepWriter.Update(transaction, correction, ended);
-        StepWriter.Note(transaction, ended, correction.State, by, reason is null ? basis : $"{basis} {reason}");
+        StepWriter.Note(transaction, ended, correction.State, by, Statement.InARow(basis, reason ?? ""));
         return given;
     }
 }

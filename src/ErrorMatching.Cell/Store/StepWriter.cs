@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -13,7 +14,7 @@ internal static class StepWriter
     /// <param name="basis">The basis, in words.</param>
     /// <param name="wanted">The correction with its other changes.</param>
     public static Correction Take(
-        StoreTransaction transaction, Correction from, CorrectionState to, string by, string basis, Correction wanted)
+        StoreTransaction transaction, Correction from, CorrectionState to, string by, Statement basis, Correction wanted)
     {
         var after = wanted with
         {
@@ -68,7 +69,7 @@ internal static class StepWriter
     }
 
     /// <summary>Records a step, and in the audit trail who took it.</summary>
-    public static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, string basis)
+    public static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, Statement basis)
     {
         transaction.Execute(
             "INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (@Id, @From, @To, @At, @By, @Basis)",
@@ -79,7 +80,7 @@ internal static class StepWriter
                 To = CorrectionRow.Word(after.State),
                 At = StoredTime.Of(transaction.Now),
                 By = StoredText.Name(by),
-                Basis = StoredText.Sentence(basis),
+                Basis = StoredText.Of(basis).Text,
             });
         var subject = from is null
             ? Recorded.File.With(after.Id, after.MeasurementSha256)

@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -11,11 +12,11 @@ namespace ErrorMatching.Cell;
 /// <param name="Who">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
 /// <param name="What">What was done, in one word.</param>
 /// <param name="Subject">What it was done to; null if nothing in particular.</param>
-/// <param name="Basis">The basis, in words.</param>
+/// <param name="Basis">The basis.</param>
 /// <param name="Previous">Hash of the previous entry; 64 zeros for the first.</param>
 /// <param name="Hash">SHA-256 over all other fields, as 64 lowercase hexadecimal digits.</param>
 public sealed record AuditEntry(
-    long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
+    long Seq, DateTimeOffset At, string Who, string What, Statement? Subject, Statement Basis, string Previous, string Hash)
 {
     /// <summary>The user name for what the cell does by its policy.</summary>
     internal const string ByCell = "cell";
@@ -31,7 +32,8 @@ public sealed record AuditEntry(
     public string? RowCodes { get; init; }
 
     /// <summary>Creates the entry that follows the one with the given hash.</summary>
-    internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, string? subject, string basis,
+    internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, Statement? subject,
+        Statement basis,
         string? rowCodes = null)
     {
         var entry = new AuditEntry(seq, at, who, what, subject, basis, previous, "") { RowCodes = rowCodes };
@@ -40,8 +42,8 @@ public sealed record AuditEntry(
 
     /// <summary>The correct hash of this entry if its number is <paramref name="seq"/>. The hashed bytes are unambiguous: the format's
     /// name, then number and time as 8 big-endian bytes each, then each text as its byte count (4 bytes, big-endian; -1 for null) and its
-    /// UTF-8 bytes, in the order previous, who, what, subject, basis. An entry with row codes uses another format name, and the codes
-    /// follow the basis.</summary>
+    /// UTF-8 bytes, in the order previous, who, what, subject, basis: the last two as they are recorded. An entry with row codes uses
+    /// another format name, and the codes follow the basis.</summary>
     internal string HashAs(long seq)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
@@ -51,7 +53,8 @@ public sealed record AuditEntry(
         hash.AppendData(number);
         BinaryPrimitives.WriteInt64BigEndian(number, StoredTime.Of(At));
         hash.AppendData(number);
-        foreach (var text in (string?[])[Previous, Who, What, Subject, Basis, .. RowCodes is null ? Array.Empty<string>() : [RowCodes]])
+        string?[] texts = [Previous, Who, What, Subject?.Text, Basis.Text];
+        foreach (var text in RowCodes is null ? texts : [.. texts, RowCodes])
         {
             var bytes = text is null ? null : Encoding.UTF8.GetBytes(text);
             BinaryPrimitives.WriteInt32BigEndian(number, bytes?.Length ?? -1);

@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -35,8 +36,8 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     /// <summary>True if the slot still has this correction's program, so that the previous one can be restored.</summary>
     public bool IsInSlot { get; init; }
 
-    /// <summary>Where the program is moved most, in the form of a recorded step, for a trial run; null if a step records it.</summary>
-    public string? TriedAt { get; init; }
+    /// <summary>Where the program is moved most, for a trial run; null if a step records it.</summary>
+    public Statement? TriedAt { get; init; }
 
     /// <summary>The workpiece's name; null before it is recognized.</summary>
     public string? JobName => Report?.JobName ?? Surface?.JobName ?? Correction.Job;

@@ -138,7 +138,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         { StoreTrouble: { } trouble } => Texts.Current.With("Banner.Store", Texts.Current.Word(trouble.Error)),
         { Status: { IsRunning: false } } => Texts.Current["Banner.NotRunning"],
         { Status.Heartbeat.Troubles: [var only] } =>
-            Texts.Current.With("Banner.Trouble", CodeText.Where(only.Where), CodeText.Of(only.Code, only.Message)),
+            Texts.Current.With("Banner.Trouble", CodeText.Where(only.Where), CodeText.Of(only.Code, only.Statement)),
         { Status.Heartbeat.Troubles: [_, ..] and var troubles } => Texts.Current.With("Banner.Troubles", troubles.Count),
         _ => null,
     };

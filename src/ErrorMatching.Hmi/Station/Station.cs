@@ -115,7 +115,7 @@ public sealed class Station : IDisposable
         }
 
         store.Dispose();
-        throw new StoreException(StoreError.Tampered, fault.Message);
+        throw new StoreException(StoreError.Tampered, fault.Statement);
     }
 
     private void Show(StationState state) => _screen.Post(

@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -15,10 +16,13 @@ public static class CodeText
 
     /// <summary>The text of a code; never the code itself.</summary>
     /// <param name="code">The code.</param>
-    /// <param name="otherwise">The sentence that came with the code, used if the station has no complete text for it. If it
-    /// cannot be translated, it is quoted after the meaning of the code. Null for none.</param>
-    public static string Of(string code, string? otherwise) =>
-        Whole(code) ?? (otherwise is null ? Meaning(code) : Sentence(code, otherwise));
+    /// <param name="otherwise">What came with the code, used if the station has no complete text for it. Words are quoted after
+    /// the meaning of the code. Null for none.</param>
+    public static string Of(string code, Statement? otherwise) =>
+        Whole(code) ?? (
+            otherwise is null ? Meaning(code)
+            : otherwise.IsCoded || Texts.Current.Language == Language.English ? RecordedText.Of(otherwise)
+            : Texts.Current.With("Meaning.WithSentence", Meaning(code), otherwise.Sentence));
 
     /// <summary>The complete text of a code; null if there is none.</summary>
     /// <param name="code">The code.</param>
@@ -37,12 +41,4 @@ public static class CodeText
 
     private static string Meaning(string code) =>
         Texts.Current.Or(Outside.GetValueOrDefault(code, "Meaning." + code), Texts.Current["Meaning.Other"]);
-
-    private static string Sentence(string code, string sentence)
-    {
-        var said = RecordedText.Of(sentence);
-        return said != sentence || Texts.Current.Language == Language.English
-            ? said
-            : Texts.Current.With("Meaning.WithSentence", Meaning(code), sentence);
-    }
 }

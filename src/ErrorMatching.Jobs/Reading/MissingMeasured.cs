@@ -19,7 +19,7 @@ public static class MissingMeasured
     {
         ArgumentNullException.ThrowIfNull(job);
         return job is { Compensation.From: CompensationSource.Part, Counterpart.Measured: { } file } && !File.Exists(job.PathOf(file))
-            ? new(WarningForms.MeasuredNotThere.Name, WarningForms.MeasuredNotThere.With(file), file)
+            ? new(WarningForms.MeasuredNotThere.Name, WarningForms.MeasuredNotThere.With(file).Sentence, file)
             : null;
     }
 

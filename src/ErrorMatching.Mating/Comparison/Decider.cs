@@ -76,7 +76,7 @@ internal static class Decider
         var nothing = Math.Max(CoverageFactor * u, 0.0005);
         return Math.Abs(limit) <= UsualTolerance || off <= nothing || Math.Abs(limit) <= MostTolerance * off
             ? null
-            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000), new()
+            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000).Sentence, new()
             {
                 Feature = feature.Name,
                 Line = feature.Tolerance.Place?.Line,
@@ -118,6 +118,6 @@ internal static class Decider
 
     private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => new(
         ImplausibleDeviation,
-        RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit),
+        RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit).Sentence,
         new() { Feature = feature, Point = point.Label });
 }

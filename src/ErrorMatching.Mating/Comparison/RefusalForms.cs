@@ -2,7 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Sentences of refusals that a cell records, each named by the refusal's code.</summary>
+/// <summary>The forms of refusals that a cell records, each named by the refusal's code.</summary>
 public static class RefusalForms
 {
     /// <summary>Point, feature, deviation and the job's limit, in mm.</summary>

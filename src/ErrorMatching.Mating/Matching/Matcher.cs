@@ -167,7 +167,7 @@ public static class Matcher
         var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
         return new(
             RefusalForms.ImplausibleCourse.Name,
-            RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit),
+            RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit).Sentence,
             new() { Feature = feature, Block = name, Line = block + 1 });
 
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));

@@ -2,8 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The sentences of report warnings, each named by its warning's code. The cell's records store them too, and the same forms
-/// read them back.</summary>
+/// <summary>The forms of report warnings, each named by its warning's code. The cell's records state them, too.</summary>
 public static class WarningForms
 {
     /// <summary>Feature, count of key points, length and recommended spacing in mm.</summary>
@@ -36,5 +35,15 @@ public static class WarningForms
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere];
 
-    internal static ReportWarning Warning(SentenceForm form, params string[] values) => new(form.Name, form.With(values), values);
+    /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>
+    /// <param name="warning">The warning of a report.</param>
+    public static Statement StatementOf(ReportWarning warning)
+    {
+        ArgumentNullException.ThrowIfNull(warning);
+        return All.FirstOrDefault(f => f.Name == warning.Code && f.Kinds.Count == warning.Values.Count) is { } form
+            ? form.With([.. warning.Values])
+            : warning.Message;
+    }
+
+    internal static ReportWarning Warning(SentenceForm form, params string[] values) => new(form.Name, form.With(values).Sentence, values);
 }

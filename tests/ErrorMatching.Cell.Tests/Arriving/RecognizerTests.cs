@@ -64,12 +64,12 @@ public sealed class RecognizerTests : IDisposable
     {
         var found = Recognize("cmm", name, "");
         Assert.Equal(("unknown-piece", null), (found.Code, found.Job));
-        Assert.Contains("\"housing\" wants a file name like", found.Reason, StringComparison.Ordinal);
+        Assert.Contains("\"housing\" wants a file name like", found.Reason!.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
     public void A_gauge_that_no_job_listens_to_has_no_takers() =>
-        Assert.Contains("no job listens", Recognize("else", "WO-1_A.csv", "").Reason, StringComparison.Ordinal);
+        Assert.Contains("no job listens", Recognize("else", "WO-1_A.csv", "").Reason!.Sentence, StringComparison.Ordinal);
 
     [Fact]
     public void A_file_that_several_jobs_take_is_refused_with_their_names()
@@ -79,7 +79,7 @@ public sealed class RecognizerTests : IDisposable
             "{ \"fileName\": \"\" }".Replace("\"\"", "\"csv$\"", StringComparison.Ordinal)));
         var found = new Recognizer(settings).Recognize("cmm", "WO-12_AB7.csv", default);
         Assert.Equal("ambiguous-piece", found.Code);
-        Assert.Contains("\"housing\", \"feedback\"", found.Reason, StringComparison.Ordinal);
+        Assert.Contains("\"housing\", \"feedback\"", found.Reason!.Sentence, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -108,7 +108,7 @@ public sealed class RecognizerTests : IDisposable
         File.Delete(_cell.PathOf("jobs/ruled.json"));
         var found = recognizer.Recognize("cmm", "cover-part.csv", Encoding.UTF8.GetBytes("point,x_mm,y_mm,serial\n1,0,0,C7\n"));
         Assert.Equal("unusable-job", found.Code);
-        Assert.Contains("ruled.json", found.Reason, StringComparison.Ordinal);
+        Assert.Contains("ruled.json", found.Reason!.Sentence, StringComparison.Ordinal);
     }
 
     private RecognitionResult Recognize(string gauge, string name, string text) =>

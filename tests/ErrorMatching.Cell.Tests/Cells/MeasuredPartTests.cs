@@ -37,7 +37,7 @@ public sealed class MeasuredPartTests
         cell.Drop(counterpart, PairedCell.Counterpart);
         var refused = await cell.Until(2, CorrectionState.Refused);
         Assert.Equal(("part-unmeasured", null), (refused.Code, refused.PartSha256));
-        Assert.Contains($"with {named} is", refused.Reason, StringComparison.Ordinal);
+        Assert.Contains($"with {named} is", refused.Reason!.Sentence, StringComparison.Ordinal);
         Assert.Empty(machine.Files);
 
         // Its own part, and the same file again.

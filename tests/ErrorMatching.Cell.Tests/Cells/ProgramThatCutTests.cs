@@ -14,7 +14,7 @@ public sealed class ProgramThatCutTests
         cell.Drop("cp_2.csv", PairedCell.Counterpart + "\n");
         var refused = await cell.Until(3, CorrectionState.Refused);
         Assert.Equal("not-released", refused.Code);
-        Assert.Contains("release CONFIG 2", refused.Reason, StringComparison.Ordinal);
+        Assert.Contains("release CONFIG 2", refused.Reason!.Sentence, StringComparison.Ordinal);
         new CorrectionDecisions(cell.Store).Release(2, "olga", null);
         cell.Drop("cp_2.csv", PairedCell.Counterpart + "\n");
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(4, CorrectionState.Verified)).BaseSha256);
@@ -49,8 +49,8 @@ public sealed class ProgramThatCutTests
         decisions.Release(2, "olga", null);
         var failed = await cell.Until(3, CorrectionState.Failed);
         Assert.Equal("base-reverted", failed.Code);
-        Assert.Contains("correction 2", failed.Reason, StringComparison.Ordinal);
-        Assert.Contains("chatter", failed.Reason, StringComparison.Ordinal);
+        Assert.Contains("correction 2", failed.Reason!.Sentence, StringComparison.Ordinal);
+        Assert.Contains("chatter", failed.Reason!.Sentence, StringComparison.Ordinal);
         Assert.Equal(cell.Store.Find(2)!.PreviousSha256, Hash(_machine.Files["P1.NC"]));
 
         // Who approves again is told again; rejecting it frees the line, and the original is where corrections begin anew.
@@ -96,7 +96,7 @@ public sealed class ProgramThatCutTests
         cell.Drop("cp_2.csv", PairedCell.Counterpart + "\n");
         var refused = await cell.Until(3, CorrectionState.Refused);
         Assert.Equal("not-released", refused.Code);
-        Assert.Contains("was reverted", refused.Reason, StringComparison.Ordinal);
+        Assert.Contains("was reverted", refused.Reason!.Sentence, StringComparison.Ordinal);
         new CorrectionDecisions(cell.Store).Release(2, "olga", null);
         cell.Drop("cp_2.csv", PairedCell.Counterpart + "\n");
         Assert.Equal(cell.Store.Find(2)!.BaseSha256, (await cell.Until(4, CorrectionState.Verified)).BaseSha256);

@@ -60,7 +60,7 @@ public sealed class SumBetweenPointsTests
             request with { Base = first.Program, Sums = first.Sums, Measurement = request.Measurement with { Bytes = Again(request) } },
             Unlimited);
         Assert.Equal(CorrectionCodes.JobChanged, refused.Code);
-        Assert.Contains("original", refused.Reason, StringComparison.Ordinal);
+        Assert.Contains("original", refused.Reason!.Sentence, StringComparison.Ordinal);
     }
 
     private static byte[] Again(CorrectionRequest request) => [.. request.Measurement.Bytes.Span, .. Encoding.ASCII.GetBytes("\n")];

@@ -82,12 +82,12 @@ public sealed class CorrectionComputerTests
     public void A_step_beyond_the_limit_is_refused_and_says_where()
     {
         var computed = Samples.Program(Samples.Part("complex-mating"), Samples.NoLimits with { LimitMm = 0.3 });
-        Assert.Equal("block N150", computed.LargestAt);
+        Assert.Equal("block N150", computed.LargestAt.Sentence);
         Assert.InRange(computed.LargestMm, computed.Corrections.Max(c => c.LengthMm), 0.3);
         Assert.Equal(computed.LargestMm, computed.SumMm);
         var refused = Samples.Refusal(Samples.Part("complex-mating"), Samples.NoLimits with { LimitMm = computed.LargestMm - 0.001 });
         Assert.Equal(CorrectionCodes.OverLimit, refused.Code);
-        Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
+        Assert.Contains(computed.LargestAt.Sentence, refused.Reason.Sentence, StringComparison.Ordinal);
         Assert.Equal("N150", refused.Block);
         Assert.False(refused.MayPass);
     }
@@ -98,11 +98,11 @@ public sealed class CorrectionComputerTests
     public void A_surface_beyond_the_limit_is_refused_and_names_a_point(string name)
     {
         var computed = Samples.Program(Request(name));
-        Assert.StartsWith("point ", computed.LargestAt, StringComparison.Ordinal);
+        Assert.StartsWith("point ", computed.LargestAt.Sentence, StringComparison.Ordinal);
         Assert.True(computed.Corrections.Max(c => c.LengthMm) <= computed.LargestMm + 1e-9);
         var refused = Samples.Refusal(Request(name), Samples.NoLimits with { LimitMm = computed.LargestMm / 2 });
         Assert.Equal(CorrectionCodes.OverLimit, refused.Code);
-        Assert.Contains(computed.LargestAt, refused.Reason, StringComparison.Ordinal);
+        Assert.Contains(computed.LargestAt.Sentence, refused.Reason.Sentence, StringComparison.Ordinal);
     }
 
     // What the store sent last has cut a piece without stock: nothing that follows a measurement is compensated once more. A piece that
@@ -137,15 +137,15 @@ public sealed class CorrectionComputerTests
             File.Delete(folder[file]);
             var refused = Samples.Refusal(request);
             Assert.Equal(("file-unreadable", true), (refused.Code, refused.MayPass));
-            Assert.Contains(file, refused.Reason, StringComparison.Ordinal);
+            Assert.Contains(file, refused.Reason.Sentence, StringComparison.Ordinal);
         }
     }
 
     [Fact]
     public void A_job_of_the_other_kind_is_refused()
     {
-        Assert.NotEmpty(Samples.Refusal(Samples.Part("complex-mating") with { Piece = "surface" }).Reason);
-        Assert.NotEmpty(Samples.Refusal(Samples.Surface("surface-one") with { Piece = "part" }).Reason);
+        Assert.NotEmpty(Samples.Refusal(Samples.Part("complex-mating") with { Piece = "surface" }).Reason.Sentence);
+        Assert.NotEmpty(Samples.Refusal(Samples.Surface("surface-one") with { Piece = "part" }).Reason.Sentence);
         Assert.Throws<ArgumentException>(() => Samples.Compute(Samples.Part("complex-mating") with { Piece = "Part" }));
     }
 

@@ -21,7 +21,7 @@ public sealed class CounterpartVerificationTests
                 report.RootElement.GetProperty("beforeMeasured").GetBoolean()));
         Assert.Contains(
             "counterpart against part", System.Text.Encoding.UTF8.GetString(recorded.Page!.Value.Span), StringComparison.Ordinal);
-        Assert.Equal("A counterpart is measured: this verifies what was sent, and sends nothing.", recorded.Reason);
+        Assert.Equal("A counterpart is measured: this verifies what was sent, and sends nothing.", recorded.Reason.Sentence);
     }
 
     [Fact]
@@ -42,8 +42,8 @@ public sealed class CounterpartVerificationTests
         File.Delete(folder["counterpart.csv"]);
         var recorded = Recorded(Counterpart() with { Job = job });
         Assert.Null(recorded.Report);
-        Assert.Contains("could not be compared with its part: ", recorded.Reason, StringComparison.Ordinal);
-        Assert.Contains("counterpart.csv", recorded.Reason, StringComparison.Ordinal);
+        Assert.Contains("could not be compared with its part: ", recorded.Reason.Sentence, StringComparison.Ordinal);
+        Assert.Contains("counterpart.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
     private static CorrectionRequest Counterpart() =>

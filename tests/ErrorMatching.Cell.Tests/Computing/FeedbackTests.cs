@@ -16,7 +16,7 @@ public sealed class FeedbackTests
         Assert.Equal(CorrectionCodes.FirstArticle, recorded.Code);
         Assert.Equal(64, recorded.Basis.Identity.Length);
         Assert.Null(recorded.Report);
-        Assert.EndsWith("no program was sent for a part of its number.", recorded.Reason, StringComparison.Ordinal);
+        Assert.EndsWith("no program was sent for a part of its number.", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -75,7 +75,7 @@ public sealed class FeedbackTests
 
         var refused = Samples.Refusal(next, policy with { SumLimitMm = second.SumMm - 0.0001 });
         Assert.Equal(CorrectionCodes.OverSumLimit, refused.Code);
-        Assert.Contains($"At block {refused.Block} ", refused.Reason, StringComparison.Ordinal);
+        Assert.Contains($"At block {refused.Block} ", refused.Reason.Sentence, StringComparison.Ordinal);
         Assert.IsType<ComputedProgram>(Samples.Compute(next, policy with { SumLimitMm = second.SumMm }));
     }
 

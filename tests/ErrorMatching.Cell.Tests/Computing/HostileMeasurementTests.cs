@@ -24,7 +24,7 @@ public sealed class HostileMeasurementTests
         {
             var refused = Samples.Refusal(request with { Measurement = new("../../etc/x.csv", Encoding.UTF8.GetBytes(content)) });
             Assert.Matches("^[a-z]+(-[a-z]+)+$", refused.Code);
-            Assert.Contains("x.csv", refused.Reason, StringComparison.Ordinal);
+            Assert.Contains("x.csv", refused.Reason.Sentence, StringComparison.Ordinal);
             Assert.False(refused.MayPass);
         }
     }
@@ -54,7 +54,8 @@ public sealed class HostileMeasurementTests
                 request with { Measurement = request.Measurement with { Bytes = Damaged(request.Measurement.Bytes.ToArray(), random) } },
                 Samples.NoLimits with { LimitMm = 0.15 });
             refusals += computation is RefusedComputation ? 1 : 0;
-            Assert.True(computation is ComputedProgram or RefusedComputation { Code.Length: > 0, Reason.Length: > 0, MayPass: false });
+            Assert.True(
+                computation is ComputedProgram or RefusedComputation { Code.Length: > 0, Reason.Sentence.Length: > 0, MayPass: false });
         }
 
         Assert.InRange(refusals, Mutations / 2, Mutations);

@@ -235,7 +235,7 @@ public sealed class AuditTrailTests : PeopleTest
         var entry = older.AuditEntries(Entries, 10)[^1];
         Assert.Equal(
             ("console", "trail-set-back", $"A backup was brought back. It had gone to entry 10 with the hash {lost.Hash}."),
-            (entry.Who, entry.What, entry.Basis));
+            (entry.Who, entry.What, entry.Basis.Sentence));
         Assert.Equal((true, Entries + 1), (evidence.Verify().Holds, evidence.Verify().Entries));
 
         // Once is enough, and what goes on is no gap.
@@ -293,12 +293,18 @@ public sealed class AuditTrailTests : PeopleTest
         using var csv = new StringWriter();
         Assert.Equal(Entries + 1, Evidence.Export(csv));
         var lines = csv.ToString().Split("\"\r\n\"");
-        Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows", lines[0]);
+        Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\",\"basisRecorded",
+            lines[0]);
         var second = Store.AuditEntries(1, 1)[0];
         Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right "
-            + $"2\",\"{second.Previous}\",\"{second.Hash}\",\"", lines[2]);
+            + $"2\",\"{second.Previous}\",\"{second.Hash}\",\"\",\"correction 2\",\"looks right 2", lines[2]);
         Assert.Contains(
             "\"'=cmd|' /C calc'!A0\",\"'@SUM(A1)\",\"'\t'=1\",\"'-1;'=1\r\n'+1 \"\"ok\"\"\"", csv.ToString(), StringComparison.Ordinal);
+        Store.Audit("cell", "freed", "=1", Recorded.Slot.With("=1", "mill"));
+        using var more = new StringWriter();
+        Evidence.Export(more);
+        Assert.Contains("\"freed\",\"slot =1 of mill\",\"'=1\",", more.ToString(), StringComparison.Ordinal);
+        Assert.EndsWith("\"\u001e[\"\"slot\"\",\"\"=1\"\",\"\"mill\"\"]\",\"'=1\"\r\n", more.ToString(), StringComparison.Ordinal);
     }
 
     private AuditTrail OfOthers()
@@ -339,7 +345,7 @@ public sealed class AuditTrailTests : PeopleTest
     private static string Insert(AuditEntry e) => string.Create(
         CultureInfo.InvariantCulture,
         $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES ({e.Seq}, {StoredTime.Of(e.At)}, '{e.Who}', "
-            + $"'{e.What}', '{e.Subject}', '{e.Basis}', '{e.Previous}', '{e.Hash}')");
+            + $"'{e.What}', '{e.Subject?.Text}', '{e.Basis.Text}', '{e.Previous}', '{e.Hash}')");
 
     // The chain from one entry to another as eve would have written it, by the published form alone.
     private IEnumerable<string> Rehash(long first, long last)
@@ -351,7 +357,7 @@ public sealed class AuditTrailTests : PeopleTest
             form.Write("errormatch audit 1"u8);
             Number(form, e.Seq, 8);
             Number(form, StoredTime.Of(e.At), 8);
-            foreach (var text in new[] { previous, "eve", e.What, e.Subject, e.Basis })
+            foreach (var text in new[] { previous, "eve", e.What, e.Subject?.Text, e.Basis.Text })
             {
                 Number(form, text is null ? -1 : Encoding.UTF8.GetByteCount(text), 4);
                 form.Write(Encoding.UTF8.GetBytes(text ?? ""));

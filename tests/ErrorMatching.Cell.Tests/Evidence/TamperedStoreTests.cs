@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using Dapper;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -171,7 +172,7 @@ public sealed class TamperedStoreTests : PeopleTest
             of.Basis);
         Tamper(
             string.Create(CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES "
-                + $"({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject}', '{copied.Basis}', "
+                + $"({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject?.Text}', '{copied.Basis.Text}', "
                 + $"'{copied.Previous}', '{copied.Hash}')"),
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {copied.Seq}, hash = '{copied.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2");
@@ -351,8 +352,8 @@ public sealed class TamperedStoreTests : PeopleTest
         return Step(c, CorrectionState.Proposed);
     }
 
-    private Correction Step(Correction from, CorrectionState to, string by = "cell", string basis = "as it goes", Func<Correction,
-        Correction>? with = null) => Store.Step(from, to, by, basis, with);
+    private Correction Step(Correction from, CorrectionState to, string by = "cell", Statement? basis = null, Func<Correction,
+        Correction>? with = null) => Store.Step(from, to, by, basis ?? "as it goes", with);
 
     private void Tamper(params string[] statements) => Execute(Store.Database, statements);
 

@@ -77,7 +77,7 @@ public sealed class CellRunnerTests
         await cell.Until(1, CorrectionState.Released);
         await RunningCell.Until(() => !cell.Machine["m1"].Files.ContainsKey("B.READY"));
         Assert.Null(cell.Store.Slot("m1", "B").Correction);
-        Assert.Contains("B.READY", cell.Store.StepsOf(1)[^1].Basis, StringComparison.Ordinal);
+        Assert.Contains("B.READY", cell.Store.StepsOf(1)[^1].Basis.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -105,7 +105,7 @@ public sealed class CellRunnerTests
         using var elsewhere = cell.Open();
         new CorrectionDecisions(elsewhere).Approve(1, "sam", "looks right");
         await cell.Until(1, CorrectionState.Verified);
-        Assert.Contains(("sam", "looks right"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis)));
+        Assert.Contains(("sam", "looks right"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
     }
 
     [Fact]
@@ -138,7 +138,7 @@ public sealed class CellRunnerTests
         cell.Drop("a_S1_again.csv", 1);
         var again = await cell.Until(2, CorrectionState.Refused);
         Assert.Equal("already-known", again.Code);
-        Assert.Contains("Correction 1 (a_S1.csv, verified)", again.Reason, StringComparison.Ordinal);
+        Assert.Contains("Correction 1 (a_S1.csv, verified)", again.Reason!.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public sealed class ProposingTests
         cell.Policy = """{ "approve": "automatic", "limitMm": 0.5 }""";
         cell.Start();
         await cell.Until(1, CorrectionState.Verified);
-        Assert.Contains(("cell", "policy: automatic within 0.5 mm"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis)));
+        Assert.Contains(("cell", "policy: automatic within 0.5 mm"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
     }
 
     [Fact]

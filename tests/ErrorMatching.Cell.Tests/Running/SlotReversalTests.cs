@@ -18,7 +18,7 @@ public sealed class SlotReversalTests
             if (what == "write" && !isDone)
             {
                 Assert.False(machine.Files.ContainsKey(Ready));
-                atWrite.AddRange(cell.Store.AuditEntries(before, 9).Select(e => (e.Who, e.What, e.Subject, e.Basis)));
+                atWrite.AddRange(cell.Store.AuditEntries(before, 9).Select(e => (e.Who, e.What, e.Subject?.Sentence, e.Basis.Sentence)));
             }
         };
         Assert.Equal(CorrectionState.Reverted, (await Revert(cell)).State);

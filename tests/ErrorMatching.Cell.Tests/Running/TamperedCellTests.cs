@@ -29,7 +29,7 @@ public sealed class TamperedCellTests
         Assert.All(TroublesOf(cell), t => Assert.Equal("store-tampered", t.Code));
         Assert.False(cell.Machine["m1"].Files.ContainsKey(RunningCell.Program));
         Assert.DoesNotContain("write", cell.Machine["m1"].Done);
-        Assert.Contains(cell.Store.AuditEntries(0, 100), e => e is { Who: "cell", What: "tampered", Subject: "correction 1" });
+        Assert.Contains(cell.Store.AuditEntries(0, 100), e => e is { Who: "cell", What: "tampered", Subject.Sentence: "correction 1" });
         Assert.False(CellStatus.Of(cell.Settings, cell.Store, TimeProvider.System).IsHealthy);
 
         // A person gets rid of it, and the line goes on, unless the database itself was changed.

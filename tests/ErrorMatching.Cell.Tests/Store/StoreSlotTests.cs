@@ -132,7 +132,7 @@ public abstract class StoreSlotTests(StoreKind kind) : StoreTest(kind)
         Assert.Null(store.Slot("mill", "1").Correction);
         Assert.Equal(
             ("anna", "freed", "slot 1 of mill", "cut"),
-            store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject, e.Basis) : default);
+            store.AuditEntries(entries, 9).Single() is var e ? (e.Who, e.What, e.Subject?.Sentence, e.Basis.Sentence) : default);
     }
 
     [Fact]

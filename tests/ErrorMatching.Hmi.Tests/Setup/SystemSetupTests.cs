@@ -99,7 +99,7 @@ public sealed class SystemSetupTests
         Assert.Equal(0.5, InputFile.Job(seat.JobFile).Compensation.Gain);
         var entry = seat.Seat.Station.Store.AuditEntries(0, 1000).Last(e => e.What == JobEdits.Edited);
         Assert.Equal((DemoCell.Setter, "complex-mating"), (entry.Who, entry.Subject));
-        Assert.Contains(JobEdits.Sha256Of(seat.Shell.Editing.Job!), entry.Basis, StringComparison.Ordinal);
+        Assert.Contains(JobEdits.Sha256Of(seat.Shell.Editing.Job!), entry.Basis.Sentence, StringComparison.Ordinal);
         seat.Seat.Cell.Run();
         seat.Seat.Cell.Deliver(1, 0);
         seat.Seat.WaitFor(1, CorrectionState.Proposed);

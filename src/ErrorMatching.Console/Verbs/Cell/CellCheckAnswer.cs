@@ -139,7 +139,8 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
                 json.WriteString("serial", found.Serial);
                 json.WriteString("workOrder", found.WorkOrder);
                 json.WriteString("code", found.Code);
-                json.WriteString("reason", found.Reason);
+                json.WriteString("reason", found.Reason?.Sentence);
+                CorrectionJson.Write(json, "reasonStatement", found.Reason);
             }
         });
         Array(json, "left", gauge.Left, left =>

@@ -4,6 +4,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 using Serilog;
 using Serilog.Core;
 
@@ -102,13 +103,11 @@ internal sealed class CellRun() : CellVerb(
     }
 
     // Who approves, and within which limits, is part of the evidence: a raised limit shows in the trail.
-    private static string InForce(CellSettings settings) => Recorded.Started.With(
+    private static Statement InForce(CellSettings settings) => Recorded.Started.With(
         Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(settings.File))),
-        string.Join(
-            "; ",
-            settings.Jobs.Where(j => j.Policy is not null)
-                .Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)]))
-                .Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy)))));
+        settings.Jobs.Where(j => j.Policy is not null)
+            .Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)]))
+            .Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy))));
 
     private static object[] Words(PolicySettings policy) =>
     [

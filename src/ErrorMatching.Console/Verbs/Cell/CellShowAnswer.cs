@@ -22,7 +22,8 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
             json.WriteString("to", CorrectionJson.Word(step.To));
             json.WriteString("at", CorrectionJson.Time(step.At));
             json.WriteString("by", step.By);
-            json.WriteString("basis", step.Basis);
+            json.WriteString("basis", step.Basis.Sentence);
+            CorrectionJson.Write(json, "basisStatement", step.Basis);
             json.WriteEndObject();
         }
 
@@ -51,7 +52,7 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
         page.Line();
         page.Table(
             ["at", "state", "by", "basis"],
-            steps.Select(s => (IReadOnlyList<string>)[CorrectionJson.Time(s.At), CorrectionJson.Word(s.To), s.By, s.Basis]));
+            steps.Select(s => (IReadOnlyList<string>)[CorrectionJson.Time(s.At), CorrectionJson.Word(s.To), s.By, s.Basis.Sentence]));
         if (files.Count > 0)
         {
             page.Line();

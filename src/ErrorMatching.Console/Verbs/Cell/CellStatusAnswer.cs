@@ -176,7 +176,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         foreach (var tampered in status.Tampered.Take(MostListed))
         {
-            yield return (CellCodes.Of(StoreError.Tampered), tampered);
+            yield return (CellCodes.Of(StoreError.Tampered), tampered.Sentence);
         }
 
         foreach (var failed in status.Failed.Take(MostListed))
@@ -192,7 +192,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return $"Start the cell: errormatch cell run {settings.File}";
         }
 
-        foreach (var tampered in status.Tampered.Take(MostListed).Concat(Troubles(isTampered: true).Select(t => t.Message))
+        foreach (var tampered in status.Tampered.Take(MostListed).Select(t => t.Sentence)
+            .Concat(Troubles(isTampered: true).Select(t => t.Message))
             .Distinct(StringComparer.Ordinal))
         {
             yield return tampered;

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -56,8 +57,41 @@ internal static class CorrectionJson
         Number(json, "largestMm", correction.LargestMm);
         Number(json, "sumMm", correction.SumMm);
         json.WriteString("code", correction.Code);
-        json.WriteString("reason", correction.Reason);
+        json.WriteString("reason", correction.Reason?.Sentence);
+        Write(json, "reasonStatement", correction.Reason);
         json.WriteString("trace", correction.Trace);
+    }
+
+    /// <summary>Writes a statement with a code as an array, the code first; null for none and for words.</summary>
+    public static void Write(Utf8JsonWriter json, string name, Statement? statement)
+    {
+        json.WritePropertyName(name);
+        if (statement is { IsCoded: true })
+        {
+            Write(json, statement);
+        }
+        else
+        {
+            json.WriteNullValue();
+        }
+    }
+
+    private static void Write(Utf8JsonWriter json, Statement statement)
+    {
+        if (statement.Words is { } words)
+        {
+            json.WriteStringValue(words);
+            return;
+        }
+
+        json.WriteStartArray();
+        json.WriteStringValue(statement.Code);
+        foreach (var value in statement.Values)
+        {
+            Write(json, value);
+        }
+
+        json.WriteEndArray();
     }
 
     private static void Number(Utf8JsonWriter json, string name, double? value)

@@ -1,5 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -197,10 +198,9 @@ public sealed class CorrectionDetail
     private string BasisOf(CorrectionStep step)
     {
         string[] recorded = [.. Kept.Report?.Warnings.Select(w => w.Message) ?? Kept.Surface?.Warnings ?? []];
-        var told = recorded.Where(w => step.Basis.Contains(" " + w, StringComparison.Ordinal)).ToArray();
-        var basis = RecordedText.Of(
-            told.Aggregate(step.Basis, (b, w) => b.Replace(" " + w, "", StringComparison.Ordinal)), Kept.Correction);
-        return told.Length == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", told.Length));
+        var parts = step.Basis.Parts.ToLookup(p => recorded.Contains(p.Sentence, StringComparer.Ordinal));
+        var (basis, warnings) = (RecordedText.Of(Statement.InARow(parts[false]), Kept.Correction), parts[true].Count());
+        return warnings == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", warnings));
     }
 
     // The errors are the piece's, as in the verification: both screens use one convention.

@@ -123,7 +123,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         foreach (var trouble in status.IsRunning ? status.Heartbeat!.Troubles : [])
         {
             var (where, since, what) = (
-                CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Message));
+                CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Statement));
             yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
         }
 
@@ -137,7 +137,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
         {
             yield return new(
                 Severity.Alarm,
-                $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason)}",
+                $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason?.Sentence)}",
                 texts[failed.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
                 failed.Id);
         }

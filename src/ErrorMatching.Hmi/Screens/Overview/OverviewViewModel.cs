@@ -111,7 +111,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(
-                name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Message), waiting, Severity.Alarm, held?.Id),
+                name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Statement), waiting, Severity.Alarm, held?.Id),
             (_, { State: CorrectionState.Reverted } held) => new(
                 name,
                 slot.Slot.Program,
@@ -170,7 +170,7 @@ public sealed class OverviewViewModel : ScreenViewModel
             || t.Where == CellTrouble.OfFolder(gauge.Name));
         return trouble is null
             ? new(gauge.Name, source, texts[status.IsRunning ? "Overview.GaugeWatched" : "Overview.GaugeNotWatched"], Severity.Quiet)
-            : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Message), Severity.Alarm);
+            : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Statement), Severity.Alarm);
     }
 
     private WaitingTile Tile(Correction correction, Severity severity) => Tile(
