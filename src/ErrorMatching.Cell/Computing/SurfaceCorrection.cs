@@ -90,7 +90,9 @@ internal sealed class SurfaceCorrection
             SumMm = result.LargestMoveMm,
             ChangedBlocks = null,
             ChangedWords = null,
-            Warnings = [.. result.Warnings.Select(w => (Statement)w)],
+            Warnings = [
+                .. finished.Report.CallsTool ? Array.Empty<Statement>() : [Recorded.NoToolCall.With()],
+                .. result.Warnings.Select(w => (Statement)w)],
         });
     }
 

@@ -20,6 +20,9 @@ public sealed record CompensationReport(
     /// <summary>True if the program calls its tool; false if it starts with a stop and an alarm because the job names none.</summary>
     public bool CallsTool { get; init; } = true;
 
+    /// <summary>What everybody must know first: a missing tool call, then the warnings of the compensation.</summary>
+    public IReadOnlyList<string> Warnings => CallsTool ? Result.Warnings : [FinishingProgram.NoToolCall, .. Result.Warnings];
+
     /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 }

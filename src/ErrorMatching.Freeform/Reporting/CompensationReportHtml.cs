@@ -60,7 +60,7 @@ public static class CompensationReportHtml
                 + $"{Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteWarnings(html, result.Warnings);
+        ReportFacts.WriteWarnings(html, report.Warnings);
         ReportFacts.WriteNotes(html, result.Notes);
         ReportFacts.Write(html,
             ("Measured piece", report.CutBy.Sentence),

@@ -23,7 +23,7 @@ public static class CompensationReportJson
                 json.Text("sha256", report.Program.Sha256);
                 json.Flag("toolCall", report.CallsTool);
             });
-            json.Texts("warnings", result.Warnings);
+            json.Texts("warnings", report.Warnings);
             json.Texts("notes", result.Notes);
             json.Object("time", () => json.Number("calculatingS", report.CalculatingS));
         });

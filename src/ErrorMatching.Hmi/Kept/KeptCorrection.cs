@@ -14,24 +14,17 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     // Several corrections may have produced the same program, from identical pieces or a piece measured twice.
     private const int Looked = 100;
 
-    // Enough for the part before the first pass of a surface program in every dialect (Freeform's templates).
-    private const int Head = 4096;
-
-    private static ReadOnlySpan<byte> ToolCallBelongsHere => "put the tool call here"u8;
-
     public KeptSurface? Surface { get; init; }
 
     /// <summary>The correction whose program was in the slot before this one; null if there was no program, or none from a
     /// correction.</summary>
     public Correction? Before { get; init; }
 
-    /// <summary>True if its program was generated and calls no tool. The report says so; with an old report, a comment in the
-    /// program marks the missing call.</summary>
-    public bool LacksToolCall { get; init; }
+    /// <summary>True if its program was generated and calls no tool.</summary>
+    public bool LacksToolCall => Surface?.CallsTool == false;
 
     /// <summary>What the machine needs and its program lacks, in words; null if nothing.</summary>
-    public string? Missing =>
-        !LacksToolCall ? null : Texts.Current[Surface?.CallsTool is null ? "Head.NoToolCall" : "Head.StopsWithoutTool"];
+    public string? Missing => LacksToolCall ? Texts.Current["Head.StopsWithoutTool"] : null;
 
     /// <summary>True if the slot still has this correction's program, so that the previous one can be restored.</summary>
     public bool IsInSlot { get; init; }
@@ -65,8 +58,6 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
         return new(correction, store.StepsOf(correction.Id), report, lines)
         {
             Surface = surface,
-            LacksToolCall = surface is { CallsTool: var calls } && program is not null
-                && !(calls ?? program.AsSpan(0, Math.Min(program.Length, Head)).IndexOf(ToolCallBelongsHere) < 0),
             Before = correction.PreviousSha256 is { } previous
                 ? store.Search(new() { Program = previous, Most = Looked }).FirstOrDefault(
                     c => c.ProgramSha256 == previous && c.Id < correction.Id)

@@ -73,6 +73,10 @@ public sealed record KeptSurface
         }
 
         var (compensation, predicted, job) = (root.GetProperty("compensation"), root.GetProperty("predicted"), root.GetProperty("job"));
+        bool? callsTool = root.GetProperty("program") is { ValueKind: JsonValueKind.Object } program
+            && program.TryGetProperty("toolCall", out var calls)
+            ? calls.GetBoolean()
+            : null;
         return new()
         {
             JobName = (job.ValueKind == JsonValueKind.String ? job : job.GetProperty("name")).GetString()!,
@@ -94,12 +98,10 @@ public sealed record KeptSurface
             Map = ReadMap(map),
             ToolPath = root.TryGetProperty("toolpath", out var path) ? KeptToolPath.Read(path) : null,
             Proof = root.TryGetProperty("proof", out var proof) ? KeptProof.Read(proof) : null,
-            CallsTool = root.GetProperty("program") is { ValueKind: JsonValueKind.Object } program
-                && program.TryGetProperty("toolCall", out var calls)
-                ? calls.GetBoolean()
-                : null,
-            Warnings = [
-                .. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!).Where(w => w != FinishingProgram.NoToolCall)],
+            CallsTool = callsTool,
+
+            // A missing tool call is the first warning.
+            Warnings = [.. root.GetProperty("warnings").EnumerateArray().Select(w => w.GetString()!).Skip(callsTool == false ? 1 : 0)],
         };
     }
 

@@ -53,11 +53,9 @@ public static class SurfaceRun
             var marker = new Marker(MeasurementSha256(result.Input.Measured), surfaceSha256);
             var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker, template: template);
             var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
-            var callsTool = template.CallsTool(job);
-            result = callsTool ? result : result with { Warnings = [FinishingProgram.NoToolCall, .. result.Warnings] };
             return new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
             {
-                CallsTool = callsTool,
+                CallsTool = template.CallsTool(job),
                 CutBy = cutBy,
             });
         });

@@ -65,7 +65,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             CultureInfo.InvariantCulture,
             $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at "
                 + $"most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
-        foreach (var warning in result.Warnings.Where(w => w != FinishingProgram.NoToolCall))
+        foreach (var warning in result.Warnings)
         {
             page.Line("Warning: " + warning);
         }

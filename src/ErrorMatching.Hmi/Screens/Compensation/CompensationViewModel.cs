@@ -126,7 +126,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         null or { State: CorrectionState.Proposed } => null,
         _ when Waits is not null => null,
         { State: CorrectionState.Released } cut when !IsToBeMeasured(cut) => null,
-        { State: CorrectionState.Verified, Machine: { } machine } when Detail.Kept is { LacksToolCall: true, Surface.CallsTool: false } =>
+        { State: CorrectionState.Verified, Machine: { } machine } when Detail.Kept.LacksToolCall =>
             Texts.Current.With("Next.NoToolCall", machine),
         var correction => NextStep.Of(Station.Settings, Station.State.Status, correction),
     };
