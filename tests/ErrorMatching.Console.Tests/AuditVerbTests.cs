@@ -136,10 +136,14 @@ public sealed class AuditVerbTests
         using var cell = CellFolder.WithPeople();
         var (exit, csv, error) = Shell.Run("audit", "export", cell.Config);
         Assert.Equal((0, ""), (exit, error));
-        Assert.StartsWith("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\"\r\n\"1\",\"2", csv,
+        Assert.StartsWith(
+            "\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\",\"basisRecorded\""
+                + "\r\n\"1\",\"2",
+            csv,
             StringComparison.Ordinal);
         Assert.Equal(6, csv.Split("\r\n").Length);
         Assert.Contains("\"Anna\",\"user-added\",\"Ben\",\"as operator\"", csv, StringComparison.Ordinal);
+        Assert.Contains("\",\"Ben\",\"\u001e[\"\"as-role\"\",\"\"operator\"\"]\"\r\n", csv, StringComparison.Ordinal);
 
         var document = Shell.Json(0, "errormatch/audit-export/1", "audit", "export", cell.Config, "--out", cell["audit.csv"]);
         Assert.Equal(csv, File.ReadAllText(cell["audit.csv"]));

@@ -34,6 +34,13 @@ public sealed class CellVerbTests
         Assert.Contains(
             ("approved", "Anna", "looks right"),
             shown.GetProperty("steps").EnumerateArray().Select(s => (s.Text("to"), s.Text("by"), s.Text("basis"))));
+        Assert.Contains(
+            ("verified", "read back from the machine, the same to the last bit", "[\"read-back\"]"),
+            shown.GetProperty("steps").EnumerateArray()
+                .Select(s => (s.Text("to"), s.Text("basis"), s.GetProperty("basisStatement").GetRawText().Replace(" ", "", StringComparison.Ordinal).ReplaceLineEndings(""))));
+        Assert.All(
+            shown.GetProperty("steps").EnumerateArray().Where(s => s.Text("by") == "Anna"),
+            s => Assert.Equal(JsonValueKind.Null, s.GetProperty("basisStatement").ValueKind));
         Assert.Equal(sent, File.ReadAllBytes(cell["out/1-O2001.NC"]));
         Assert.Equal(original, File.ReadAllBytes(cell["out/1-previous-O2001.NC"]));
         Assert.Equal(Part, File.ReadAllText(cell["out/1-measurement-S1.csv"]));
