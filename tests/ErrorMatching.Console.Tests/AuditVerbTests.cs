@@ -137,8 +137,8 @@ public sealed class AuditVerbTests
         var (exit, csv, error) = Shell.Run("audit", "export", cell.Config);
         Assert.Equal((0, ""), (exit, error));
         Assert.StartsWith(
-            "\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\",\"basisRecorded\""
-                + "\r\n\"1\",\"2",
+            "\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\","
+                + "\"basisRecorded\"\r\n\"1\",\"2",
             csv,
             StringComparison.Ordinal);
         Assert.Equal(6, csv.Split("\r\n").Length);

@@ -60,7 +60,8 @@ public sealed class LoginTests
             Assert.Equal("anna", ((TextBox)seat.See("login-name")).Text);
             Assert.Equal("The cell is not running", seat.TextOf("overview-summary"));
             Assert.Null(seat.Find("nav-overview"));
-            Assert.Contains(seat.Station.Store.AuditEntries(0, 1000), e => e is { Who: "anna", What: "signed-out", Basis.Sentence: "idle" });
+            Assert.Contains(
+                seat.Station.Store.AuditEntries(0, 1000), e => e is { Who: "anna", What: "signed-out", Basis.Sentence: "idle" });
         },
         idle: TimeSpan.FromMinutes(10));
 

@@ -11,7 +11,7 @@ public sealed partial class RecordedTextTests
 {
     // Commands, fields of the configuration, units: the same in every language.
     private static readonly string[] Kept = [
-        "errormatch cell release CONFIG", "errormatch", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
+        "errormatch cell release CONFIG", "errormatch", "toolpath.tool", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
 
     private static readonly SentenceForm[] Forms = [.. Recorded.All, .. WarningForms.All, .. RefusalForms.All];
 

@@ -23,7 +23,8 @@ public sealed class SettingsTests
         Assert.Equal(Role.Operator, seat.Station.Users.List().Single(u => u.Name == "olga").Role);
         Assert.Equal("olga", seat.Station.Users.SignIn("olga", Fresh).Name);
         Assert.Contains(
-            seat.Station.Store.AuditEntries(0, 1000), e => e is { Who: DemoCell.Administrator, What: "user-added", Subject.Sentence: "olga" });
+            seat.Station.Store.AuditEntries(0, 1000),
+            e => e is { Who: DemoCell.Administrator, What: "user-added", Subject.Sentence: "olga" });
     });
 
     [Fact]

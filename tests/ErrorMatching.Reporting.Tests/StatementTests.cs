@@ -25,7 +25,8 @@ public sealed class StatementTests
             "\u001e[\"until\",\"2026-03-01T06:00:00.0000000+00:00\"]",
             Until.With(new DateTimeOffset(2026, 3, 1, 8, 0, 0, TimeSpan.FromHours(2))).Text);
         Assert.Equal(
-            "\u001e[\"files\",[\"\",[\"at-block\",\"1\"],[\"stopped\"]]]", Files.With(Statement.InARow(AtBlock.With(1), Stopped.With())).Text);
+            "\u001e[\"files\",[\"\",[\"at-block\",\"1\"],[\"stopped\"]]]",
+            Files.With(Statement.InARow(AtBlock.With(1), Stopped.With())).Text);
         Assert.Equal("\u001e[\"at-block\",\"a\\u000a\\u001e\\\\µ\U0001F600\"]", AtBlock.With("a\n\u001e\\µ\U0001F600").Text);
     }
 
@@ -103,7 +104,9 @@ public sealed class StatementTests
         string Deep(int depth) => depth == 0 ? "\"x\"" : $"[\"at-block\",{Deep(depth - 1)}]";
         Assert.Equal("\u001e" + Deep(Statement.MostDepth), StatementText.Read("\u001e" + Deep(Statement.MostDepth), Forms).Text);
         Assert.Contains(
-            "at most 8", Assert.Throws<FormatException>(() => StatementText.Read("\u001e" + Deep(9), Forms)).Message, StringComparison.Ordinal);
+            "at most 8",
+            Assert.Throws<FormatException>(() => StatementText.Read("\u001e" + Deep(9), Forms)).Message,
+            StringComparison.Ordinal);
         Assert.Throws<FormatException>(() => StatementText.Read("\u001e" + new string('[', 7000), Forms));
 
         string Long(int length) => "\u001e[\"at-block\",\"" + new string('x', length - 16) + "\"]";

@@ -43,7 +43,9 @@ internal static partial class EnglishRecord
     private static partial Regex Policy();
 
     [GeneratedRegex(
-        @"^(as|to) (?<role>.+)\z", RegexOptions.ExplicitCapture | RegexOptions.Singleline | RegexOptions.CultureInvariant, Timeout.Infinite)]
+        @"^(as|to) (?<role>.+)\z",
+        RegexOptions.ExplicitCapture | RegexOptions.Singleline | RegexOptions.CultureInvariant,
+        Timeout.Infinite)]
     private static partial Regex Role();
 
     [GeneratedRegex(

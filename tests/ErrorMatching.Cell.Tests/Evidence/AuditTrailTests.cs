@@ -293,7 +293,9 @@ public sealed class AuditTrailTests : PeopleTest
         using var csv = new StringWriter();
         Assert.Equal(Entries + 1, Evidence.Export(csv));
         var lines = csv.ToString().Split("\"\r\n\"");
-        Assert.Equal("\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\",\"basisRecorded",
+        Assert.Equal(
+            "\"number\",\"time\",\"who\",\"what\",\"subject\",\"basis\",\"previous\",\"hash\",\"rows\",\"subjectRecorded\","
+                + "\"basisRecorded",
             lines[0]);
         var second = Store.AuditEntries(1, 1)[0];
         Assert.Equal($"2\",\"2026-03-01T06:00:01.000000Z\",\"anna\",\"noted\",\"correction 2\",\"looks right "

@@ -63,7 +63,8 @@ public sealed class EarlierStoreTests : IDisposable
             Store.Find(4)!.Reason!.Words);
         using var csv = new StringWriter();
         Assert.Equal(Entries, Evidence.Export(csv));
-        Assert.Contains("\"slot 1 of mill\",\"O1.nc at mill is the program of correction 1 again.\",", csv.ToString(), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"slot 1 of mill\",\"O1.nc at mill is the program of correction 1 again.\",", csv.ToString(), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -10,7 +10,8 @@ public sealed class RecordedStatementTests : PeopleTest
     [Fact]
     public void The_store_keeps_codes_and_values_and_gives_them_back()
     {
-        var correction = Step(Arrived(), CorrectionState.Refused, "cell", Recorded.UnknownPiece.With("a.csv", "cmm", Recorded.AskedNobody.With()));
+        var unknown = Recorded.UnknownPiece.With("a.csv", "cmm", Recorded.AskedNobody.With());
+        var correction = Step(Arrived(), CorrectionState.Refused, "cell", unknown);
         var basis = Store.StepsOf(correction.Id)[^1].Basis;
         Assert.Same(Recorded.UnknownPiece, basis.Form);
         Assert.Equal("\u001e[\"unknown-piece\",\"a.csv\",\"cmm\",[\"asked-nobody\"]]", basis.Text);

@@ -172,7 +172,7 @@ public sealed class TamperedStoreTests : PeopleTest
             of.Basis);
         Tamper(
             string.Create(CultureInfo.InvariantCulture, $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash) VALUES "
-                + $"({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject?.Text}', '{copied.Basis.Text}', "
+                + $"({copied.Seq}, {StoredTime.Of(copied.At)}, '{copied.Who}', 'approved', '{copied.Subject!.Text}', '{copied.Basis}', "
                 + $"'{copied.Previous}', '{copied.Hash}')"),
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {copied.Seq}, hash = '{copied.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2");

@@ -22,7 +22,9 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
         Assert.Equal(correction, store.Find(correction.Id));
         Assert.Equal("1;2;3"u8.ToArray(), store.Content(correction.MeasurementSha256));
         Assert.Equal(
-            [new CorrectionStep(correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", Recorded.Arrived.With("gauge", "one.csv"))],
+            [
+                new CorrectionStep(
+                    correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", Recorded.Arrived.With("gauge", "one.csv"))],
             store.StepsOf(correction.Id));
     }
 

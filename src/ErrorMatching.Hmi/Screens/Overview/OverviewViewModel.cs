@@ -111,7 +111,13 @@ public sealed class OverviewViewModel : ScreenViewModel
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(
-                name, slot.Slot.Program, texts["Overview.SlotTrouble"], CodeText.Of(t.Code, t.Statement), waiting, Severity.Alarm, held?.Id),
+                name,
+                slot.Slot.Program,
+                texts["Overview.SlotTrouble"],
+                CodeText.Of(t.Code, t.Statement),
+                waiting,
+                Severity.Alarm,
+                held?.Id),
             (_, { State: CorrectionState.Reverted } held) => new(
                 name,
                 slot.Slot.Program,
