@@ -31,4 +31,14 @@ public static class RefusalForms
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers];
+
+    /// <summary>A refusal as a statement; its sentence as words if its code has no form.</summary>
+    /// <param name="code">The refusal's code.</param>
+    /// <param name="values">Its values; none if it has no form.</param>
+    /// <param name="message">Its sentence.</param>
+    public static Statement StatementOf(string code, IReadOnlyList<string> values, string message)
+    {
+        ArgumentNullException.ThrowIfNull(values);
+        return All.FirstOrDefault(f => f.Name == code && f.Kinds.Count == values.Count) is { } form ? form.With([.. values]) : message;
+    }
 }
