@@ -68,7 +68,7 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         (_of, _readAt, _told) = ((held.Id, program), flow.Clock.GetTimestamp(), hash ?? Missing);
         if (flow.Troubles.Begin(_where, CellCodes.ChangedAtMachine, changed))
         {
-            flow.Log.Warning("{Where}: {Code}: {Message}", _where, CellCodes.ChangedAtMachine, changed);
+            flow.Log.Warning("{Where}: {Code}: {Message}", _where, CellCodes.ChangedAtMachine, changed.Sentence);
         }
 
         return false;

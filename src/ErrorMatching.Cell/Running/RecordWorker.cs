@@ -18,7 +18,9 @@ internal sealed class RecordWorker(CellFlow flow)
         {
             flow.Troubles.End(Where);
         }
-        else if (flow.Troubles.Begin(Where, CellCodes.Of(StoreError.Tampered), 
+        else if (flow.Troubles.Begin(
+            Where,
+            CellCodes.Of(StoreError.Tampered),
             Statement.InARow(first, found.Count == 1 ? "" : Recorded.AndMore.With(found.Count - 1))))
         {
             flow.Log.Error("{Where}: {Message}", Where, string.Join(" ", found));
