@@ -34,6 +34,7 @@ public sealed partial class TextTests
                     or "Shell.OtherLanguage"
                     or "Banner.Trouble"
                     or "Recorded.Between"
+                    or "Recorded.at-place"
                     or "Recorded.job-file"
                     or "Recorded.job-files"
                     or "List.Between"

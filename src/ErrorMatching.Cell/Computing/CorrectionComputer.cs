@@ -1,5 +1,6 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
@@ -12,6 +13,7 @@ namespace ErrorMatching.Cell;
 public sealed class CorrectionComputer(PolicySettings policy)
 {
     private const int MostReasons = 3;
+    private const string Between = ": ";
 
     /// <summary>Determines the inputs of a correction, and its identity, without computing it.</summary>
     /// <param name="request">What it is computed from.</param>
@@ -66,24 +68,30 @@ public sealed class CorrectionComputer(PolicySettings policy)
         }
         catch (InputException e)
         {
-            return Refused(e.Refusals, r => r.Sentence);
+            return Refused(e.Refusals, Stated);
         }
     }
 
     /// <summary>A refusal for a list of errors: the first code, and the reasons in order.</summary>
     internal static RefusedComputation Refused(IReadOnlyList<Refusal> items) =>
-        Refused(items, r => r.Place.Path is null ? r.Message : r.Sentence);
+        Refused(items, r => r.Place.Path is null ? RefusalForms.StatementOf(r) : Stated(r));
 
     // The correction names its job and program; only a place inside the job adds to that.
-    private static RefusedComputation Refused(IReadOnlyList<Refusal> items, Func<Refusal, string> words) => new(
+    private static RefusedComputation Refused(IReadOnlyList<Refusal> items, Func<Refusal, Statement> stated) => new(
         items[0].Code,
         Statement.InARow([
-            .. items.Take(MostReasons).Select(i => (Statement)words(i)),
+            .. items.Take(MostReasons).Select(stated),
             items.Count > MostReasons ? Recorded.AndMore.With(items.Count - MostReasons) : ""]))
     {
         Block = items[0].Place.Block,
         MayPass = items[0].Code == MeasurementError.FileUnreadable,
     };
+
+    // With its place in front, as in its sentence.
+    private static Statement Stated(Refusal refusal) =>
+        RefusalForms.StatementOf(refusal) is not { IsCoded: true } statement ? refusal.Sentence
+        : refusal.Sentence == refusal.Message ? statement
+        : Recorded.AtPlace.With(refusal.Sentence[..^(Between.Length + refusal.Message.Length)], statement);
 
     private static string? IdentityOf(Computation computation) => computation switch
     {

@@ -34,7 +34,7 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
             {
                 OwnDialect = files.OwnDialect()
             };
-            return VerifyRun.Report(input, out var refusals) is { } report ? new(report, "") : Failed(refusals[0].Message);
+            return VerifyRun.Report(input, out var refusals) is { } report ? new(report, "") : Failed(RefusalForms.StatementOf(refusals[0]));
         }
         catch (GeometryException e)
         {
@@ -47,5 +47,5 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
     }
 
     // A measurement is evidence even if it cannot be compared.
-    private static CounterpartVerification Failed(string why) => new(null, Recorded.NotComparable.With(why));
+    private static CounterpartVerification Failed(Statement why) => new(null, Recorded.NotComparable.With(why));
 }

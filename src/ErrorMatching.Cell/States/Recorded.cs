@@ -163,6 +163,7 @@ public static class Recorded
         "over-sum-limit",
         "At {0} the program would lie {1:0.0000} mm from the original one; the policy allows {2:0.####} mm in sum. Find out why "
             + "errors add up: worn tool, drift, wrong clamping. If it is meant, a setter raises sumLimitMm.");
+    internal static readonly SentenceForm AtPlace = new("at-place", "{0}: {1}");
     internal static readonly SentenceForm AndMore = new("and-more", "And {0:0} more.");
     internal static readonly SentenceForm Defect = new(
         "defect", "This is a defect of errormatch: please report it with the file. {0}: {1}");
@@ -337,8 +338,8 @@ public static class Recorded
         SumsUnknown,
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted,
         NotFeedback,
-        NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AndMore, Defect, FirstAdministrator, SignedIn, AsRole,
-        ToRole, UntilUtc,
+        NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AtPlace, AndMore, Defect, FirstAdministrator, SignedIn,
+        AsRole, ToRole, UntilUtc,
         WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, WitnessBegun,
         JobFiles, JobFile, JobInPlace, Program, File,
         RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,

@@ -1,4 +1,6 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -23,6 +25,14 @@ public static class CodeText
             otherwise is null ? Meaning(code)
             : otherwise.IsCoded || Texts.Current.Language == Language.English ? RecordedText.Of(otherwise)
             : Texts.Current.With("Meaning.WithSentence", Meaning(code), otherwise.Sentence));
+
+    /// <summary>The text of a refusal.</summary>
+    /// <param name="refusal">The refusal.</param>
+    public static string Of(Refusal refusal)
+    {
+        ArgumentNullException.ThrowIfNull(refusal);
+        return Of(refusal.Code, RefusalForms.StatementOf(refusal));
+    }
 
     /// <summary>The complete text of a code; null if there is none.</summary>
     /// <param name="code">The code.</param>

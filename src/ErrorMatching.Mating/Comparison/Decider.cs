@@ -72,17 +72,22 @@ internal static class Decider
     {
         var (band, off) = (feature.Tolerance.Band, Math.Abs(largest));
         var limit = Math.Abs(band.LowerMm) > Math.Abs(band.UpperMm) ? band.LowerMm : band.UpperMm;
-        var form = RefusalForms.LimitImplausible;
         var nothing = Math.Max(CoverageFactor * u, 0.0005);
         return Math.Abs(limit) <= UsualTolerance || off <= nothing || Math.Abs(limit) <= MostTolerance * off
             ? null
-            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000).Sentence, new()
-            {
-                Feature = feature.Name,
-                Line = feature.Tolerance.Place?.Line,
-                Column = feature.Tolerance.Place?.Column,
-                Path = string.Create(CultureInfo.InvariantCulture, $"$.features[{index}].toleranceMm"),
-            });
+            : RefusalForms.Refusal(
+                RefusalForms.LimitImplausible,
+                new()
+                {
+                    Feature = feature.Name,
+                    Line = feature.Tolerance.Place?.Line,
+                    Column = feature.Tolerance.Place?.Column,
+                    Path = string.Create(CultureInfo.InvariantCulture, $"$.features[{index}].toleranceMm"),
+                },
+                feature.Name,
+                limit,
+                off,
+                limit / 1000);
     }
 
     private static FeatureDecision Decide(
@@ -116,8 +121,11 @@ internal static class Decider
         return point.Displacement * (compensation.Gain * share);
     }
 
-    private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => new(
-        ImplausibleDeviation,
-        RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit).Sentence,
-        new() { Feature = feature, Point = point.Label });
+    private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => RefusalForms.Refusal(
+        RefusalForms.ImplausibleDeviation,
+        new() { Feature = feature, Point = point.Label },
+        point.Label,
+        feature,
+        point.Displacement.Length,
+        limit);
 }

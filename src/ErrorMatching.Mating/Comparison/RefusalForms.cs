@@ -1,3 +1,4 @@
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -32,13 +33,19 @@ public static class RefusalForms
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers];
 
-    /// <summary>A refusal as a statement; its sentence as words if its code has no form.</summary>
-    /// <param name="code">The refusal's code.</param>
-    /// <param name="values">Its values; none if it has no form.</param>
-    /// <param name="message">Its sentence.</param>
-    public static Statement StatementOf(string code, IReadOnlyList<string> values, string message)
+    /// <summary>A refusal as a statement, without its place; its message as words if its code has no form.</summary>
+    /// <param name="refusal">The refusal.</param>
+    public static Statement StatementOf(Refusal refusal)
     {
-        ArgumentNullException.ThrowIfNull(values);
-        return All.FirstOrDefault(f => f.Name == code && f.Kinds.Count == values.Count) is { } form ? form.With([.. values]) : message;
+        ArgumentNullException.ThrowIfNull(refusal);
+        return All.FirstOrDefault(f => f.Name == refusal.Code && f.Kinds.Count == refusal.Values.Count) is { } form
+            ? form.With([.. refusal.Values])
+            : refusal.Message;
+    }
+
+    internal static Refusal Refusal(SentenceForm form, InputPlace place, params ReadOnlySpan<object?> values)
+    {
+        var statement = form.With(values);
+        return new(form.Name, statement.Sentence, place) { Values = [.. statement.Values.Select(v => v.Sentence)] };
     }
 }

@@ -22,7 +22,7 @@ internal static class UnitCheck
         {
             if (file is not null && Ratio(job, theoretical, file) is { } ratio && (IsInch(ratio) || IsInch(1 / ratio)))
             {
-                return new(RefusalForms.UnitDiffers.Name, RefusalForms.UnitDiffers.With(file.File, ratio, theoretical.File).Sentence);
+                return RefusalForms.Refusal(RefusalForms.UnitDiffers, InputPlace.None, file.File, ratio, theoretical.File);
             }
         }
 

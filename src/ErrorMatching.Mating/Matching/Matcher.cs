@@ -165,10 +165,13 @@ public static class Matcher
         var block = path.Motions[worst.Motion].Block;
         var name = path.Program.NameOf(path.Program[block]);
         var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
-        return new(
-            RefusalForms.ImplausibleCourse.Name,
-            RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit).Sentence,
-            new() { Feature = feature, Block = name, Line = block + 1 });
+        return RefusalForms.Refusal(
+            RefusalForms.ImplausibleCourse,
+            new() { Feature = feature, Block = name, Line = block + 1 },
+            name,
+            feature,
+            Largest(worst),
+            limit);
 
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }

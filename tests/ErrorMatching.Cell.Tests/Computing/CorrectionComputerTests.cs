@@ -1,4 +1,7 @@
+using System.Globalization;
 using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Mating;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
@@ -75,6 +78,22 @@ public sealed class CorrectionComputerTests
         var own = Samples.Part("complex-mating");
         own = own with { Job = own.Job with { Policy = Samples.NoLimits with { Gain = 0.5 } } };
         Assert.True(Samples.Program(own).Program.Span.SequenceEqual(half.Program.Span));
+    }
+
+    [Fact]
+    public void A_refusal_with_values_is_stated_by_its_code_and_not_by_its_sentence()
+    {
+        var request = Samples.Part("complex-mating");
+        var moved = Encoding.UTF8.GetString(request.Measurement.Bytes.Span).Split('\n')
+            .Select(l => l.Split(',') is [var point, var x, var y, ..] && double.TryParse(x, CultureInfo.InvariantCulture, out var mm)
+                ? string.Create(CultureInfo.InvariantCulture, $"{point},{mm + 3},{y.Trim()}")
+                : l);
+        var refused = Samples.Refusal(
+            request with { Measurement = request.Measurement with { Bytes = Encoding.UTF8.GetBytes(string.Join('\n', moved)) } });
+        Assert.Equal("implausible-deviation", refused.Code);
+        Assert.Equal(
+            ["implausible-deviation", "implausible-deviation", "implausible-deviation", "and-more"], refused.Reason.Parts.Select(p => p.Code));
+        Assert.All(refused.Reason.Parts.SkipLast(1), p => Assert.Same(RefusalForms.ImplausibleDeviation, p.Form));
     }
 
     // The flanks of the triangle turn: at N150, where they meet, the program moves further than at any key point.

@@ -135,7 +135,7 @@ internal sealed class DryRunning
             {
                 var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
                 refusal = outcome.Result is null
-                    ? () => Sentence.Joined(outcome.Refusals.Select(r => CodeText.Of(r.Code, r.Message)))
+                    ? () => Sentence.Joined(outcome.Refusals.Select(CodeText.Of))
                     : null;
                 kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
             }
