@@ -128,7 +128,7 @@ public sealed class EarlierStoreTests : IDisposable
 
     private void Fill(SqliteSettings settings)
     {
-        using var database = CellStore.Connect(settings, d => Migrations.Apply(d, _clock, null, upTo: 5));
+        using var database = StoreOpening.Connect(settings, d => Migrations.Apply(d, _clock, null, upTo: 5));
         Execute(database, "DROP TRIGGER audit_update", "DROP TRIGGER audit_delete", "DELETE FROM audit", "DELETE FROM audit_head",
             File.ReadAllText(Repository.PathTo("tests", "ErrorMatching.Cell.Tests", "Evidence", "earlier-store.sql")), Trigger("update"),
             Trigger("delete"));
