@@ -15,7 +15,7 @@ public sealed partial class FolderTests
     {
         ["Json"] = ["Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments"],
-        ["Reporting"] = ["Document", "Drawings", "Page"],
+        ["Reporting"] = ["Document", "Page", "Drawings"],
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources"],
         ["Freeform"] =
         [
