@@ -11,8 +11,8 @@ public sealed class MeasurementException : Exception
     /// <param name="found">The finding, as the middle of a sentence.</param>
     /// <param name="expected">The expectation or remedy, as the end of a sentence without a period.</param>
     /// <param name="file">The file name, as given by the caller; null if no file is concerned.</param>
-    /// <param name="line">Line of the file, from 1.</param>
-    /// <param name="column">Cell of the line, from 1, as in a spreadsheet.</param>
+    /// <param name="line">Line of the file or of the description, from 1.</param>
+    /// <param name="column">Cell of the line, from 1, as in a spreadsheet; in a description, the character.</param>
     /// <param name="path">Path in the JSON description of a format, such as <c>$.columns.x</c>.</param>
     /// <param name="cause">The underlying error of the operating system or a parser.</param>
     public MeasurementException(
@@ -36,10 +36,10 @@ public sealed class MeasurementException : Exception
     /// <summary>The file name, as given by the caller; null if no file is concerned.</summary>
     public string? File { get; }
 
-    /// <summary>Line of the file, from 1; null if no line is concerned.</summary>
+    /// <summary>Line of the file or of the description, from 1; null if no line is concerned.</summary>
     public int? Line { get; }
 
-    /// <summary>Cell of the line, from 1, as in a spreadsheet; null if no line is concerned.</summary>
+    /// <summary>Cell of the line, from 1, as in a spreadsheet; in a description, the character. Null if no line is concerned.</summary>
     public int? Column { get; }
 
     /// <summary>Path in the JSON description of a format, such as <c>$.columns.x</c>; null for errors in measured data.</summary>
@@ -71,10 +71,10 @@ public sealed class MeasurementException : Exception
 
     private static string Compose(string found, string expected, string? file, int? line, int? column, string? path)
     {
-        var place = new StringBuilder(file);
+        var place = new StringBuilder(file ?? path);
         Append(line is null ? null : string.Create(CultureInfo.InvariantCulture, $"line {line}"));
         Append(column is null ? null : string.Create(CultureInfo.InvariantCulture, $"column {column}"));
-        Append(path);
+        Append(file is null ? null : path);
         return place.Length == 0 ? Sentence(found, expected) : $"{place}: {Sentence(found, expected)}";
 
         void Append(string? part) => place.Append(part is null || place.Length == 0 ? "" : ", ").Append(part);

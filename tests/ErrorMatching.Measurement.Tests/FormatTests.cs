@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -74,6 +75,40 @@ public class FormatTests
         Assert.Equal((MeasurementError.BadFormat, path), (error.Code, error.Path));
         Assert.StartsWith(path, error.Message, StringComparison.Ordinal);
     }
+
+    [Fact]
+    public void A_wrong_description_is_named_by_line_and_column()
+    {
+        var error = Assert.Throws<MeasurementException>(() => Text.Format("{\n  \"columns\": {\n    \"label\": 0 } }"));
+        Assert.Equal(("$.columns.label", 3, 14), (error.Path, error.Line, error.Column));
+        Assert.StartsWith("$.columns.label, line 3, column 14: found \"0\"; expected ", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Everything_wrong_in_a_description_of_a_larger_document_is_named()
+    {
+        var document = JsonInput.Read(
+            """
+            {
+              "format": { "unti": "mm",
+                "delimiter": "#" }
+            }
+            """u8,
+            "job.json");
+        var problems = new List<JsonProblem>();
+        Assert.Null(MeasurementFormat.Read(document["format"], problems));
+        Assert.Equal(
+            [
+                "2:15 $.format.unti: the key \"unti\" is not known here; did you mean \"unit\"?",
+                "3:18 $.format.delimiter: found the text \"#\"; expected one of \",\", \";\", \"\t\" or \"|\"",
+            ],
+            problems.Select(p => p.ToString()));
+        Assert.All(problems, p => Assert.Equal(MeasurementError.BadFormat, p.Code));
+    }
+
+    [Fact]
+    public void Every_encoding_can_be_described() => Assert.All(
+        MeasurementFormat.EncodingNames, n => Assert.Equal(n, Text.Format($$"""{ "encoding": "{{n}}" }""").Encoding));
 
     [Fact]
     public void Column_positions_count_from_one() => Assert.Throws<ArgumentOutOfRangeException>(() => ColumnSelector.At(0));

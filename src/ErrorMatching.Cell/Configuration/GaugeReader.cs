@@ -114,18 +114,13 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             return null;
         }
 
-        try
-        {
-            return MeasurementFormat.FromJson(item.ToJson());
-        }
-        catch (MeasurementException e)
-        {
-            var expected = item.Kind == JsonItemKind.Text
-                ? "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table"
-                : e.Expected;
-            problems.AddRange(
-                [new("bad-format", item.Path + e.Path?[1..], item.Place, e.Found, expected, $"found {e.Found}; expected {expected}")]);
-            return MeasurementFormat.Points;
-        }
+        var found = new List<JsonProblem>();
+        var format = MeasurementFormat.Read(item, found);
+        problems.AddRange(item.Kind == JsonItemKind.Text ? found.Select(NameOfFormat) : found);
+        return format ?? MeasurementFormat.Points;
+
+        // A cell also reads the log of a probing program, which is no table.
+        JsonProblem NameOfFormat(JsonProblem problem) => JsonProblem.At(
+            item, problem.Code, problem.Found, "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table");
     }
 }

@@ -66,7 +66,7 @@ internal sealed partial class JobReader(JsonItem root)
         }
 
         return new(
-            ReadFormat(item["format"]),
+            MeasurementFormat.Read(item["format"], Problems) ?? MeasurementFormat.Points,
             uncertainty.Kind == JsonItemKind.Number
                 ? UncertaintyBudget.Of(uncertainty.Number)
                 : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number))]),
@@ -77,20 +77,6 @@ internal sealed partial class JobReader(JsonItem root)
                 measuring?.Find("probingDistanceMm")?.Number ?? MeasuringTime.Default.ProbingDistanceMm,
                 measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS,
                 (int?)measuring?.Find("touches")?.Number));
-    }
-
-    private MeasurementFormat ReadFormat(JsonItem item)
-    {
-        try
-        {
-            return MeasurementFormat.FromJson(item.ToJson());
-        }
-        catch (MeasurementException e)
-        {
-            Problems.Add(new(
-                "bad-format", item.Path + e.Path?[1..], item.Place, e.Found, e.Expected, $"found {e.Found}; expected {e.Expected}"));
-            return MeasurementFormat.Points;
-        }
     }
 
     private JobAlignment ReadAlignment(JsonItem item)
