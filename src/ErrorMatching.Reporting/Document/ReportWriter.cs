@@ -46,6 +46,18 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         Text("sha256", i.Sha256);
     });
 
+    /// <summary>Writes warnings as sentences, and separately their codes and values.</summary>
+    public void Warnings(IReadOnlyList<ReportWarning> warnings)
+    {
+        ArgumentNullException.ThrowIfNull(warnings);
+        Texts("warnings", warnings.Select(w => w.Message));
+        List("warningCodes", warnings, w =>
+        {
+            Text("code", w.Code);
+            Texts("values", w.Values);
+        });
+    }
+
     /// <summary>Writes a text or null.</summary>
     public void Text(string name, string? value) => json.WriteString(name, value);
 

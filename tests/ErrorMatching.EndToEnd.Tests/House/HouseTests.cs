@@ -19,7 +19,7 @@ public sealed partial class HouseTests
         ["Json"] = [],
         ["Measurement"] = ["Geometry", "Json"],
         ["Nc"] = ["Geometry", "Json"],
-        ["Reporting"] = ["Geometry"],
+        ["Reporting"] = ["Geometry", "Json"],
         ["Mating"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
         ["Freeform"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
         ["Jobs"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
