@@ -180,7 +180,7 @@ internal sealed class MatingCorrection
         }
 
         var atPoints = sums.Largest is { } largest ? (largest.LengthMm, Recorded.AtPoint.With(largest.Point)) : (0, "");
-        if (elsewhere.Mm <= atPoints.Item1 + LeastIncrement(match))
+        if (elsewhere.Mm <= atPoints.Item1 + match.LeastIncrementMm)
         {
             return (atPoints.Item1, atPoints.Item2, null);
         }
@@ -188,7 +188,4 @@ internal sealed class MatingCorrection
         var name = match.After.Program.NameOf(match.After.Program[elsewhere.Block]);
         return (elsewhere.Mm, Recorded.AtBlock.With(name), name);
     }
-
-    internal static double LeastIncrement(MatchResult match) =>
-        match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
 }

@@ -12,7 +12,4 @@ public sealed record VerifyReport(
 {
     /// <summary>True if the counterpart before was measured; false if the designed one is used.</summary>
     public bool IsBeforeMeasured { get; init; } = true;
-
-    /// <summary>The boundaries of the features, for plots and drawings.</summary>
-    public IReadOnlyList<VerifiedBoundary> Boundaries { get; init; } = [];
 }
