@@ -31,7 +31,7 @@ public sealed record DisplacedSurface(
     public ReadOnlyMemory<byte> Program => Displaced.Program.Bytes;
 
     /// <summary>The report as JSON: the document <c>errormatch/surface-displace/1</c>.</summary>
-    public byte[] ReportJson() => DisplacementReportJson.Write(this);
+    public byte[] ReportJson() => DisplacementDocument.Of(this).Write();
 
     /// <summary>The report as an HTML page.</summary>
     public byte[] ReportHtml() => DisplacementReportHtml.Write(this);
