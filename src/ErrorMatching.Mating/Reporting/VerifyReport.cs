@@ -12,4 +12,7 @@ public sealed record VerifyReport(
 {
     /// <summary>True if the counterpart before was measured; false if the designed one is used.</summary>
     public bool IsBeforeMeasured { get; init; } = true;
+
+    /// <summary>The measurement of the counterpart before; null if the designed one is used.</summary>
+    public ReportInput? Before => ReportInputs.Find(Inputs, "counterpart");
 }

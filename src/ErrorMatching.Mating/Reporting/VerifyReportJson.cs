@@ -38,13 +38,13 @@ public static class VerifyReportJson
     {
         ArgumentNullException.ThrowIfNull(document);
         var points = ReadPoints(document);
-        string[] labels = [.. points.Select(p => p.Label)];
+        var free = points.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
         return new(
             document.Job(),
             document.Inputs(),
             new(points, document.List("features", ReadFeature))
             {
-                Boundaries = document.List("boundaries", b => ReadBoundary(b, labels)),
+                Boundaries = document.List("boundaries", b => ReadBoundary(b, free)),
             },
             document.Texts("warnings"))
         {
@@ -118,9 +118,12 @@ public static class VerifyReportJson
         w.Points("outline", boundary.Outline);
     }
 
-    private static VerifiedBoundary ReadBoundary(ReportReader r, IReadOnlyList<string> points) => new(
+    // A boundary has points of the report, and each of them has at most one boundary.
+    private static VerifiedBoundary ReadBoundary(ReportReader r, HashSet<string> free) => new(
         r.Text("name"),
         ReportFeature.ReadBand(r),
-        r.List("points", p => (p.Word("point", points, l => l), p.Point("theoretical"))),
+        r.List("points", p => free.Remove(p.Text("point"))
+            ? (p.Text("point"), p.Point("theoretical"))
+            : throw p.Refusal("point", "not-one-of", "a point of the report that no other boundary has")),
         r.Points("outline"));
 }

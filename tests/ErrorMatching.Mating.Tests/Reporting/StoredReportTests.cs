@@ -242,8 +242,9 @@ public sealed class StoredReportTests
                     Points = Some(r, () => Text(r))
                 }))
             {
-                Boundaries = Some(r, () => new VerifiedBoundary(
-                    Text(r), Band(r), Some(r, () => (Labels[r.Next(Labels.Length)], Place(r))), Some(r, () => Place(r)))),
+                Boundaries = [
+                    .. Labels.Take(r.Next(Labels.Length)).Chunk(2).Select(
+                        l => new VerifiedBoundary(Text(r), Band(r), [.. l.Select(p => (p, Place(r)))], Some(r, () => Place(r))))],
             },
             Some(r, () => Text(r)))
         {

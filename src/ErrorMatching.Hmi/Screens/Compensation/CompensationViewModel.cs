@@ -265,7 +265,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     // The decision applies to what is shown. Keep it selected, so that the user sees the outcome.
-    private void Sign(Func<KeptCorrection, SigningViewModel> signing)
+    private void Sign(Func<StoredCorrection, SigningViewModel> signing)
     {
         var kept = Detail!.Kept;
         _shell.Looked.Correction = _looked = kept.Correction.Id;
@@ -347,7 +347,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             {
                 var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
                     ? known
-                    : KeptCorrection.Read(Station.Store, correction);
+                    : StoredCorrection.Read(Station.Store, correction);
                 read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });

@@ -30,8 +30,8 @@ public sealed partial class SystemViewModel
     /// <summary>Warning that the dry run probably used a drawing: every point is exactly as designed, which no measurement is. Null
     /// otherwise.</summary>
     public string? DryRunDoubt =>
-        Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file }
-            && report.Points.All(p => p.Actual == p.Theoretical)
+        Detail?.Kept is { Report: { KeyPoints.Count: > 0 } report, Correction.FileName: var file }
+            && report.KeyPoints.All(p => p.Actual == p.Theoretical)
             ? Texts.Current.With("System.DryRunDrawing", file)
             : null;
 
@@ -118,7 +118,7 @@ public sealed partial class SystemViewModel
             Counterpart = isOfPart ? null : measurement,
             Gain = (job.Policy ?? Station.Settings.Policy).Gain
         };
-        KeptCorrection? kept = null;
+        StoredCorrection? kept = null;
         Func<string>? refusal = null;
         await TryAsync(() =>
         {
@@ -144,14 +144,15 @@ public sealed partial class SystemViewModel
         Show();
     }
 
-    private static KeptCorrection Kept(Correction correction, MatchedProgram matched)
+    private static StoredCorrection Kept(Correction correction, MatchedProgram matched)
     {
-        var report = KeptReport.Read(matched.ReportJson())!;
+        // Rounded as a stored report is, so that the figures can be compared with those.
+        var report = StoredReport.Read(matched.ReportJson()).Match!;
 
         // The stored result was computed with the previous job; show the figures of the dry run.
         var move = LargestMove.Of(matched);
         var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
-        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker))
+        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Program.Blocks, report.Proof.Marker))
         {
             TriedAt = move.At
         };

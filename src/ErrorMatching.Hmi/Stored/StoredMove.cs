@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Where a correction moves its program most, as recorded by the step that computed it: at a key point or in a block.</summary>
-public static class KeptMove
+public static class StoredMove
 {
     private const string Block = "block ", Of = " of ";
 
