@@ -47,7 +47,8 @@ public sealed class CompensationTests
         }
 
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
-        Assert.Equal(report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Kept.Report!.Program.ChangedBlocks);
+        Assert.Equal(
+            report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Kept.Report!.Program.ChangedBlocks);
     });
 
     [Fact]

@@ -10,7 +10,10 @@ public sealed class ProgramLinesTests
     [Fact]
     public void Changed_and_inserted_blocks_stand_beside_the_original_ones()
     {
-        var lines = Of("%\nN10 G0\nN20 X1.\nM30\n", "%\n(MARK)\nN10 G0\nN20 X1.5\nM30\n", new ReportBlock("N20", 3, "N20 X1.", "N20 X1.5", [new(4, 3)], [new(4, 4)]));
+        var lines = Of(
+            "%\nN10 G0\nN20 X1.\nM30\n",
+            "%\n(MARK)\nN10 G0\nN20 X1.5\nM30\n",
+            new ReportBlock("N20", 3, "N20 X1.", "N20 X1.5", [new(4, 3)], [new(4, 4)]));
         Assert.Equal(["%|%", "|(MARK)", "N10 G0|N10 G0", "N20 X1.|N20 X1.5", "M30|M30"], lines.Select(l => $"{l.Original}|{l.Modified}"));
         Assert.Equal([1, 3], lines.Changes);
     }

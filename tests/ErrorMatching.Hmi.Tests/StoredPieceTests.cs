@@ -111,7 +111,9 @@ public sealed class StoredPieceTests
         Assert.All(
             match.Warnings,
             w => Assert.EndsWith(
-                " For the next pieces, choose a point further from the corner in the set-up.", WarningText.Of(w), StringComparison.Ordinal));
+                " For the next pieces, choose a point further from the corner in the set-up.",
+                WarningText.Of(w),
+                StringComparison.Ordinal));
     }
 
     private static MatchReport Report(Func<string, string> change)

@@ -18,7 +18,9 @@ public sealed class WarningTextTests
         var warnings = ReportReader.Document(Encoding.UTF8.GetBytes(Report)).Warnings();
         Assert.Equal(warnings.Select(w => w.Message.Replace(" mm", "\u00a0mm", StringComparison.Ordinal)), warnings.Select(WarningText.Of));
         Texts.Current.Language = Language.TraditionalChinese;
-        Assert.Equal(["C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。", "Something that a later version says."], warnings.Select(WarningText.Of));
+        Assert.Equal(
+            ["C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。", "Something that a later version says."],
+            warnings.Select(WarningText.Of));
     });
 
     [Fact]

@@ -27,7 +27,7 @@ public sealed record CompensationDocument
     /// <summary>SHA-256 of the program.</summary>
     public required string ProgramSha256 { get; init; }
 
-    /// <summary>True if the program calls its tool, false if it stops with an alarm instead; null in older reports, which do not say.</summary>
+    /// <summary>True if the program calls its tool, false if it stops with an alarm instead; null in older reports.</summary>
     public required bool? CallsTool { get; init; }
 
     /// <summary>Warnings, in sentences.</summary>

@@ -113,7 +113,10 @@ public sealed class ReportReader
     {
         double[] numbers = [.. Each(name, JsonItemKind.Number, "a number", i => i.Number)];
         return count is { } n && numbers.Length != n
-            ? throw Refusal(name, numbers.Length < n ? "too-few-items" : "too-many-items", string.Create(CultureInfo.InvariantCulture, $"a list of {n}"))
+            ? throw Refusal(
+                name,
+                numbers.Length < n ? "too-few-items" : "too-many-items",
+                string.Create(CultureInfo.InvariantCulture, $"a list of {n}"))
             : numbers;
     }
 

@@ -172,7 +172,8 @@ public sealed class CorrectionDetail
         Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
-    public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.Program.ChangedBlocks));
+    public string Changed =>
+        Kept.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
 
     /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(WarningText.Of) ?? Surface?.Warnings ?? []];

@@ -128,7 +128,9 @@ public sealed class SurfaceFigures
 
     /// <summary>A failed proof is an alarm; material left over needs attention.</summary>
     public Severity ProofSeverity =>
-        _stored.Proof is { Holds: false } ? Severity.Alarm : _stored.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention : Severity.Quiet;
+        _stored.Proof is { Holds: false } ? Severity.Alarm
+        : _stored.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention
+        : Severity.Quiet;
 
     /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => _stored.Warnings;

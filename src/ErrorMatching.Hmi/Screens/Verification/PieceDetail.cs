@@ -186,12 +186,12 @@ public sealed class PieceDetail : Observable
 
     private SeriesDrawing ErrorsOf()
     {
-        var (texts, points) = (Texts.Current, _piece.Result.Points);
+        var (texts, result, points) = (Texts.Current, _piece.Result, _piece.Result.Points);
         var (bands, beginnings) = (new List<SeriesBand>(), new HashSet<int>());
         for (var (i, first) = (0, 0); i < points.Count; i++)
         {
-            var band = _piece.Result.BandOf(points[i].Label);
-            if (i + 1 == points.Count || _piece.Result.BoundaryOf(points[i + 1].Label)?.Name != _piece.Result.BoundaryOf(points[i].Label)?.Name)
+            var band = result.BandOf(points[i].Label);
+            if (i + 1 == points.Count || result.BoundaryOf(points[i + 1].Label)?.Name != result.BoundaryOf(points[i].Label)?.Name)
             {
                 bands.AddRange(band is { } limits ? [new SeriesBand(first, i, limits.LowerMm, limits.UpperMm)] : Array.Empty<SeriesBand>());
                 beginnings.Add(first = i + 1);
@@ -219,7 +219,9 @@ public sealed class PieceDetail : Observable
     }
 
     private static string BaseOf(StoredPiece piece) =>
-        piece.Before is { } before ? Texts.Current.With("Verify.TrendBefore", Path.GetFileName(before.File)) : Texts.Current["Verify.TrendBeforeDesigned"];
+        piece.Before is { } before
+            ? Texts.Current.With("Verify.TrendBefore", Path.GetFileName(before.File))
+            : Texts.Current["Verify.TrendBeforeDesigned"];
 
     private static SeriesDrawing TrendOf(IReadOnlyList<StoredPiece> series)
     {

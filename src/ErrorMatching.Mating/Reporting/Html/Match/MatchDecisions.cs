@@ -30,7 +30,9 @@ internal static class MatchDecisions
             row.Number(ReportNumber.Signed(feature.LargestMm));
             row.Number(ReportNumber.Fine(feature.UncertaintyMm));
             row.Number(
-                report.LeftMm(feature) is { } left ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
+                report.LeftMm(feature) is { } left
+                    ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left)
+                    : ReportNumber.None);
             using (row.Cell("prose"))
             {
                 html.Text(string.Join(" ", [DecisionReason.Of(report, feature), .. OutsideWords.Of(outside)]));
