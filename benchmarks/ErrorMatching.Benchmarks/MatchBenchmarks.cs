@@ -1,6 +1,7 @@
 using BenchmarkDotNet.Attributes;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
@@ -30,7 +31,7 @@ public class MatchBenchmarks
 
     /// <summary>Map, fit, decide, displace, round, write, interpret again, prove.</summary>
     [Benchmark]
-    public MatchOutcome Match() => Matcher.Match(_input);
+    public Outcome<MatchResult> Match() => Matcher.Match(_input);
 
     /// <summary>The same from the bytes of the files to the bytes of report.json.</summary>
     [Benchmark]

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using BenchmarkDotNet.Attributes;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Benchmarks;
 
@@ -34,8 +35,8 @@ public class ProgramBenchmarks
     {
         _program = NcProgram.Read(Wave(Blocks));
         _path = Interpret();
-        _wish = DisplacementWish.Normal(_path, Locate(), 0.02).Value!;
-        _rewrite = Displace().Value!;
+        _wish = DisplacementWish.Normal(_path, Locate(), 0.02).Result!;
+        _rewrite = Displace().Result!;
         if (!Prove().Holds)
         {
             throw new InvalidOperationException("The benchmark's own displacement is not proved.");
@@ -46,10 +47,10 @@ public class ProgramBenchmarks
     public NcPath Interpret() => NcInterpreter.Run(_program, NcDialects.FanucMill);
 
     [Benchmark]
-    public int[] Locate() => BlockSelector.Select(_program, [BlockSelector.Parse(Range)]).Value!;
+    public int[] Locate() => BlockSelector.Select(_program, [BlockSelector.Parse(Range)]).Result!;
 
     [Benchmark]
-    public NcOutcome<Rewrite> Displace() => Rewriter.Apply(_path, _wish);
+    public Outcome<Rewrite> Displace() => Rewriter.Apply(_path, _wish);
 
     [Benchmark]
     public NcProof Prove() => Prover.Check(_path, _rewrite.Program, _wish, _rewrite.LeastIncrementMm);

@@ -5,6 +5,7 @@ using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -48,13 +49,13 @@ internal static class Application
         }
     }
 
-    private static Outcome OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
+    private static VerbResult OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {
         if (parsed.Errors.Count > 0)
         {
             return new Failure(
                 ExitCode.WrongInput,
-                [.. parsed.Errors.Select(e => new ErrorItem("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
+                [.. parsed.Errors.Select(e => new Refusal("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
         }
 
         try
@@ -63,34 +64,6 @@ internal static class Application
             verb.Secrets = terminal.Secrets;
             verb.ProgressTo = terminal.Progress;
             return verb.Run(parsed, cancellation);
-        }
-        catch (MeasurementException e)
-        {
-            return FailureOf.Measurement(e);
-        }
-        catch (JobException e)
-        {
-            return FailureOf.Job(e);
-        }
-        catch (JsonDocumentException e)
-        {
-            return FailureOf.Json(e);
-        }
-        catch (FreeformException e)
-        {
-            return FailureOf.Freeform(e);
-        }
-        catch (NcException e)
-        {
-            return FailureOf.Nc(e);
-        }
-        catch (PointsException e)
-        {
-            return FailureOf.Points(e);
-        }
-        catch (WrongPieceException e)
-        {
-            return FailureOf.WrongPiece(e);
         }
         catch (InputException e)
         {
@@ -102,7 +75,7 @@ internal static class Application
         }
         catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
         {
-            return new Failure(ExitCode.Cancelled, new ErrorItem("cancelled", "Cancelled. No output is half-written."));
+            return new Failure(ExitCode.Cancelled, new Refusal("cancelled", "Cancelled. No output is half-written."));
         }
 #pragma warning disable CA1031 // A defect's exception must give a documented exit code, not the runtime's.
         catch (Exception e)

@@ -8,6 +8,7 @@ using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Cairo;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;
 
@@ -79,7 +80,7 @@ internal static class StationCommand
                 demonstration?.GetAwaiter().GetResult().Dispose();
             }
         }
-        catch (Exception e) when (e is InputException or JsonDocumentException)
+        catch (InputException e)
         {
             Console.Error.WriteLine(e.Message);
             return WrongInput;

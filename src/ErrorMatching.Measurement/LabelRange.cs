@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -12,7 +13,7 @@ public static class LabelRange
     /// <summary>Returns the labels of a range in ascending order. A text without two dots is returned unchanged.</summary>
     /// <param name="range">A label, or two labels with a common prefix that end in integers, in ascending order, separated by two dots. If
     /// the first number has leading zeros, all numbers have the same number of digits.</param>
-    /// <exception cref="MeasurementException">The range descends, is longer than 100,000, or its ends are not such labels
+    /// <exception cref="InputException">The range descends, is longer than 100,000, or its ends are not such labels
     /// (<see cref="MeasurementError.BadRange"/>).</exception>
     public static IReadOnlyList<string> Expand(string range)
     {
@@ -62,6 +63,6 @@ public static class LabelRange
     private static string Number(int number, int width) =>
         number.ToString("D" + width.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
-    private static MeasurementException Bad(string range, string expected) =>
-        new(MeasurementError.BadRange, $"the range {MeasurementException.Quote(range)}", expected);
+    private static InputException Bad(string range, string expected) =>
+        MeasurementRefusal.Of(MeasurementError.BadRange, $"the range {MeasurementRefusal.Quote(range)}", expected);
 }

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>The codes of <see cref="MeasurementException"/>: stable identifiers for scripts. Codes may be added but never change.</summary>
+/// <summary>The codes of <see cref="InputException"/>: stable identifiers for scripts. Codes may be added but never change.</summary>
 public static class MeasurementError
 {
     /// <summary>The file cannot be opened: it is missing, or the user has no read permission.</summary>

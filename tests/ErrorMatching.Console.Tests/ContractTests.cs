@@ -158,7 +158,9 @@ public class ContractTests
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
         var codes = ConstantsOf(typeof(Measurement.MeasurementError))
             .Concat(Enum.GetValues<Geometry.GeometryError>().Select(e => FailureOf.Geometry(new(e, ""), "").Errors[0].Code))
-            .Concat(Enum.GetValues<Nc.NcErrorCode>().Select(e => FailureOf.Nc(new(e, "")).Errors[0].Code))
+            .Concat([
+                Nc.NcRefusalCodes.NumberTooLong])
+            .Concat(ConstantsOf(typeof(Nc.NcInputCodes)))
             .Concat(ConstantsOf(typeof(OutputException)));
         Assert.All(
             codes.Concat(["command-line", "wrong-piece", "internal-error"]),

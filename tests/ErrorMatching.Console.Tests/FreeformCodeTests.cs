@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
@@ -36,7 +37,7 @@ public sealed partial class FreeformCodeTests
         .Distinct()];
 
     [GeneratedRegex(
-        "((FreeformException|FreeformRefusal|Refused|Refuse|Broken|new)\\(\\s*\"(?<code>[a-z]+(-[a-z]+)+)\"|"
+        "((InputException|At|Refusal|Refused|Refuse|Broken|new)\\(\\s*\"(?<code>[a-z]+(-[a-z]+)+)\"|"
             + "[Ff]ail\\(\"(?<code>[a-z]+(-[a-z]+)*)\")",
         RegexOptions.ExplicitCapture,
         10_000)]

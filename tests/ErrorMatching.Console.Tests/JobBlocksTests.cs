@@ -101,7 +101,9 @@ public sealed class JobBlocksTests
         var item = Assert.Single(document.GetProperty("errors").EnumerateArray());
         Assert.Equal(("boundary-not-found", "N120", 19), (item.Text("code"), item.Text("block"), item.GetProperty("line").GetInt32()));
         var missed = document.GetProperty("features")[0];
-        Assert.Equal(("boundary-not-found", item.Text("message")), (missed.Text("code"), missed.Text("reason")));
+        Assert.Equal(
+            ("boundary-not-found", item.Text("message")),
+            (missed.Text("code"), $"{folder["counterpart.nc"]}: {missed.Text("reason")}"));
         Assert.Null(document.Text("written"));
         Assert.Equal(before, State(folder));
     }

@@ -7,6 +7,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -89,8 +90,7 @@ public sealed partial class CodeTextTests
             .Except([JobEdits.Edited, JobEdits.EditFailed, JobEdits.Found, JobEdits.Prepared]),
         .. Enum.GetValues<StoreError>().Select(CellCodes.Of),
         .. Enum.GetValues<TransportError>().Select(CellCodes.Of),
-        .. Enum.GetValues<NcErrorCode>().Select(c => ErrorItems.Of(new NcException(c, "")).Code),
-        .. Enum.GetValues<GeometryError>().Select(e => ErrorItems.Of(new GeometryException(e, ""), "").Code),
+        .. Enum.GetValues<GeometryError>().Select(e => InputRefusals.Of(new GeometryException(e, ""), "").Code),
     ];
 
     // What has no constant stands in the page of refusals.

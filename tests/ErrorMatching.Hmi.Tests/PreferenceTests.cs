@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -39,7 +40,7 @@ public sealed class PreferenceTests
         using var folder = new TemporaryFolder();
         var files = new PreferenceFiles(folder.Path);
         File.WriteAllText(files.Of("a"), text);
-        Assert.NotEmpty(Assert.Throws<JsonDocumentException>(() => files.Read("a")).Problems);
+        Assert.NotEmpty(Assert.Throws<InputException>(() => files.Read("a")).Refusals);
     }
 
     [Fact]
@@ -48,7 +49,7 @@ public sealed class PreferenceTests
         using var folder = new TemporaryFolder();
         var files = new PreferenceFiles(folder.Path);
         File.WriteAllText(files.Of("a"), new string(' ', 1_000_000));
-        Assert.Equal("too-big", Assert.Throws<JsonDocumentException>(() => files.Read("a")).Problems[0].Code);
+        Assert.Equal("too-big", Assert.Throws<InputException>(() => files.Read("a")).Refusals[0].Code);
         File.WriteAllText(folder["file"], "");
         Assert.Throws<OutputException>(() => new PreferenceFiles(folder["file"]).Keep("a", Dark));
     }

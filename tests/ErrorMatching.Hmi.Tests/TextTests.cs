@@ -3,6 +3,7 @@ using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -100,8 +101,7 @@ public sealed partial class TextTests
             .. Enum.GetNames<FileChoiceKind>().Select(k => "Chooser." + k),
             .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),
             .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
-            .. typeof(NcRefusalCodes).GetFields().Select(f => "Meaning." + f.GetRawConstantValue()),
-            .. Enum.GetValues<NcErrorCode>().Select(c => "Meaning." + ErrorItems.Of(new NcException(c, "")).Code),
+            .. typeof(NcRefusalCodes).GetFields().Concat(typeof(NcInputCodes).GetFields()).Select(f => "Meaning." + f.GetRawConstantValue()),
             .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
             .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name),
             .. RefusalForms.All.Select(f => "Refusal." + f.Name),

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -95,20 +96,20 @@ public sealed class JsonInputTests
         var problem = Assert.Single(Refused(Encoding.UTF8.GetBytes(text)));
 
         Assert.Equal(code, problem.Code);
-        Assert.Equal((line, column), (problem.Line, problem.Column));
+        Assert.Equal((line, column), (problem.Place.Line, problem.Place.Column));
         Assert.DoesNotContain("LineNumber", problem.Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void All_duplicate_keys_are_reported_with_their_paths() =>
-        Assert.Equal(["$.a", "$.b.c"], Refused("{\"a\": 1, \"a\": 2, \"b\": {\"c\": 1, \"c\": 1}}"u8).Select(p => p.Path));
+        Assert.Equal(["$.a", "$.b.c"], Refused("{\"a\": 1, \"a\": 2, \"b\": {\"c\": 1, \"c\": 1}}"u8).Select(p => p.Place.Path));
 
     [Fact]
     public void Bytes_that_are_not_utf8_are_refused_by_place()
     {
         var problem = Assert.Single(Refused([.. "{\n \"é"u8, 0xFC, .. "\": 1}"u8]));
 
-        Assert.Equal(("not-utf8", 2, 4, "the byte 0xFC"), (problem.Code, problem.Line, problem.Column, problem.Found));
+        Assert.Equal(("not-utf8", 2, 4, "the byte 0xFC"), (problem.Code, problem.Place.Line, problem.Place.Column, problem.Found));
     }
 
     [Fact]
@@ -120,7 +121,7 @@ public sealed class JsonInputTests
         Assert.Equal(12345678, JsonInput.Read("12345678"u8, "x", limits).Number);
         Assert.Equal("[[[]]]", JsonInput.Read("[[[]]]"u8, "x", limits).ToJson());
         var problem = Assert.Single(Refused("[[[{}]]]"u8, limits));
-        Assert.Equal(("too-deep", "$[0][0][0]", 4), (problem.Code, problem.Path, problem.Column));
+        Assert.Equal(("too-deep", "$[0][0][0]", 4), (problem.Code, problem.Place.Path, problem.Place.Column));
     }
 
     [Fact]
@@ -130,7 +131,7 @@ public sealed class JsonInputTests
 
         Assert.Equal(3, JsonInput.Read("[1,2,3]"u8, "x", limits).Items.Count);
         var problem = Assert.Single(Refused("[1,2,\n3,4]"u8, limits));
-        Assert.Equal(("too-many-values", "$", 2, 3), (problem.Code, problem.Path, problem.Line, problem.Column));
+        Assert.Equal(("too-many-values", "$", 2, 3), (problem.Code, problem.Place.Path, problem.Place.Line, problem.Place.Column));
     }
 
     [Fact]
@@ -140,7 +141,7 @@ public sealed class JsonInputTests
         Assert.Equal(100, Refused(Encoding.UTF8.GetBytes($"{{{keys}}}")).Count);
         var problems = Refused(Encoding.UTF8.GetBytes($"{{{keys},\"a\":1,\"a\":1}}"));
         Assert.Equal(101, problems.Count);
-        Assert.Equal(("too-many-problems", "$.a"), (problems[^1].Code, problems[^1].Path));
+        Assert.Equal(("too-many-problems", "$.a"), (problems[^1].Code, problems[^1].Place.Path));
         Assert.All(problems.SkipLast(1), p => Assert.Equal("duplicate-key", p.Code));
     }
 
@@ -202,9 +203,9 @@ public sealed class JsonInputTests
             {
                 Assert.NotNull(JsonInput.Read(bytes, "x"));
             }
-            catch (JsonDocumentException e)
+            catch (InputException e)
             {
-                Assert.All(e.Problems, p => Assert.True(p.Line >= 1 && p.Column >= 1));
+                Assert.All(e.Refusals, p => Assert.True(p.Place.Line >= 1 && p.Place.Column >= 1));
             }
         }
     }
@@ -214,16 +215,16 @@ public sealed class JsonInputTests
 
     private static JsonItem Read(string text) => JsonInput.Read(Encoding.UTF8.GetBytes(text), "job.json");
 
-    private static IReadOnlyList<JsonProblem> Refused(ReadOnlySpan<byte> bytes, JsonLimits? limits = null)
+    private static IReadOnlyList<Refusal> Refused(ReadOnlySpan<byte> bytes, JsonLimits? limits = null)
     {
         try
         {
             JsonInput.Read(bytes, "job.json", limits);
         }
-        catch (JsonDocumentException e)
+        catch (InputException e)
         {
             Assert.Equal("job.json", e.File);
-            return e.Problems;
+            return e.Refusals;
         }
 
         Assert.Fail("The document was read.");

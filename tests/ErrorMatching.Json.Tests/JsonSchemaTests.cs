@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Json.Tests;
 
@@ -15,7 +16,7 @@ public sealed class JsonSchemaTests
         var problems = JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema").Check(JsonInput.Read(Encoding.UTF8.GetBytes(text), "x"));
         Assert.Equal(101, problems.Count);
         Assert.All(problems.SkipLast(1), p => Assert.Equal(code, p.Code));
-        Assert.Equal(("too-many-problems", path), (problems[^1].Code, problems[^1].Path));
+        Assert.Equal(("too-many-problems", path), (problems[^1].Code, problems[^1].Place.Path));
     }
 
     [Theory]
@@ -52,7 +53,7 @@ public sealed class JsonSchemaTests
     {
         var problem = Assert.Single(Check(schema, document));
 
-        Assert.Equal((code, message, "$"), (problem.Code, problem.Message, problem.Path));
+        Assert.Equal((code, message + ".", "$"), (problem.Code, problem.Message, problem.Place.Path));
     }
 
     [Theory]
@@ -79,7 +80,7 @@ public sealed class JsonSchemaTests
 
         var problems = Check(schema, """{ "x": 1, "b": [ 2, 1, -1 ], "a": "1" }""");
 
-        Assert.Equal(["$", "$.x", "$.b[0]", "$.b[2]", "$.a"], problems.Select(p => p.Path));
+        Assert.Equal(["$", "$.x", "$.b[0]", "$.b[2]", "$.a"], problems.Select(p => p.Place.Path));
         Assert.Equal(["missing-key", "unknown-key", "wrong-type", "too-small", "wrong-type"], problems.Select(p => p.Code));
     }
 
@@ -87,7 +88,7 @@ public sealed class JsonSchemaTests
     public void A_number_of_hundreds_of_digits_is_not_repeated_in_full()
     {
         var problem = Assert.Single(Check("""{ "properties": { "x": { "maximum": 5 } } }""", $$"""{ "x": 1{{new string('0', 300)}} }"""));
-        Assert.Equal($"found the number 1{new string('0', 39)}...; expected at most 5", problem.Message);
+        Assert.Equal($"found the number 1{new string('0', 39)}...; expected at most 5.", problem.Message);
     }
 
     [Theory]
@@ -100,7 +101,8 @@ public sealed class JsonSchemaTests
         var problem = Assert.Single(Check(
             """{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", $$"""{ "{{typed}}": 1 }"""));
 
-        Assert.Equal(("unknown-key", $"\"{known}\"", new JsonPlace(1, 3)), (problem.Code, problem.Expected, problem.Place));
+        Assert.Equal(
+            ("unknown-key", $"\"{known}\"", 1, 3), (problem.Code, problem.Expected, problem.Place.Line, problem.Place.Column));
         Assert.EndsWith($"did you mean \"{known}\"?", problem.Message, StringComparison.Ordinal);
     }
 
@@ -110,7 +112,7 @@ public sealed class JsonSchemaTests
         var problem = Assert.Single(Check(
             """{ "properties": { "kind": {}, "toleranceMm": {} }, "additionalProperties": false }""", """{ "colour": 1 }"""));
 
-        Assert.Equal("the key \"colour\" is not known here; known are kind, toleranceMm", problem.Message);
+        Assert.Equal("the key \"colour\" is not known here; known are kind, toleranceMm.", problem.Message);
     }
 
     [Fact]
@@ -120,10 +122,10 @@ public sealed class JsonSchemaTests
             """{ "$ref": "#/$defs/tree", "$defs": { "tree": { "type": "array", "items": { "$ref": "#/$defs/tree" } } } }""";
 
         Assert.Empty(Check(schema, "[[], [[]]]"));
-        Assert.Equal("$[1][0]", Assert.Single(Check(schema, "[[], [3]]")).Path);
+        Assert.Equal("$[1][0]", Assert.Single(Check(schema, "[[], [3]]")).Place.Path);
         Assert.Equal(
             "$.a.a",
-            Assert.Single(Check("""{ "type": "object", "properties": { "a": { "$ref": "#" } } }""", """{ "a": { "a": 1 } }""")).Path);
+            Assert.Single(Check("""{ "type": "object", "properties": { "a": { "$ref": "#" } } }""", """{ "a": { "a": 1 } }""")).Place.Path);
     }
 
     [Fact]
@@ -136,13 +138,13 @@ public sealed class JsonSchemaTests
               { "type": "string" } ] }
             """;
 
-        Assert.Equal("found no key \"n\"; expected the key \"n\"", Assert.Single(Check(schema, """{ "kind": "line" }""")).Message);
-        Assert.Equal("$.degree", Assert.Single(Check(schema, """{ "kind": "curve", "degree": "high" }""")).Path);
+        Assert.Equal("found no key \"n\"; expected the key \"n\".", Assert.Single(Check(schema, """{ "kind": "line" }""")).Message);
+        Assert.Equal("$.degree", Assert.Single(Check(schema, """{ "kind": "curve", "degree": "high" }""")).Place.Path);
 
         Assert.Equal(
-            "found the text \"lime\"; expected \"line\" or \"curve\"", Assert.Single(Check(schema, "{ \"kind\": \"lime\" }")).Message);
+            "found the text \"lime\"; expected \"line\" or \"curve\".", Assert.Single(Check(schema, "{ \"kind\": \"lime\" }")).Message);
         Assert.Empty(Check(schema, "\"short\""));
-        Assert.Equal("found no key \"kind\"; expected the key \"kind\"", Assert.Single(Check(schema, "{}")).Message);
+        Assert.Equal("found no key \"kind\"; expected the key \"kind\".", Assert.Single(Check(schema, "{}")).Message);
     }
 
     [Fact]
@@ -157,14 +159,14 @@ public sealed class JsonSchemaTests
         var problem = Assert.Single(Check(schema, """{ "kind": "lime" }"""));
 
         Assert.Equal(
-            ("not-one-of", "$.kind", "found the text \"lime\"; expected \"line\" or \"curve\""),
-            (problem.Code, problem.Path, problem.Message));
+            ("not-one-of", "$.kind", "found the text \"lime\"; expected \"line\" or \"curve\"."),
+            (problem.Code, problem.Place.Path, problem.Message));
     }
 
     [Fact]
     public void Types_of_all_alternatives_are_listed_when_none_fits() =>
         Assert.Equal(
-            "found true; expected a number or a list",
+            "found true; expected a number or a list.",
             Assert.Single(Check("""{ "anyOf": [ { "type": "number" }, { "type": "array" } ] }""", "true")).Message);
 
     [Fact]
@@ -172,7 +174,7 @@ public sealed class JsonSchemaTests
     {
         const string schema = """{ "anyOf": [ { "type": "string", "pattern": "^a", "title": "a word with a" }, { "$ref": "#/$defs/b" }, { "enum": [1] } ], "$defs": { "b": { "minLength": 9, "title": "a long word" } } }""";
 
-        Assert.Equal("found the text \"bcd\"; expected a word with a, a long word or 1", Assert.Single(Check(schema, "\"bcd\"")).Message);
+        Assert.Equal("found the text \"bcd\"; expected a word with a, a long word or 1.", Assert.Single(Check(schema, "\"bcd\"")).Message);
     }
 
     [Fact]
@@ -197,12 +199,12 @@ public sealed class JsonSchemaTests
     [InlineData("true", "$")]
     public void A_schema_never_claims_what_is_not_checked(string schema, string path)
     {
-        var e = Assert.Throws<JsonDocumentException>(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema.json"));
+        var e = Assert.Throws<InputException>(() => JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema.json"));
 
-        var problem = Assert.Single(e.Problems);
-        Assert.Equal(("schema", path), (problem.Code, problem.Path));
+        var problem = Assert.Single(e.Refusals);
+        Assert.Equal(("schema", path), (problem.Code, problem.Place.Path));
     }
 
-    private static IReadOnlyList<JsonProblem> Check(string schema, string document) =>
+    private static IReadOnlyList<Refusal> Check(string schema, string document) =>
         JsonSchema.Parse(Encoding.UTF8.GetBytes(schema), "schema.json").Check(JsonInput.Read(Encoding.UTF8.GetBytes(document), "job.json"));
 }

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -51,9 +52,9 @@ public class BadInputTests
     public void A_cell_that_is_no_coordinate_is_named(string cell, string code)
     {
         var error = Text.Refused(Header + "A,1,2\nB,3," + cell + "\n");
-        Assert.Equal((code, "part.csv", 3, 3), (error.Code, error.File, error.Line, error.Column));
-        Assert.NotEmpty(error.Found);
-        Assert.NotEmpty(error.Expected);
+        Assert.Equal((code, "part.csv", 3, 3), (error.Code, error.File, error.Place.Line, error.Place.Column));
+        Assert.NotEmpty(error.Refusals[0].Found);
+        Assert.NotEmpty(error.Refusals[0].Expected);
     }
 
     [Fact]
@@ -61,8 +62,8 @@ public class BadInputTests
     {
         Assert.Equal(1, Text.Read(Header + "A,1,2" + new string(',', 997) + "\n")["A"].Position.X);
         var error = Text.Refused(Header + "A,1,2" + new string(',', 998) + "\n");
-        Assert.Equal((MeasurementError.TooManyCells, 2, 1001), (error.Code, error.Line, error.Column));
-        Assert.Contains("1001 cells", error.Found, StringComparison.Ordinal);
+        Assert.Equal((MeasurementError.TooManyCells, 2, 1001), (error.Code, error.Place.Line, error.Place.Column));
+        Assert.Contains("1001 cells", error.Refusals[0].Found, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -74,7 +75,7 @@ public class BadInputTests
         var text = string.Concat(Enumerable.Repeat(part, 16 * 1024 * 1024 / part.Length));
         var before = GC.GetAllocatedBytesForCurrentThread();
         var error = Text.Refused(text);
-        Assert.Equal((MeasurementError.TooManyCells, line), (error.Code, error.Line));
+        Assert.Equal((MeasurementError.TooManyCells, line), (error.Code, error.Place.Line));
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 100 * 1024 * 1024);
     }
 
@@ -89,7 +90,7 @@ public class BadInputTests
     public void A_decimal_point_where_the_format_says_comma_is_named(string cell, string code)
     {
         var error = Text.Refused("point;x_mm;y_mm\nA;1;" + cell + "\n", Text.Format("""{ "delimiter": ";", "decimalComma": true }"""));
-        Assert.Equal((code, 2, 3), (error.Code, error.Line, error.Column));
+        Assert.Equal((code, 2, 3), (error.Code, error.Place.Line, error.Place.Column));
     }
 
     [Theory]
@@ -117,7 +118,7 @@ public class BadInputTests
     public void A_file_that_does_not_follow_the_format_is_named(string text, string code, int line, int column)
     {
         var error = Text.Refused(text);
-        Assert.Equal((code, "part.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+        Assert.Equal((code, "part.csv", line, column), (error.Code, error.File, error.Place.Line, error.Place.Column));
     }
 
     [Fact]
@@ -132,7 +133,7 @@ public class BadInputTests
     public void Too_many_bytes_are_refused_before_they_are_read()
     {
         var error = Text.Refused(Header + "A,1,2\n", Text.Format("""{ "maxBytes": 21 }"""));
-        Assert.Equal((MeasurementError.FileTooLarge, "part.csv", 1, 1), (error.Code, error.File, error.Line, error.Column));
+        Assert.Equal((MeasurementError.FileTooLarge, "part.csv", 1, 1), (error.Code, error.File, error.Place.Line, error.Place.Column));
         Assert.Single(Text.Read(Header + "A,1,2\n", Text.Format("""{ "maxBytes": 22 }""")).Points);
     }
 
@@ -140,14 +141,14 @@ public class BadInputTests
     public void Too_many_points_are_refused_at_the_first_above_the_limit()
     {
         var error = Text.Refused(Header + "A,1,2\nB,1,2\nC,1,2\n", Text.Format("""{ "maxPoints": 2 }"""));
-        Assert.Equal((MeasurementError.TooManyPoints, 4, 1), (error.Code, error.Line, error.Column));
+        Assert.Equal((MeasurementError.TooManyPoints, 4, 1), (error.Code, error.Place.Line, error.Place.Column));
     }
 
     [Fact]
     public void A_file_of_a_spreadsheet_is_a_binary_file() =>
         Assert.Equal(
             MeasurementError.BinaryFile,
-            Assert.Throws<MeasurementException>(() => MeasurementReader.Read(
+            Assert.Throws<InputException>(() => MeasurementReader.Read(
                 "PK\u0003\u0004\u0014\0\u0006\0"u8.ToArray(), "a.xlsx", MeasurementFormat.Points)).Code);
 
     [Theory]
@@ -157,7 +158,7 @@ public class BadInputTests
     [InlineData("a\0b")]
     public void A_file_that_cannot_be_opened_is_named(string path)
     {
-        var error = Assert.Throws<MeasurementException>(() => MeasurementReader.Read(path, MeasurementFormat.Points));
+        var error = Assert.Throws<InputException>(() => MeasurementReader.Read(path, MeasurementFormat.Points));
         Assert.Equal((MeasurementError.FileUnreadable, path), (error.Code, error.File));
     }
 
@@ -176,7 +177,7 @@ public class BadInputTests
             Assert.Equal(bytes.Points, file.Points);
             Assert.Equal(
                 MeasurementError.FileTooLarge,
-                Assert.Throws<MeasurementException>(() => MeasurementReader.Read(
+                Assert.Throws<InputException>(() => MeasurementReader.Read(
                     path, MeasurementFormat.Points with { MaxBytes = 100 })).Code);
         }
         finally

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -26,33 +27,33 @@ public class EncodingTests
     [Fact]
     public void A_byte_that_is_no_text_is_named_with_its_place()
     {
-        var error = Assert.Throws<MeasurementException>(() => Label([.. "point,x_mm,y_mm\nA,1,2\nB\u00e9,"u8, 0xE9, .. ",4\n"u8], "utf-8"));
-        Assert.Equal((MeasurementError.InvalidEncoding, 3, 2), (error.Code, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => Label([.. "point,x_mm,y_mm\nA,1,2\nB\u00e9,"u8, 0xE9, .. ",4\n"u8], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 3, 2), (error.Code, error.Place.Line, error.Place.Column));
         Assert.Contains("0xE9", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void A_character_cut_off_at_the_end_is_named()
     {
-        var error = Assert.Throws<MeasurementException>(() => Label([.. "point,x_mm,y_mm\nA,1,2"u8, 0xE4, 0xB8], "utf-8"));
-        Assert.Equal((MeasurementError.InvalidEncoding, 2, 3), (error.Code, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => Label([.. "point,x_mm,y_mm\nA,1,2"u8, 0xE4, 0xB8], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 2, 3), (error.Code, error.Place.Line, error.Place.Column));
         Assert.Equal(
             MeasurementError.InvalidEncoding,
-            Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes(Table)[..^1], "utf-16")).Code);
+            Assert.Throws<InputException>(() => Label(Encoding.Unicode.GetBytes(Table)[..^1], "utf-16")).Code);
     }
 
     [Fact]
     public void Another_encodings_byte_order_mark_is_named()
     {
-        var error = Assert.Throws<MeasurementException>(() => Label([0xFF, 0xFE, .. Encoding.Unicode.GetBytes(Table)], "utf-8"));
-        Assert.Equal((MeasurementError.InvalidEncoding, 1, 1), (error.Code, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => Label([0xFF, 0xFE, .. Encoding.Unicode.GetBytes(Table)], "utf-8"));
+        Assert.Equal((MeasurementError.InvalidEncoding, 1, 1), (error.Code, error.Place.Line, error.Place.Column));
         Assert.Contains("utf-16", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void A_nul_in_utf_16_is_binary() => Assert.Equal(
         MeasurementError.BinaryFile,
-        Assert.Throws<MeasurementException>(() => Label(Encoding.Unicode.GetBytes("point,\0"), "utf-16")).Code);
+        Assert.Throws<InputException>(() => Label(Encoding.Unicode.GetBytes("point,\0"), "utf-16")).Code);
 
     private static string Label(byte[] bytes, string encoding) =>
         MeasurementReader.Read(bytes, "part.csv", Text.Format($$"""{ "encoding": "{{encoding}}" }""")).Points[0].Label;

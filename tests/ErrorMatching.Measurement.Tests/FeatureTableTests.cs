@@ -40,7 +40,7 @@ public class FeatureTableTests
     public void A_wrong_row_is_named(string row, string code, int column)
     {
         var error = Text.Refused(Two + row + "\n", MeasurementFormat.FeatureTable);
-        Assert.Equal((code, 8, column), (error.Code, error.Line, error.Column));
+        Assert.Equal((code, 8, column), (error.Code, error.Place.Line, error.Place.Column));
     }
 
     [Theory]
@@ -56,7 +56,7 @@ public class FeatureTableTests
         Assert.Equal(
             (MeasurementError.InconsistentDeviation, 3),
             Text.Refused(Header + "A,X,48.05,48.17,0.12,\nA,Y,1,1.2,-0.2,\n", MeasurementFormat.FeatureTable) is var e
-                ? (e.Code, e.Line)
+                ? (e.Code, e.Place.Line)
                 : default);
 
     [Fact]
@@ -70,7 +70,7 @@ public class FeatureTableTests
     public void A_feature_needs_x_and_y()
     {
         var error = Text.Refused(Two + "A,X,1,1,0,\nA,Z,1,1,0,\n", MeasurementFormat.FeatureTable);
-        Assert.Equal((MeasurementError.MissingCoordinate, 8), (error.Code, error.Line));
+        Assert.Equal((MeasurementError.MissingCoordinate, 8), (error.Code, error.Place.Line));
         Assert.Contains("without a line for Y", error.Message, StringComparison.Ordinal);
     }
 
@@ -92,5 +92,5 @@ public class FeatureTableTests
     public void Too_many_features_are_refused() =>
         Assert.Equal(
             (MeasurementError.TooManyPoints, 5),
-            Text.Refused(Two, MeasurementFormat.FeatureTable with { MaxPoints = 1 }) is var e ? (e.Code, e.Line) : default);
+            Text.Refused(Two, MeasurementFormat.FeatureTable with { MaxPoints = 1 }) is var e ? (e.Code, e.Place.Line) : default);
 }

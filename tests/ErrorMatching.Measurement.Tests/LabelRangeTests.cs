@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement.Tests;
 
 public class LabelRangeTests
@@ -25,5 +27,5 @@ public class LabelRangeTests
     [InlineData("0..100000")]
     [InlineData("1..99999999999999")]
     public void Anything_else_is_named(string range) =>
-        Assert.Equal(MeasurementError.BadRange, Assert.Throws<MeasurementException>(() => LabelRange.Expand(range)).Code);
+        Assert.Equal(MeasurementError.BadRange, Assert.Throws<InputException>(() => LabelRange.Expand(range)).Code);
 }

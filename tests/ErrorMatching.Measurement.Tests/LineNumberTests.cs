@@ -10,7 +10,7 @@ public class LineNumberTests
     {
         var text = string.Join(end, "point,note,x_mm,y_mm", "A,\"one", "two", "three\",1,2", "", "B,,3,4", "C,\"x", "y\",bad,6");
         var error = Text.Refused(text);
-        Assert.Equal((8, 3), (error.Line, error.Column));
+        Assert.Equal((8, 3), (error.Place.Line, error.Place.Column));
         var file = Text.Read(text.Replace("bad", "5", StringComparison.Ordinal));
         Assert.Equal([2, 6, 7], file.Points.Select(p => p.Line));
     }
@@ -20,7 +20,7 @@ public class LineNumberTests
     {
         var format = Text.Format("""{ "skipLines": 3 }""");
         var text = "Report \"of the day\r\nSerial number: 4711\r\n\r\npoint,x_mm,y_mm\r\nA,1,2\r\nB,1,\r\n";
-        Assert.Equal((6, 3), (Text.Refused(text, format).Line, Text.Refused(text, format).Column));
+        Assert.Equal((6, 3), (Text.Refused(text, format).Place.Line, Text.Refused(text, format).Place.Column));
         var file = Text.Read(text[..^6], format);
         Assert.Equal(5, file["A"].Line);
         Assert.Equal([new HeaderField("Serial number", "4711", 2)], file.HeaderFields);

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -31,9 +32,9 @@ public class MutationTests
                 Assert.All(file.Points, p => Assert.True(p.Position.IsFinite && p.Label.Length > 0 && p.Line > 0));
                 read++;
             }
-            catch (MeasurementException e)
+            catch (InputException e)
             {
-                Assert.True(e.Line >= 1 && e.Column >= 1 && e.File == "m.csv" && e.Code.Length > 0, e.Message);
+                Assert.True(e.Place.Line >= 1 && e.Place.Column >= 1 && e.File == "m.csv" && e.Code.Length > 0, e.Message);
                 Assert.DoesNotContain(e.Message, char.IsControl);
                 named++;
             }
@@ -55,7 +56,7 @@ public class MutationTests
             {
                 _ = MeasurementFormat.FromJson(json);
             }
-            catch (MeasurementException e)
+            catch (InputException e)
             {
                 Assert.Equal(MeasurementError.BadFormat, e.Code);
             }

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -39,13 +40,13 @@ public class NumberTableTests
     [InlineData("", MeasurementError.EmptyFile, 1, 1)]
     public void A_bad_table_is_named(string text, string code, int line, int column)
     {
-        var error = Assert.Throws<MeasurementException>(() => Read(text, "x", "y"));
-        Assert.Equal((code, "data.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => Read(text, "x", "y"));
+        Assert.Equal((code, "data.csv", line, column), (error.Code, error.File, error.Place.Line, error.Place.Column));
     }
 
     [Fact]
     public void A_missing_file_is_named() => Assert.Equal(
-        MeasurementError.FileUnreadable, Assert.Throws<MeasurementException>(() => NumberTable.Read("none.csv", "x", "y")).Code);
+        MeasurementError.FileUnreadable, Assert.Throws<InputException>(() => NumberTable.Read("none.csv", "x", "y")).Code);
 
     private static NumberTable Read(string text, params string[] columns) =>
         NumberTable.Read(Encoding.UTF8.GetBytes(text), "data.csv", columns);

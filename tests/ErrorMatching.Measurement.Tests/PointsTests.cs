@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -78,11 +79,11 @@ public class PointsTests
         var file = Text.Read("note,point,x_mm,y_mm\n,a,1,2\n");
         file.Require(["a"]);
         Assert.False(file.TryGet("A", out _));
-        var error = Assert.Throws<MeasurementException>(() => file.Require(["a", "A"]));
-        Assert.Equal((MeasurementError.MissingPoint, "part.csv", 1, 2), (error.Code, error.File, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => file.Require(["a", "A"]));
+        Assert.Equal((MeasurementError.MissingPoint, "part.csv", 1, 2), (error.Code, error.File, error.Place.Line, error.Place.Column));
         Assert.Contains("\"A\"", error.Message, StringComparison.Ordinal);
         Assert.Contains("(but \"a\")", error.Message, StringComparison.Ordinal);
-        Assert.Equal(error.Message, Assert.Throws<MeasurementException>(() => file["A"]).Message);
+        Assert.Equal(error.Message, Assert.Throws<InputException>(() => file["A"]).Message);
     }
 
     [Fact]

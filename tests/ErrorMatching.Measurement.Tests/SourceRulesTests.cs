@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement.Tests;
 
 public class SourceRulesTests
@@ -20,7 +22,7 @@ public class SourceRulesTests
     [InlineData("counter/x.csv", "Other: part", "AC")]
     public void No_rule_is_an_error_that_lists_them(string name, string field, string piece)
     {
-        var error = Assert.Throws<MeasurementException>(() => Rules.Decide(File(name, field, piece)));
+        var error = Assert.Throws<InputException>(() => Rules.Decide(File(name, field, piece)));
         Assert.Equal((MeasurementError.UndecidedSource, name), (error.Code, error.File));
         Assert.Contains("the column piece matches /^C/", error.Message, StringComparison.Ordinal);
     }
@@ -28,7 +30,7 @@ public class SourceRulesTests
     [Fact]
     public void Rules_of_both_sides_are_an_error_that_says_which_matched()
     {
-        var error = Assert.Throws<MeasurementException>(() => Rules.Decide(File("P-1.csv", "", "C1")));
+        var error = Assert.Throws<InputException>(() => Rules.Decide(File("P-1.csv", "", "C1")));
         Assert.Equal(MeasurementError.ContradictorySource, error.Code);
         Assert.Contains(
             "because the file name matches /^P-[0-9]+/, and the counterpart's, because the column piece matches /^C/;",
@@ -51,7 +53,7 @@ public class SourceRulesTests
     [InlineData("(?=a)")]
     [InlineData(@"(a)\1")]
     public void A_pattern_that_cannot_be_used_is_named(string pattern) =>
-        Assert.Equal(MeasurementError.BadPattern, Assert.Throws<MeasurementException>(() => SourceRule.OfFileName(pattern)).Code);
+        Assert.Equal(MeasurementError.BadPattern, Assert.Throws<InputException>(() => SourceRule.OfFileName(pattern)).Code);
 
     private static MeasurementFile File(string name, string field, string piece) =>
         Text.Read(field + "\npoint,x_mm,y_mm,piece\n1,1,2," + piece + "\n", MeasurementFormat.Points with { SkipLines = 1 }, name);

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
 
@@ -8,8 +9,8 @@ internal static class Text
     public static MeasurementFile Read(string text, MeasurementFormat? format = null, string file = "part.csv") =>
         MeasurementReader.Read(Encoding.UTF8.GetBytes(text), file, format ?? MeasurementFormat.Points);
 
-    public static MeasurementException Refused(string text, MeasurementFormat? format = null) =>
-        Assert.Throws<MeasurementException>(() => Read(text, format));
+    public static InputException Refused(string text, MeasurementFormat? format = null) =>
+        Assert.Throws<InputException>(() => Read(text, format));
 
     public static MeasurementFormat Format(string json) => MeasurementFormat.FromJson(json);
 }

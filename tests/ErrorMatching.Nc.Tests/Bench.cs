@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -11,7 +12,7 @@ internal static class Bench
     public static string Text(NcProgram program) => System.Text.Encoding.Latin1.GetString(program.Bytes.Span);
 
     public static int[] Blocks(NcPath path, params string[] selectors) =>
-        BlockSelector.Select(path.Program, [.. selectors.Select(BlockSelector.Parse)]).Value
+        BlockSelector.Select(path.Program, [.. selectors.Select(BlockSelector.Parse)]).Result
             ?? throw new InvalidOperationException("No such block.");
 
     public static NcMotion MotionOf(NcPath path, string block) => path.Motions[path.MotionOf(Blocks(path, block)[0])];
@@ -24,7 +25,7 @@ internal static class Bench
     public static string By(string text, Vector3 by, string selector, NcDialect? dialect = null) =>
         Displaced(Read(text, dialect), p => DisplacementWish.EndsBy(p, Blocks(p, selector), by));
 
-    public static string Displaced(NcPath path, Func<NcPath, NcOutcome<DisplacementWish>> wanted) =>
+    public static string Displaced(NcPath path, Func<NcPath, Outcome<DisplacementWish>> wanted) =>
         Text(Rewritten(path, Usable(wanted(path))).Program);
 
     public static Rewrite Rewritten(NcPath path, DisplacementWish wish)
@@ -36,28 +37,28 @@ internal static class Bench
         return rewrite;
     }
 
-    public static NcRefusal RefusedNormal(string text, double left, string selector, NcDialect? dialect = null)
+    public static Refusal RefusedNormal(string text, double left, string selector, NcDialect? dialect = null)
     {
         var path = Read(text, dialect);
         var wish = DisplacementWish.Normal(path, Blocks(path, selector), left);
-        return wish.Refusal ?? Refused(Rewriter.Apply(path, wish.Value!));
+        return wish.Refusal ?? Refused(Rewriter.Apply(path, wish.Result!));
     }
 
-    public static NcRefusal RefusedBy(string text, Vector3 by, string selector, NcDialect? dialect = null)
+    public static Refusal RefusedBy(string text, Vector3 by, string selector, NcDialect? dialect = null)
     {
         var path = Read(text, dialect);
         var wish = DisplacementWish.EndsBy(path, Blocks(path, selector), by);
-        return wish.Refusal ?? Refused(Rewriter.Apply(path, wish.Value!));
+        return wish.Refusal ?? Refused(Rewriter.Apply(path, wish.Result!));
     }
 
-    public static T Usable<T>(NcOutcome<T> outcome)
+    public static T Usable<T>(Outcome<T> outcome)
         where T : class
     {
         Assert.True(outcome.IsUsable, outcome.Refusal?.ToString());
-        return outcome.Value;
+        return outcome.Result;
     }
 
-    public static NcRefusal Refused<T>(NcOutcome<T> outcome)
+    public static Refusal Refused<T>(Outcome<T> outcome)
         where T : class
     {
         Assert.False(outcome.IsUsable, "It was not refused.");

@@ -16,7 +16,7 @@ public sealed class BlockNameTests
     [InlineData(5, 5, "/^G1\\ X7\\.$/")]
     [InlineData(12, 12, "/^X10\\.\\ \\(A/B\\+C\\)$/")]
     public void Blocks_are_named_by_their_numbers_and_else_by_their_text(int first, int last, string words) =>
-        Assert.Equal(words, string.Join(' ', BlockNames.Of(NcProgram.FromText(Program), first, last).Value!));
+        Assert.Equal(words, string.Join(' ', BlockNames.Of(NcProgram.FromText(Program), first, last).Result!));
 
     [Theory]
     [InlineData(6, 6, NcRefusalCodes.BlockAmbiguous)]
@@ -44,7 +44,7 @@ public sealed class BlockNameTests
                 return !words.IsUsable
                     || BlockSelector.Select(
                         program,
-                        [.. words.Value.Select(BlockSelector.Parse)]).Value!.SequenceEqual(Enumerable.Range(first, last - first + 1));
+                        [.. words.Result.Select(BlockSelector.Parse)]).Result!.SequenceEqual(Enumerable.Range(first, last - first + 1));
             }));
         Assert.True(cases > 100, "Hardly any range could be named.");
     }
@@ -56,6 +56,6 @@ public sealed class BlockNameTests
         Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 0, 199).Refusal!.Code);
         Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 100, 199).Refusal!.Code);
         Assert.Equal(NcRefusalCodes.BlockNotFound, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 1, 100).Refusal!.Code);
-        Assert.Equal(41, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 80, 120).Value!.Length);
+        Assert.Equal(41, BlockNames.Of(NcProgram.FromText(string.Join('\n', lines)), 80, 120).Result!.Length);
     }
 }

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -82,9 +83,9 @@ public sealed class DeclaredRoleTests
                 {
                     dialect = OwnDialect.Parse(text);
                 }
-                catch (JsonDocumentException e)
+                catch (InputException e)
                 {
-                    Assert.Equal(("bad-role", "$.codes[0].means"), (e.Problems[0].Code, e.Problems[0].Path));
+                    Assert.Equal(("bad-role", "$.codes[0].means"), (e.Refusals[0].Code, e.Refusals[0].Place.Path));
                     refused.Add($"{code} {name}");
                     continue;
                 }
@@ -115,9 +116,9 @@ public sealed class DeclaredRoleTests
                     {
                         OwnDialect.Parse(text);
                     }
-                    catch (JsonDocumentException e)
+                    catch (InputException e)
                     {
-                        Assert.Equal(("bad-role", "$.letters[0].role"), (e.Problems[0].Code, e.Problems[0].Path));
+                        Assert.Equal(("bad-role", "$.letters[0].role"), (e.Refusals[0].Code, e.Refusals[0].Place.Path));
                         refused.Append(letter);
                     }
                 }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -65,7 +66,7 @@ public sealed class DisplaceEndsTests
     public void Border_arc_takes_the_circle_through_its_new_ends_and_its_middle_moved_by_half(string named, double start, double end)
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X15. Y5. I0. J5.\nG0 Z5.\n");
-        var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, named), Right).Value!;
+        var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, named), Right).Result!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
         var (was, arc) = (Bench.MotionOf(path, "N20").Arc, Bench.MotionOf(now, "N20"));
         Assert.Equal(new Point2(10 + start, 0), arc.PlaneStart);
@@ -95,11 +96,11 @@ public sealed class DisplaceEndsTests
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 X10. Y10.\nN30 X0. Y10.\nX0. Y0.\n");
         var (n10, n20, n30) = (2, 3, 4);
-        foreach (var wished in (Func<int[], NcOutcome<DisplacementWish>>[])[
+        foreach (var wished in (Func<int[], Outcome<DisplacementWish>>[])[
             b => DisplacementWish.EndsBy(path, b, Right), b => DisplacementWish.Normal(path, b, 0.1)])
         {
-            var straight = Bench.Rewritten(path, wished([n10, n20, n30]).Value!);
-            var mixed = Bench.Rewritten(path, wished([n30, n10, n20, n10]).Value!);
+            var straight = Bench.Rewritten(path, wished([n10, n20, n30]).Result!);
+            var mixed = Bench.Rewritten(path, wished([n30, n10, n20, n10]).Result!);
             Assert.Equal(Bench.Text(straight.Program), Bench.Text(mixed.Program));
         }
     }

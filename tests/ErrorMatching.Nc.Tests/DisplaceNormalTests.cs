@@ -49,7 +49,7 @@ public sealed class DisplaceNormalTests
         // The line y = 0 goes to y = 0.1; the circle of radius 5 about (10, 3) shrinks to 4.9 as it is offset to the inside.
         // The line meets it at x = 10 - sqrt(4.9^2 - 2.9^2).
         var path = Bench.Read("G90 G17\nG0 X0. Y0.\nN10 G1 X6. Y0. F100\nN20 G3 X15. Y3. I4. J3.\nN30 G1 X30. Y3.\n");
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N20"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N20"), 0.1).Result!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
         var corner = Bench.MotionOf(now, "N10").End;
         Assert.Equal(10 - Math.Sqrt((4.9 * 4.9) - (2.9 * 2.9)), corner.X, 0.00051);
@@ -95,8 +95,8 @@ public sealed class DisplaceNormalTests
             [ElementWish.AlongNormals(path, 1, 0.1, 0.1, 0.1), ElementWish.AlongNormals(path, 3, 0.3, 0.3, 0.3)]);
         var program = NcProgram.FromText($"G90 G17\nG0 X0. Y0.1\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X14.7 Y20.\nN40 X0. Y20.\n");
 
-        var failure = Assert.Single(Prover.Check(path, program, wish, 0.001).Failures.DistinctBy(f => f.Block));
-        Assert.Equal("N20", failure.Block);
+        var failure = Assert.Single(Prover.Check(path, program, wish, 0.001).Failures.DistinctBy(f => f.Place.Block));
+        Assert.Equal("N20", failure.Place.Block);
     }
 
     [Fact]
@@ -104,7 +104,7 @@ public sealed class DisplaceNormalTests
     {
         var refusal = Bench.RefusedNormal(
             "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.2 Y0.2 I0. J0.2\nN30 G1 X10.2 Y20.\n", 0.25, "N10..N30");
-        Assert.Equal((NcRefusalCodes.ElementFlips, "N20", 4), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal((NcRefusalCodes.ElementFlips, "N20", 4), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
     }
 
     [Fact]
@@ -112,7 +112,7 @@ public sealed class DisplaceNormalTests
     {
         // A step of 0.1 between two walls: displaced to the left by 0.2 the step would run backwards.
         var refusal = Bench.RefusedNormal("G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 X10. Y0.1\nN30 X9. Y0.1\n", 0.2, "N10..N30");
-        Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Block));
+        Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Place.Block));
     }
 
     [Fact]
@@ -121,7 +121,7 @@ public sealed class DisplaceNormalTests
         // Two degrees of a circle of 5 about (10, 5), tangent to N10; N30, displaced by 0.3, passes at x = 9.874, before the arc begins.
         var refusal = Bench.RefusedNormal(
             "G90 G17\nG0 X0. Y0.\nN10 G1 X10. Y0. F100\nN20 G3 X10.174 Y0.003 I0. J5.\nN30 G1 X10.174 Y10.\n", 0.3, "N10..N30");
-        Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Block));
+        Assert.Equal((NcRefusalCodes.ElementFlips, "N20"), (refusal.Code, refusal.Place.Block));
     }
 
     [Fact]
@@ -155,7 +155,7 @@ public sealed class DisplaceNormalTests
     public void Contour_that_closes_tangentially_stays_closed_if_only_its_first_half_is_named()
     {
         var path = Bench.Read("G90 G17\nG0 X10. Y0.\nN10 G3 X-10. Y0. I-10. J0. F100\nN20 X10. Y0. I10. J0.\nN30 G0 Z5.\n");
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Result!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
         Assert.Equal(new Point3(9.9, 0, 0), Bench.MotionOf(now, "N10").Start);
         Assert.Equal(new Point3(9.9, 0, 0), Bench.MotionOf(now, "N20").End);
@@ -167,7 +167,7 @@ public sealed class DisplaceNormalTests
         const string Program = "G90 G17\nG0 X5. Y-8.\nG1 Z-1. F100\nN5 G3 X10. Y-3. I0. J5.\nN10 G1 X10. Y10.\nN20 X0. Y10.\nN30 X0. "
             + "Y-3.\nN40 X10. Y-3.\nN50 G3 X5. Y2. I-5. J0.\nG0 Z5.\n";
         var path = Bench.Read(Program);
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N40"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N40"), 0.1).Result!;
         var rewrite = Bench.Rewritten(path, wish);
         var now = NcInterpreter.Run(rewrite.Program, path.Dialect);
         Assert.Equal((9.9, -2.9), (Bench.MotionOf(now, "N40").End.X, Bench.MotionOf(now, "N40").End.Y));
@@ -222,7 +222,7 @@ public sealed class DisplaceNormalTests
             + string.Concat(Enumerable.Range(0, 5000).Select(i => $"N{i + 1} X0.1 Y{(i % 2 == 0 ? "0.03" : "-0.03")}\nX0.1\n"))
             + "N9000 X1. Y1.\nG90 X600. Y0.\n";
         var path = Bench.Read(text);
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N2001..N4000"), 0.037).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N2001..N4000"), 0.037).Result!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
         Assert.Equal(path.Motions[^2].End, now.Motions[^2].End);
         Assert.Equal(1001, now.Motions[^2].End.X, 1e-12);
@@ -244,7 +244,7 @@ public sealed class DisplaceNormalTests
         var (was, centers) = (Bench.MotionOf(path, "N20").Arc, 0);
         for (var d = 0.0101; d < 0.02; d += 0.0003)
         {
-            var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), d).Value!);
+            var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), d).Result!);
             centers += Bench.Text(rewrite.Program).Contains('I', StringComparison.Ordinal) ? 1 : 0;
             var now = Bench.MotionOf(NcInterpreter.Run(rewrite.Program, path.Dialect), "N20").Arc;
             Assert.Equal(0, now.Middle.DistanceTo(was.Middle + (was.TangentAt(0.5).Left * d)), 0.0021);

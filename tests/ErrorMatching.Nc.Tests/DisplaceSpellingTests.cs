@@ -140,7 +140,7 @@ public sealed class DisplaceSpellingTests
                     Enumerable.Range(1, 100_000).Select(i => string.Create(
                         CultureInfo.InvariantCulture, $"N{i} X0.3 Y{(i % 2 == 0 ? "0.1" : "-0.1")}\n")))
                 + "N200000 X1. Y1.\n");
-        var wish = DisplacementWish.Normal(path, [.. Enumerable.Range(1000, 99_000)], 0.0123).Value!;
+        var wish = DisplacementWish.Normal(path, [.. Enumerable.Range(1000, 99_000)], 0.0123).Result!;
         var now = NcInterpreter.Run(Bench.Rewritten(path, wish).Program, path.Dialect);
         Assert.Equal(new(30_001, 1, 0), path.Motions[^1].End);
         Assert.Equal(path.Motions[^1].End, now.Motions[^1].End);
@@ -172,7 +172,7 @@ public sealed class DisplaceSpellingTests
         }
 
         var refusal = Bench.RefusedNormal(program, left, "N10..N20");
-        Assert.Equal((NcRefusalCodes.CompensationEntry, 3), (refusal.Code, refusal.Line));
+        Assert.Equal((NcRefusalCodes.CompensationEntry, 3), (refusal.Code, refusal.Place.Line));
     }
 
     [Fact]
@@ -182,10 +182,10 @@ public sealed class DisplaceSpellingTests
         Assert.Equal(
             (NcRefusalCodes.CompensationEntry, 5),
             Bench.RefusedNormal(Exit.Replace("X10.15 Y0.", "X10. Y0.15", StringComparison.Ordinal), 0.1, "N10") is var r
-                ? (r.Code, r.Line)
+                ? (r.Code, r.Place.Line)
                 : default);
         const string Arc = "G90 G17 G40\nG0 X-5. Y-5. Z0.\nG41 D1 G2 X0. Y0. I5. J0. F100\nN10 G1 X10.\nN20 Y10.\nG40 X20. Y20.\n";
         Assert.Equal(
-            (NcRefusalCodes.CompensationEntry, 3), Bench.RefusedNormal(Arc, 0.1, "N10..N20") is var a ? (a.Code, a.Line) : default);
+            (NcRefusalCodes.CompensationEntry, 3), Bench.RefusedNormal(Arc, 0.1, "N10..N20") is var a ? (a.Code, a.Place.Line) : default);
     }
 }

@@ -12,8 +12,8 @@ public sealed class DisplacementLaws
     public void Displacement_by_nothing_is_the_same_bytes() => ForAll((contour, seed) =>
     {
         var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
-        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.Normal(path, Named(path, contour), 0).Value!).Program);
-        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.EndsBy(path, Named(path, contour), Vector3.Zero).Value!).Program);
+        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.Normal(path, Named(path, contour), 0).Result!).Program);
+        Assert.Same(path.Program, Bench.Rewritten(path, DisplacementWish.EndsBy(path, Named(path, contour), Vector3.Zero).Result!).Program);
     });
 
     [Theory]
@@ -27,7 +27,7 @@ public sealed class DisplacementLaws
         ForAll((contour, seed) =>
         {
             var path = Bench.Read(contour.Spell(seed % 2 == 0, plane, byRadius));
-            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Value!) is null ? 1 : 0;
+            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Result!) is null ? 1 : 0;
         });
         Assert.InRange(refused, 0, Cases / 20);
     }
@@ -40,7 +40,7 @@ public sealed class DisplacementLaws
         {
             var (path, d) = (Bench.Read(contour.Spell(seed % 2 == 0)), Distance(contour));
             var named = Named(path, contour);
-            if (TryDisplace(path, DisplacementWish.Normal(path, named, d).Value!) is not { } rewrite)
+            if (TryDisplace(path, DisplacementWish.Normal(path, named, d).Result!) is not { } rewrite)
             {
                 return;
             }
@@ -71,8 +71,8 @@ public sealed class DisplacementLaws
             Bench.Read(contour.SpellSiemens(byRadius), NcDialects.Siemens840D),
             Distance(contour));
         var (a, b) = (
-            TryDisplace(iso, DisplacementWish.Normal(iso, Named(iso, contour), d).Value!),
-            TryDisplace(siemens, DisplacementWish.Normal(siemens, Named(siemens, contour), d).Value!));
+            TryDisplace(iso, DisplacementWish.Normal(iso, Named(iso, contour), d).Result!),
+            TryDisplace(siemens, DisplacementWish.Normal(siemens, Named(siemens, contour), d).Result!));
         Assert.Equal(a is null, b is null);
         if (a is null || b is null)
         {
@@ -92,13 +92,13 @@ public sealed class DisplacementLaws
     public void Displacement_there_and_back_restores_the_motions() => ForAll((contour, _) =>
     {
         var (path, d) = (Bench.Read(contour.Spell()), Distance(contour));
-        if (TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), d).Value!) is not { } there)
+        if (TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), d).Result!) is not { } there)
         {
             return;
         }
 
         var moved = NcInterpreter.Run(there.Program, path.Dialect);
-        if (TryDisplace(moved, DisplacementWish.Normal(moved, Named(path, contour), -d).Value!) is not { } back)
+        if (TryDisplace(moved, DisplacementWish.Normal(moved, Named(path, contour), -d).Result!) is not { } back)
         {
             return;
         }
@@ -118,8 +118,8 @@ public sealed class DisplacementLaws
         {
             var path = Bench.Read(contour.Spell(incremental));
             var wish = seed % 2 == 0
-                ? DisplacementWish.Normal(path, Named(path, contour), d).Value!
-                : DisplacementWish.EndsBy(path, Named(path, contour), new(d, -d / 2, d / 4)).Value!;
+                ? DisplacementWish.Normal(path, Named(path, contour), d).Result!
+                : DisplacementWish.EndsBy(path, Named(path, contour), new(d, -d / 2, d / 4)).Result!;
             return TryDisplace(path, wish) is { } rewrite ? NcInterpreter.Run(rewrite.Program, path.Dialect) : null;
         }).ToArray();
         Assert.Equal(results[0] is null, results[1] is null);
@@ -140,14 +140,14 @@ public sealed class DisplacementLaws
             var path = Bench.Read(contour.Spell(seed % 4 < 2));
             var by = new Vector3(contour.Uniform(-0.3, 0.3), contour.Uniform(-0.3, 0.3), contour.Uniform(-0.1, 0.1));
             var named = Named(path, contour);
-            if (TryDisplace(path, DisplacementWish.EndsBy(path, named, by).Value!) is not { } there)
+            if (TryDisplace(path, DisplacementWish.EndsBy(path, named, by).Result!) is not { } there)
             {
                 refused++;
                 continue;
             }
 
             var moved = NcInterpreter.Run(there.Program, path.Dialect);
-            if (TryDisplace(moved, DisplacementWish.EndsBy(moved, named, by * -1).Value!) is { } back)
+            if (TryDisplace(moved, DisplacementWish.EndsBy(moved, named, by * -1).Result!) is { } back)
             {
                 var restored = NcInterpreter.Run(back.Program, path.Dialect);
                 for (var i = 0; i < path.Motions.Length; i++)
@@ -172,8 +172,8 @@ public sealed class DisplacementLaws
                 .DefaultIfEmpty(1)
                 .SelectMany(n => Bench.Blocks(path, "N" + n.ToString(CultureInfo.InvariantCulture)))
                 .ToArray();
-            refused += TryDisplace(path, DisplacementWish.Normal(path, named, Distance(contour)).Value!) is null ? 1 : 0;
-            TryDisplace(path, DisplacementWish.EndsBy(path, named, new(Distance(contour), Distance(contour), 0)).Value!);
+            refused += TryDisplace(path, DisplacementWish.Normal(path, named, Distance(contour)).Result!) is null ? 1 : 0;
+            TryDisplace(path, DisplacementWish.EndsBy(path, named, new(Distance(contour), Distance(contour), 0)).Result!);
         });
         Assert.InRange(refused, 0, Cases / 20);
     }
@@ -186,7 +186,7 @@ public sealed class DisplacementLaws
         {
             var contour = new RandomContour(seed, anyCorner: true);
             var path = Bench.Read(contour.Spell(seed % 2 == 0, byRadius: seed % 3 == 0));
-            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Value!) is null ? 1 : 0;
+            refused += TryDisplace(path, DisplacementWish.Normal(path, Named(path, contour), Distance(contour)).Result!) is null ? 1 : 0;
         }
 
         Assert.InRange(refused, 1, Cases);
@@ -214,7 +214,7 @@ public sealed class DisplacementLaws
             var first = 1 + (int)random.Uniform(0, corners);
             var last = first + (int)random.Uniform(0, corners - first + 1);
             var named = Bench.Blocks(path, string.Create(CultureInfo.InvariantCulture, $"N{first}..N{Math.Min(last, corners)}"));
-            var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, named, Distance(random)).Value!);
+            var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, named, Distance(random)).Result!);
             var now = NcInterpreter.Run(rewrite.Program, path.Dialect).Motions;
             Assert.Equal(0, (now[0].End - now[corners].End).Length, 1e-9);
             Assert.Equal(50, now[^1].End.Z);

@@ -50,7 +50,7 @@ public sealed class FigureNineTests
     {
         var path = Original();
         var wish = Wish(path);
-        var rewrite = Rewriter.Apply(path, wish).Value!;
+        var rewrite = Rewriter.Apply(path, wish).Result!;
         var proof = Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm);
         Assert.Empty(proof.Failures);
         Assert.True(proof.Holds);
@@ -67,18 +67,18 @@ public sealed class FigureNineTests
     private static DisplacementWish Wish(NcPath path)
     {
         var blocks = BlockSelector.Select(path.Program, [BlockSelector.Parse("N8970..N9080")]);
-        return DisplacementWish.Normal(path, blocks.Value!, 0.02).Value!;
+        return DisplacementWish.Normal(path, blocks.Result!, 0.02).Result!;
     }
 
     private static NcPath Displaced()
     {
         var path = Original();
-        return NcInterpreter.Run(Rewriter.Apply(path, Wish(path)).Value!.Program, NcDialects.DeltaNc300);
+        return NcInterpreter.Run(Rewriter.Apply(path, Wish(path)).Result!.Program, NcDialects.DeltaNc300);
     }
 
     private static NcMotion MotionOf(NcPath path, string block)
     {
         var blocks = BlockSelector.Select(path.Program, [BlockSelector.Parse(block)]);
-        return path.Motions[path.MotionOf(blocks.Value![0])];
+        return path.Motions[path.MotionOf(blocks.Result![0])];
     }
 }

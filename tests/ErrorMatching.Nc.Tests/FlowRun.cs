@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -15,7 +16,7 @@ internal sealed class FlowRun
     /// <summary>Each block as its N number or its line, <c>=</c> and the value of a computed X behind it.</summary>
     public string Trace => string.Join(' ', _trace);
 
-    public NcRefusal? Refusal => Flow.Refusal;
+    public Refusal? Refusal => Flow.Refusal;
 
     public static FlowRun Of(NcSyntax syntax, string text, FlowSettings? settings = null)
     {

@@ -115,7 +115,7 @@ public sealed class IsoSpellingTests
         var program = NcProgram.FromText("\uFEFFN10 G1 X5\nX6\n", Spelled.Of(syntax));
         Assert.Equal("N=10 | G=1 | X=5", Spelled.Tokens(program));
         Assert.Equal(("N10", "N10 G1 X5"), (program.NumberOf(program[0]), program.TextOf(program[0])));
-        Assert.Equal([0], BlockSelector.Select(program, [BlockSelector.Parse("/^N10\\b/")]).Value!);
+        Assert.Equal([0], BlockSelector.Select(program, [BlockSelector.Parse("/^N10\\b/")]).Result!);
         Assert.Empty(Bench.Read("\uFEFFN10 G1 X5\nX6\n").Problems);
         Assert.Equal("! \u00EF | ! \u00BB | ! \u00BF | X=1", Spelled.Tokens("X1\n\uFEFFX1", Spelled.Of(syntax), 1));
     }

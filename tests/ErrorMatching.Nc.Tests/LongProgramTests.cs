@@ -62,7 +62,7 @@ public sealed class LongProgramTests
                 i => i == 5000 ? "G1 " + odd : string.Create(CultureInfo.InvariantCulture, $"G1 X{i % 7}. Y0.{1 + (i % 2)}"));
             var path = Bench.Read("G90 G17 G21 G54\nG0 X0 Y0 Z0\n" + string.Join('\n', lines) + "\n");
             var wish = DisplacementWish.EndsBy(path, [.. Enumerable.Range(2, blocks)], new(0.1, 0.00012, 0));
-            return Encoding.UTF8.GetString(Rewriter.Apply(path, wish.Value!).Value!.Program.Bytes.Span);
+            return Encoding.UTF8.GetString(Rewriter.Apply(path, wish.Result!).Result!.Program.Bytes.Span);
         }
 
         var (few, many) = (Displaced(9_000), Displaced(12_000));

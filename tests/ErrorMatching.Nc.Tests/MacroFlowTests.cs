@@ -184,7 +184,7 @@ public sealed class MacroFlowTests
     public void What_cannot_go_on_is_refused_with_its_block(string text, string code, string block)
     {
         var refusal = FlowRun.Of(NcSyntax.Iso, text).Refusal;
-        Assert.Equal((code, block), (refusal?.Code, refusal?.Block));
+        Assert.Equal((code, block), (refusal?.Code, refusal?.Place.Block));
     }
 
     [Fact]

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -199,8 +200,8 @@ public sealed class MotionTests
     [Fact]
     public void Unknown_dialect_is_an_error_that_lists_the_known()
     {
-        var error = Assert.Throws<NcException>(() => NcDialects.Named("fanuk"));
-        Assert.Equal(NcErrorCode.UnknownDialect, error.Code);
+        var error = Assert.Throws<InputException>(() => NcDialects.Named("fanuk"));
+        Assert.Equal(NcInputCodes.UnknownDialect, error.Code);
         Assert.Contains("generic, fanuc, delta-nc300, siemens-840d, linuxcnc", error.Message, StringComparison.Ordinal);
         Assert.All(NcDialects.All, d => Assert.Same(d, NcDialects.Named(d.Name)));
         Assert.All(NcDialects.All, d => Assert.All(d.Facts, f => Assert.NotEmpty(f.Source)));

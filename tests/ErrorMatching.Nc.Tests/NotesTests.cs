@@ -34,7 +34,7 @@ public class NotesTests
             NcDialects.Generic,
             n => n == "O0007" ? NcProgram.FromText("O7\nX1.\nX2.\nN40 M98 P8\nM99\n") : null,
             CancellationToken.None);
-        Assert.Equal(("missing-program", "N20", 2), (path.Refusal!.Code, path.Refusal.Block, path.Refusal.Line));
+        Assert.Equal(("missing-program", "N20", 2), (path.Refusal!.Code, path.Refusal.Place.Block, path.Refusal.Place.Line));
         Assert.Contains("in O0007, N40: ", path.Refusal.Message, StringComparison.Ordinal);
     }
 }

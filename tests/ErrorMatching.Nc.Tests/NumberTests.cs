@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -38,10 +39,10 @@ public sealed class NumberTests
     [Fact]
     public void Numbers_without_room_are_an_error()
     {
-        Assert.Equal(NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => NcNumber.Round(1e18, 0)).Code);
-        Assert.Equal(NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => NcNumber.Round(double.NaN, 3)).Code);
+        Assert.Equal(NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => NcNumber.Round(1e18, 0)).Code);
+        Assert.Equal(NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => NcNumber.Round(double.NaN, 3)).Code);
         Assert.Equal(
-            NcErrorCode.NumberTooLong, Assert.Throws<NcException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
+            NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
     }
 
     [Theory]

@@ -87,7 +87,7 @@ public sealed class OWordFlowTests
     public void What_cannot_go_on_is_refused_with_its_block(string text, string code, string block)
     {
         var refusal = FlowRun.Of(NcSyntax.LinuxCnc, text).Refusal;
-        Assert.Equal((code, block), (refusal?.Code, refusal?.Block));
+        Assert.Equal((code, block), (refusal?.Code, refusal?.Place.Block));
     }
 
     private static void Runs(string text, string trace, FlowSettings? settings = null)

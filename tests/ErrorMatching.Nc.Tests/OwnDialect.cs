@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -16,9 +17,9 @@ internal static class OwnDialect
     /// <summary>The first thing that is wrong in a text: code, JSON path, line and column.</summary>
     public static string Problem(string text)
     {
-        var error = Assert.Throws<JsonDocumentException>(() => Parse(text));
+        var error = Assert.Throws<InputException>(() => Parse(text));
         Assert.Equal("shop/our-mill.json", error.File);
-        Assert.All(error.Problems, p => Assert.NotEqual(("", ""), (p.Found, p.Expected)));
-        return $"{error.Problems[0].Code} {error.Problems[0].Path} {error.Problems[0].Line}:{error.Problems[0].Column}";
+        Assert.All(error.Refusals, p => Assert.NotEqual(("", ""), (p.Found, p.Expected)));
+        return $"{error.Refusals[0].Code} {error.Refusals[0].Place.Path} {error.Refusals[0].Place.Line}:{error.Refusals[0].Place.Column}";
     }
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
@@ -172,11 +173,11 @@ public sealed class OwnDialectTests
             Assert.All(dialect.Files, f => Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(f.File))), f.Sha256));
 
             File.WriteAllText(shared, """{ "name": "shared", "like": "../own.json", "description": "d" }""");
-            var circle = Assert.Throws<JsonDocumentException>(() => NcDialects.Read(own));
-            Assert.Equal((shared, "circular-like", "$.like"), (circle.File, circle.Problems[0].Code, circle.Problems[0].Path));
+            var circle = Assert.Throws<InputException>(() => NcDialects.Read(own));
+            Assert.Equal((shared, "circular-like", "$.like"), (circle.File, circle.Refusals[0].Code, circle.Refusals[0].Place.Path));
 
             File.WriteAllText(shared, "{");
-            Assert.Equal(shared, Assert.Throws<JsonDocumentException>(() => NcDialects.Read(own)).File);
+            Assert.Equal(shared, Assert.Throws<InputException>(() => NcDialects.Read(own)).File);
         }
         finally
         {
@@ -206,9 +207,9 @@ public sealed class OwnDialectTests
                 _ = NcDialects.Parse(bytes.AsSpan(0, Math.Min(e.Item2, bytes.Length)), "our-mill.json").Facts;
                 read++;
             }
-            catch (JsonDocumentException problem)
+            catch (InputException problem)
             {
-                Assert.NotEmpty(problem.Problems);
+                Assert.NotEmpty(problem.Refusals);
                 refused++;
             }
 

@@ -25,11 +25,11 @@ public sealed class PointByPointTests
         var rewrite = Rewriter.Apply(path, wish);
 
         Assert.True(rewrite.IsUsable, rewrite.Refusal?.Message);
-        var after = NcInterpreter.Run(rewrite.Value.Program, NcDialects.FanucMill);
+        var after = NcInterpreter.Run(rewrite.Result.Program, NcDialects.FanucMill);
         Assert.Equal(new Point3(0, 0.003, 1.01), after.Motions[1].End);
         Assert.Equal(new Point3(10.001, 0, 0.98), after.Motions[2].End);
         Assert.Equal(path.Motions[3].End, after.Motions[3].End);
-        Assert.True(Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm).Holds);
+        Assert.True(Prover.Check(path, rewrite.Result.Program, wish, rewrite.Result.LeastIncrementMm).Holds);
     }
 
     [Fact]
@@ -37,7 +37,7 @@ public sealed class PointByPointTests
     {
         var path = Path();
         var wish = DisplacementWish.OfPoints([new(2, new(0, 0, -0.02))]);
-        var good = Encoding.UTF8.GetString(Rewriter.Apply(path, wish).Value!.Program.Bytes.Span);
+        var good = Encoding.UTF8.GetString(Rewriter.Apply(path, wish).Result!.Program.Bytes.Span);
 
         foreach (var (from, to) in (ReadOnlySpan<(string, string)>)[
             ("N40 X20.", "N40 X20.01"), ("Z10.\nN60", "Z10.01\nN60"), ("X50.", "X50.001"), ("Z0.98", "Z0.979")])
@@ -60,7 +60,7 @@ public sealed class PointByPointTests
     {
         var path = Path("N10 G21 G90 G17 G0 X0. Y0. Z0.\nN20 G91 G1 X10. F300\nN30 X10.\nN40 X10.\n");
         var wish = DisplacementWish.OfPoints([new(1, new(0.01, 0, 0)), new(2, new(-0.01, 0, 0))]);
-        var rewrite = Rewriter.Apply(path, wish).Value!;
+        var rewrite = Rewriter.Apply(path, wish).Result!;
 
         Assert.EndsWith(
             "X10.01 F300\nN30 X9.98\nN40 X10.01\n", Encoding.UTF8.GetString(rewrite.Program.Bytes.Span), StringComparison.Ordinal);

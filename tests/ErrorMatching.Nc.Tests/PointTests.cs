@@ -24,9 +24,9 @@ public sealed class PointTests
         const string Program =
             "G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y0.05\nN30 X10.001 Y0.1\nN40 X10.002 Y0.15\nN50 X10.004 Y5.\nG0 Z5.";
         var path = Bench.Read(Program);
-        var once = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N50"), 0.12).Value!).Program;
+        var once = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N50"), 0.12).Result!).Program;
         var again = NcInterpreter.Run(once, path.Dialect);
-        var back = Bench.Rewritten(again, DisplacementWish.Normal(again, Bench.Blocks(again, "N10..N50"), -0.12).Value!).Program;
+        var back = Bench.Rewritten(again, DisplacementWish.Normal(again, Bench.Blocks(again, "N10..N50"), -0.12).Result!).Program;
         var corner = NcInterpreter.Run(back, path.Dialect).Motions[2].PlaneEnd;
         Assert.InRange(corner.X, 9.997, 10.003);
         Assert.InRange(corner.Y, -0.001, 0.001);

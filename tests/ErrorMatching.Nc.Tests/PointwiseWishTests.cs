@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -72,14 +73,14 @@ public class PointwiseWishTests
     public void What_cannot_be_meant_is_refused(string blocks, double x, double y, string code, string block)
     {
         var refusal = Of(Square, [blocks], new DisplacedPoint(new(x, y), new(0.1, 0))).Refusal;
-        Assert.Equal((code, block), (refusal?.Code, refusal?.Block));
+        Assert.Equal((code, block), (refusal?.Code, refusal?.Place.Block));
     }
 
     [Fact]
     public void A_run_without_a_point_is_refused()
     {
         var refusal = Of(Square, ["N10", "N30"], new DisplacedPoint(new(5, 0), new(0.1, 0))).Refusal;
-        Assert.Equal((NcRefusalCodes.RunWithoutPoint, "N30"), (refusal?.Code, refusal?.Block));
+        Assert.Equal((NcRefusalCodes.RunWithoutPoint, "N30"), (refusal?.Code, refusal?.Place.Block));
     }
 
     [Fact]
@@ -102,7 +103,7 @@ public class PointwiseWishTests
     {
         var path = Interpret(Square);
         var wish = Usable(Square, ["N10..N30"], new DisplacedPoint(new(0, 0), new(0, 0.1)), new DisplacedPoint(new(20, 10), new(0.1, 0.1)));
-        var rewrite = Rewriter.Apply(path, wish.Wish).Value!;
+        var rewrite = Rewriter.Apply(path, wish.Wish).Result!;
         Assert.True(Prover.Check(path, rewrite.Program, wish.Wish, rewrite.LeastIncrementMm).Holds);
 
         // The flank at X20 goes by 2/3 to 3/3 of 0.1 in X over its length; the lines along X go up by 0.1 and meet it at Y0.1.
@@ -115,12 +116,12 @@ public class PointwiseWishTests
     private static double[] Xs(ElementWish wish) => [wish.Start.X, wish.Middle.X, wish.End.X];
 
     private static PointwiseWish Usable(string program, string[] blocks, params DisplacedPoint[] points) =>
-        Of(program, blocks, points) is { IsUsable: true } wish ? wish.Value : throw new InvalidOperationException("refused");
+        Of(program, blocks, points) is { IsUsable: true } wish ? wish.Result : throw new InvalidOperationException("refused");
 
-    private static NcOutcome<PointwiseWish> Of(string program, string[] blocks, params DisplacedPoint[] points)
+    private static Outcome<PointwiseWish> Of(string program, string[] blocks, params DisplacedPoint[] points)
     {
         var path = Interpret(program);
-        return PointwiseWish.Of(path, BlockSelector.Select(path.Program, [.. blocks.Select(BlockSelector.Parse)]).Value!, points);
+        return PointwiseWish.Of(path, BlockSelector.Select(path.Program, [.. blocks.Select(BlockSelector.Parse)]).Result!, points);
     }
 
     private static NcPath Interpret(string program) => NcInterpreter.Run(NcProgram.FromText(program), NcDialects.Generic);

@@ -126,7 +126,7 @@ public sealed class ProofTests
             "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F300\n#1=0\no1 while [#1 LT 5]\nN10 Y1\n#1=[#1+1]\no1 endwhile\nN20 X30\nG0 Z5\n",
             NcDialects.LinuxCnc);
         var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), 0.1));
-        if (Rewriter.Apply(path, wish) is { IsUsable: true, Value: var rewrite })
+        if (Rewriter.Apply(path, wish) is { IsUsable: true, Result: var rewrite })
         {
             Assert.Empty(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Failures);
         }
@@ -140,7 +140,7 @@ public sealed class ProofTests
     {
         var path = Bench.Read("G21 G17 G90 G54\nG0 X0 Y0 Z5\nG1 Z-1 F300\nN10 G1 X30 Y5\nN20 G3 X40 Y5 R2147483647\nN30 G1 X50 Y0\n");
         var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N10"), new(by, -by, 0)));
-        if (Rewriter.Apply(path, wish) is { IsUsable: true, Value: var rewrite })
+        if (Rewriter.Apply(path, wish) is { IsUsable: true, Result: var rewrite })
         {
             Assert.Empty(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Failures);
         }
@@ -227,7 +227,7 @@ public sealed class ProofTests
     public void Tampered_end_points_do_not_hold(string was, string now)
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0. Z5.\nN10 G1 Z-1. F100\nN20 X10. Y0.\nN30 G3 X15. Y5. I0. J5.\nG0 Z5.\nX0.\n");
-        var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, "N10..N20"), new(0.1, 0.2, -0.1)).Value!;
+        var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, "N10..N20"), new(0.1, 0.2, -0.1)).Result!;
         var rewrite = Bench.Rewritten(path, wish);
         var good = Bench.Text(rewrite.Program);
         Assert.True(good.Contains(was, StringComparison.Ordinal), good);
@@ -251,7 +251,7 @@ public sealed class ProofTests
     public void Tampered_plunges_and_retracts_do_not_hold(string was, string now, bool isElements)
     {
         var path = Bench.Read("G90 G17\nG0 X0. Y0. Z5.\nG1 Z-1. F100\nN10 X10.\nG0 Z6.\nX50.\n");
-        var wish = (isElements ? DisplacementWish.Normal(path, [3], 0.1) : DisplacementWish.EndsBy(path, [3], new(0.1, 0.1, 0))).Value!;
+        var wish = (isElements ? DisplacementWish.Normal(path, [3], 0.1) : DisplacementWish.EndsBy(path, [3], new(0.1, 0.1, 0))).Result!;
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         Assert.True(good.Contains(was, StringComparison.Ordinal), good);
         Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
@@ -266,7 +266,7 @@ public sealed class ProofTests
     {
         var path = Bench.Read(
             "G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\nX50. Y50.\n");
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N10"), 0.1).Result!;
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         Assert.True(good.Contains(was, StringComparison.Ordinal), good);
         Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
@@ -277,7 +277,7 @@ public sealed class ProofTests
     {
         var good = Encoding.ASCII.GetBytes(Crlf(Good));
         var (checkedDigits, path) = (0, Bench.Read(Crlf(Before)));
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N110..N130"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N110..N130"), 0.1).Result!;
         for (var i = 0; i < good.Length; i++)
         {
             if (char.IsAsciiDigit((char)good[i]))
@@ -313,7 +313,7 @@ public sealed class ProofTests
     private static NcProof Prove(string result, double left, string? marker = null)
     {
         var path = Bench.Read(Crlf(Before));
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N110..N130"), left).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N110..N130"), left).Result!;
         return Prover.Check(path, NcProgram.FromText(result), wish, 0.001, marker);
     }
 

@@ -23,16 +23,16 @@ public sealed class ReadMeTests
             throw new InvalidOperationException(blocks.Refusal.Message);
         }
 
-        var wish = DisplacementWish.Normal(path, blocks.Value, left: 0.1);
-        var rewrite = Rewriter.Apply(path, wish.Value!);
-        var proof = Prover.Check(path, rewrite.Value!.Program, wish.Value!, rewrite.Value.LeastIncrementMm);
+        var wish = DisplacementWish.Normal(path, blocks.Result, left: 0.1);
+        var rewrite = Rewriter.Apply(path, wish.Result!);
+        var proof = Prover.Check(path, rewrite.Result!.Program, wish.Result!, rewrite.Result.LeastIncrementMm);
         // example
 
         Assert.True(proof.Holds);
-        Assert.Equal((4, 3), (rewrite.Value.ChangedWords, rewrite.Value.ChangedBlocks.Count));
+        Assert.Equal((4, 3), (rewrite.Result.ChangedWords, rewrite.Result.ChangedBlocks.Count));
         Assert.Equal([("N10", NeighborRole.Positioning), ("N40", NeighborRole.Slides)], proof.Neighbors.Select(n => (n.Block, n.Role)));
         var readMe = File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Nc", "README.md"));
-        Assert.Contains("```text\n" + Bench.Text(rewrite.Value.Program) + "\n```", readMe, StringComparison.Ordinal);
+        Assert.Contains("```text\n" + Bench.Text(rewrite.Result.Program) + "\n```", readMe, StringComparison.Ordinal);
     }
 
     [Fact]

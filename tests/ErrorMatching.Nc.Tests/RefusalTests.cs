@@ -1,5 +1,6 @@
 using System.Reflection;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -130,9 +131,9 @@ public sealed class RefusalTests
                 .Order(StringComparer.Ordinal));
     }
 
-    private static void AssertRefusal(string code, int line, string block, NcRefusal refusal)
+    private static void AssertRefusal(string code, int line, string block, Refusal refusal)
     {
-        Assert.Equal((code, block, line), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal((code, block, line), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.StartsWith(block + ": ", refusal.Message, StringComparison.Ordinal);
         Assert.EndsWith(".", refusal.Message, StringComparison.Ordinal);
     }

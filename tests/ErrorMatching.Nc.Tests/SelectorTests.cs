@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Nc.Tests;
@@ -19,7 +20,7 @@ public sealed partial class SelectorTests
     [InlineData("N20..N20", "2")]
     [InlineData("/^N[0-9]+ .*\\bG0?2\\b/", "4")]
     [InlineData("/X9/", "5")]
-    public void Blocks_are_found(string selector, string expected) => Assert.Equal(expected, string.Join(' ', Selected(selector).Value!));
+    public void Blocks_are_found(string selector, string expected) => Assert.Equal(expected, string.Join(' ', Selected(selector).Result!));
 
     [Fact]
     public void Several_selectors_give_each_block_once_in_order() =>
@@ -27,7 +28,7 @@ public sealed partial class SelectorTests
             [1, 2, 3],
             BlockSelector.Select(
                 NcProgram.FromText(Program),
-                [BlockSelector.Parse("N20..N30"), BlockSelector.Parse("N10"), BlockSelector.Parse("/N20/")]).Value!);
+                [BlockSelector.Parse("N20..N30"), BlockSelector.Parse("N10"), BlockSelector.Parse("/N20/")]).Result!);
 
     [Theory]
     [InlineData("N999", NcRefusalCodes.BlockNotFound, "N999", 0)]
@@ -39,7 +40,7 @@ public sealed partial class SelectorTests
     public void What_names_no_block_or_several_is_refused(string selector, string code, string block, int line)
     {
         var refusal = Selected(selector).Refusal!;
-        Assert.Equal((code, block, line), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal((code, block, line), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
     }
 
     [Fact]
@@ -47,7 +48,7 @@ public sealed partial class SelectorTests
     {
         // With backtracking this block would take longer than anybody lives.
         var program = NcProgram.FromText("N10 " + new string('a', 200) + "!\nN20 aaa\n");
-        Assert.Equal([1], BlockSelector.Select(program, [BlockSelector.Parse("/N[0-9]+ (a+)+$/")]).Value!);
+        Assert.Equal([1], BlockSelector.Select(program, [BlockSelector.Parse("/N[0-9]+ (a+)+$/")]).Result!);
     }
 
     [Theory]
@@ -57,8 +58,8 @@ public sealed partial class SelectorTests
     [InlineData("/((a{90}){90}){90}/", "look-around")]
     public void An_expression_that_must_backtrack_or_is_too_large_is_refused(string selector, string expected)
     {
-        var error = Assert.Throws<NcException>(() => BlockSelector.Parse(selector));
-        Assert.Equal(NcErrorCode.BadSelector, error.Code);
+        var error = Assert.Throws<InputException>(() => BlockSelector.Parse(selector));
+        Assert.Equal(NcInputCodes.BadSelector, error.Code);
         Assert.Contains(expected, error.Message, StringComparison.Ordinal);
     }
 
@@ -66,7 +67,7 @@ public sealed partial class SelectorTests
     public void An_expression_has_at_most_a_thousand_characters()
     {
         Assert.Equal(1002, BlockSelector.Parse($"/{new string('X', BlockSelector.LongestPattern)}/").Text.Length);
-        var error = Assert.Throws<NcException>(() => BlockSelector.Parse($"/{new string('X', BlockSelector.LongestPattern + 1)}/"));
+        var error = Assert.Throws<InputException>(() => BlockSelector.Parse($"/{new string('X', BlockSelector.LongestPattern + 1)}/"));
         Assert.Contains("1001 characters", error.Message, StringComparison.Ordinal);
     }
 
@@ -83,7 +84,7 @@ public sealed partial class SelectorTests
     [InlineData("//")]
     [InlineData("/(/")]
     public void What_is_no_selector_is_an_error(string selector) =>
-        Assert.Equal(NcErrorCode.BadSelector, Assert.Throws<NcException>(() => BlockSelector.Parse(selector)).Code);
+        Assert.Equal(NcInputCodes.BadSelector, Assert.Throws<InputException>(() => BlockSelector.Parse(selector)).Code);
 
     [Fact]
     public void No_expression_of_the_system_has_a_limit_by_the_clock() => Assert.All(
@@ -96,6 +97,6 @@ public sealed partial class SelectorTests
         Timeout.Infinite)]
     private static partial Regex LimitByTheClock();
 
-    private static NcOutcome<int[]> Selected(string selector) =>
+    private static Outcome<int[]> Selected(string selector) =>
         BlockSelector.Select(NcProgram.FromText(Program), [BlockSelector.Parse(selector)]);
 }

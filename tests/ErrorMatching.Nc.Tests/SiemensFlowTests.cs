@@ -115,7 +115,7 @@ public sealed class SiemensFlowTests
     public void What_cannot_go_on_is_refused_with_its_block(string text, string code, string block)
     {
         var refusal = FlowRun.Of(NcSyntax.Siemens, text).Refusal;
-        Assert.Equal((code, block), (refusal?.Code, refusal?.Block));
+        Assert.Equal((code, block), (refusal?.Code, refusal?.Place.Block));
     }
 
     [Fact]

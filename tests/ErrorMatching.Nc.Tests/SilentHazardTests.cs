@@ -125,7 +125,7 @@ public sealed class SilentHazardTests
     {
         var text = $"G90 G17 G40\nG1 X0 Y0 Z0 F100\n{block}\nG1 X5\nN9 M30\n{(dialect == "fanuc" ? "O2\nG1 X9.\nM99\n" : "")}";
         var path = Bench.Read(text, NcDialects.Named(dialect));
-        Assert.Equal((NcRefusalCodes.BlockSkip, 3), (path.Refusal?.Code, path.Refusal?.Line));
+        Assert.Equal((NcRefusalCodes.BlockSkip, 3), (path.Refusal?.Code, path.Refusal?.Place.Line));
         foreach (var (position, moves) in new[] { (BlockSkip.Off, off), (BlockSkip.On, on) })
         {
             path = Bench.Read(text, NcDialects.Named(dialect).With(position));
@@ -161,8 +161,8 @@ public sealed class SilentHazardTests
     private static string Displaced(NcPath path, string selector, Vector3 by)
     {
         var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, selector), by);
-        var refusal = wish.Refusal ?? Rewriter.Apply(path, wish.Value!).Refusal;
-        return refusal?.Code ?? Bench.Text(Bench.Rewritten(path, wish.Value!).Program);
+        var refusal = wish.Refusal ?? Rewriter.Apply(path, wish.Result!).Refusal;
+        return refusal?.Code ?? Bench.Text(Bench.Rewritten(path, wish.Result!).Program);
     }
 
     private static NcPath Path(string file, string dialect)

@@ -1,3 +1,4 @@
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -48,12 +49,12 @@ public sealed class SoupTests
             var path = Bench.Read(p.Item1, NcDialects.All[p.Item2.Item1]);
             var blocks = Enumerable.Range(1, path.Program.BlockCount - 1).Where(b => b % 3 != p.Item2.Item1).ToArray();
             var d = p.Item2.Item2 / 100.0;
-            foreach (var wish in (NcOutcome<DisplacementWish>[])[
+            foreach (var wish in (Outcome<DisplacementWish>[])[
                 DisplacementWish.Normal(path, blocks, d), DisplacementWish.EndsBy(path, blocks, new(d, -d, d / 2))])
             {
-                if (wish.IsUsable && Rewriter.Apply(path, wish.Value) is { IsUsable: true, Value: var rewrite })
+                if (wish.IsUsable && Rewriter.Apply(path, wish.Result) is { IsUsable: true, Result: var rewrite })
                 {
-                    Prover.Check(path, rewrite.Program, wish.Value, rewrite.LeastIncrementMm);
+                    Prover.Check(path, rewrite.Program, wish.Result, rewrite.LeastIncrementMm);
                     Assert.Equal(path.Program.BlockCount, rewrite.Program.BlockCount);
                 }
             }

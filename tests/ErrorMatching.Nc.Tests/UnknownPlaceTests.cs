@@ -10,8 +10,8 @@ public class UnknownPlaceTests
         var path = NcInterpreter.Run(
             NcProgram.FromText("G17 G40 G90 G71\nG0 X0 Y0 Z0\nG91\nN40 G1 X5 F100\nNOBODY=1\nG0 Z5\n"), NcDialects.Siemens840D);
         var wish = DisplacementWish.EndsBy(path, [3], new(0.1, 0.2, 0.3));
-        var refusal = Rewriter.Apply(path, wish.Value!).Refusal;
-        Assert.Equal((NcRefusalCodes.UnknownState, 6), (refusal!.Code, refusal.Line));
+        var refusal = Rewriter.Apply(path, wish.Result!).Refusal;
+        Assert.Equal((NcRefusalCodes.UnknownState, 6), (refusal!.Code, refusal.Place.Line));
     }
 
     [Fact]
@@ -19,7 +19,7 @@ public class UnknownPlaceTests
     {
         var path = Bench.Read("G17 G40 G90 G21\nG0 X0 Y0 Z0\nG91\nN40 G1 X5 F100\nG55\nG1 Z5\n");
         var wish = DisplacementWish.EndsBy(path, [3], new(0, 0, 0.3));
-        Assert.Equal(NcRefusalCodes.UnknownState, Rewriter.Apply(path, wish.Value!).Refusal!.Code);
+        Assert.Equal(NcRefusalCodes.UnknownState, Rewriter.Apply(path, wish.Result!).Refusal!.Code);
     }
 
     [Theory]
@@ -30,8 +30,8 @@ public class UnknownPlaceTests
     {
         const string Program = "G17 G40 G90 G21\nG0 X0 Y0 Z0\nN40 G1 X5 F100\nX9\nG55\nG91\nG1 Z5\nG1 X7\n";
         var path = Bench.Read(Program);
-        var wish = DisplacementWish.EndsBy(path, [2], new(0, 0.3, 0)).Value!;
-        var rewrite = Rewriter.Apply(path, wish).Value!;
+        var wish = DisplacementWish.EndsBy(path, [2], new(0, 0.3, 0)).Result!;
+        var rewrite = Rewriter.Apply(path, wish).Result!;
         Assert.True(Prover.Check(path, rewrite.Program, wish, rewrite.LeastIncrementMm).Holds);
         var changed = Encoding.ASCII.GetString(rewrite.Program.Bytes.Span).Replace(word, tampered, StringComparison.Ordinal);
         Assert.NotEqual(Encoding.ASCII.GetString(rewrite.Program.Bytes.Span), changed);

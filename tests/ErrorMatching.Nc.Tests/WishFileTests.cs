@@ -2,6 +2,7 @@ using System.Text;
 using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -53,7 +54,7 @@ public sealed partial class WishFileTests
     [Fact]
     public void A_wish_is_about_the_bytes_of_one_program()
     {
-        var file = Again(Bench.Read(Program), DisplacementWish.Normal(Bench.Read(Program), [1], 0.1).Value!, null);
+        var file = Again(Bench.Read(Program), DisplacementWish.Normal(Bench.Read(Program), [1], 0.1).Result!, null);
         Assert.True(file.IsAbout(Bench.Read(Program), "w.json"));
         Assert.False(file.IsAbout(Bench.Read(Program + "\n"), "w.json"));
     }
@@ -78,8 +79,8 @@ public sealed partial class WishFileTests
         var text = TwoElements();
         Assert.Contains(was, text, StringComparison.Ordinal);
         var at = text.IndexOf(was, StringComparison.Ordinal);
-        var problem = Assert.Throws<JsonDocumentException>(() => Read(text[..at] + now + text[(at + was.Length)..])).Problems[0];
-        Assert.True(code is null || (problem.Code, problem.Path) == (code, path), problem.ToString());
+        var problem = Assert.Throws<InputException>(() => Read(text[..at] + now + text[(at + was.Length)..])).Refusals[0];
+        Assert.True(code is null || (problem.Code, problem.Place.Path) == (code, path), problem.ToString());
     }
 
     [Theory]
@@ -94,16 +95,16 @@ public sealed partial class WishFileTests
         var text = TwoElements();
         Assert.Contains(was, text, StringComparison.Ordinal);
         var file = Read(text.Replace(was, now, StringComparison.Ordinal));
-        var problem = Assert.Single(Assert.Throws<JsonDocumentException>(() => file.IsAbout(Bench.Read(Program), "w.json")).Problems);
+        var problem = Assert.Single(Assert.Throws<InputException>(() => file.IsAbout(Bench.Read(Program), "w.json")).Refusals);
         Assert.Equal(code, problem.Code);
-        Assert.Equal(code == "increment-too-coarse" ? 1 : 8, problem.Line);
+        Assert.Equal(code == "increment-too-coarse" ? 1 : 8, problem.Place.Line);
     }
 
     [Fact]
     public void Whatever_a_digit_of_a_wish_becomes_the_proof_fails_or_the_file_is_refused()
     {
         var path = Bench.Read(Program);
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N20..N30"), 0.1).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N20..N30"), 0.1).Result!;
         var result = Bench.Rewritten(path, wish).Program;
         var text = Text(path, wish);
         var tampered = 0;
@@ -132,7 +133,7 @@ public sealed partial class WishFileTests
                 var file = Read(document);
                 return file.IsAbout(path, "w.json") && Prover.Check(path, result, file.Wish, file.LeastIncrementMm, file.Marker).Holds;
             }
-            catch (JsonDocumentException)
+            catch (InputException)
             {
                 return false;
             }

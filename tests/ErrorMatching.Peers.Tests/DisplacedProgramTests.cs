@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -85,16 +86,16 @@ public sealed class DisplacedProgramTests
     private static (
         IReadOnlyList<PeerMotion> Before,
         IReadOnlyList<PeerMotion> After,
-        string Result) Displace(string text, int count, Func<NcPath, int[], NcOutcome<DisplacementWish>> wanted)
+        string Result) Displace(string text, int count, Func<NcPath, int[], Outcome<DisplacementWish>> wanted)
     {
         var path = NcInterpreter.Run(NcProgram.FromText(text, NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc);
         var blocks = BlockSelector.Select(path.Program, [BlockSelector.Parse($"N101..N{100 + count}")]);
         Assert.True(blocks.IsUsable, blocks.Refusal?.Message);
-        var wish = wanted(path, blocks.Value);
+        var wish = wanted(path, blocks.Result);
         Assert.True(wish.IsUsable, wish.Refusal?.Message);
-        var rewrite = Rewriter.Apply(path, wish.Value);
+        var rewrite = Rewriter.Apply(path, wish.Result);
         Assert.True(rewrite.IsUsable, $"{rewrite.Refusal?.Message}\n{text}");
-        var result = Encoding.Latin1.GetString(rewrite.Value.Program.Bytes.Span);
+        var result = Encoding.Latin1.GetString(rewrite.Result.Program.Bytes.Span);
         var (before, after) = (Rs274.Run(text), Rs274.Run(result));
         Assert.True(before.Refusal is null, $"rs274 refuses the original: {before.Refusal}\n{text}");
         Assert.True(after.Refusal is null, $"rs274 refuses the result: {after.Refusal}\n{result}");

@@ -14,7 +14,7 @@ internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, Measur
     public string Name => name;
 
     /// <summary>The values of a header field; none if the file does not have it.</summary>
-    /// <exception cref="MeasurementException">The file cannot be read.</exception>
+    /// <exception cref="InputException">The file cannot be read.</exception>
     public IReadOnlyList<string> HeaderField(string field)
     {
         _fields ??= format is null ? ProbingLogHeader.Read(bytes.Span) : Table().HeaderFields;
@@ -22,7 +22,7 @@ internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, Measur
     }
 
     /// <summary>The values of a column; none if the file does not have it.</summary>
-    /// <exception cref="MeasurementException">The file cannot be read.</exception>
+    /// <exception cref="InputException">The file cannot be read.</exception>
     public IReadOnlyList<string> Column(string column) => format is null ? [] : Table().ColumnTexts(column) ?? [];
 
     private MeasurementFile Table() => _table ??= MeasurementReader.Read(bytes, name, format!);

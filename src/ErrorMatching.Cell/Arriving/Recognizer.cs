@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -43,7 +44,7 @@ public sealed class Recognizer
                     Recorded.AmbiguousPiece.With(Shown(fileName), string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\"")))),
             };
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
             return Recognition.Refused(e.Code, Recorded.UnreadableInside.With(Shown(fileName), e.Message));
         }
@@ -61,7 +62,7 @@ public sealed class Recognizer
         {
             piece = job.Piece ?? Decide(job, fileName, bytes);
         }
-        catch (Exception e) when (e is JsonDocumentException or IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
         {
             return Recognition.Refused(Recognition.UnusableJob, Recorded.UnusableJob.With(job.File, Shown(fileName), e.Message));
         }
@@ -75,16 +76,10 @@ public sealed class Recognizer
         { Recognition: { } rules } mating =>
             rules.Decide(MeasurementReader.Read(bytes, fileName, mating.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart",
         _ =>
-            throw new JsonDocumentException(
-                job.File,
-                [
-                    new(
-                        "recognition-missing",
-                        "$.recognition",
-                        new(1, 1),
-                        "no rules",
-                        "the rules that were there when the cell started",
-                        "the job's rules of recognition are gone")]),
+            throw new InputException(new Refusal(
+                "recognition-missing",
+                "the job's rules of recognition are gone; expected the rules that were there when the cell started.",
+                new() { File = job.File, Line = 1, Column = 1, Path = "$.recognition" })),
     };
 
     private string Asked(string gauge) =>

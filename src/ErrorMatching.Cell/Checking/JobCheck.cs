@@ -1,5 +1,6 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -33,12 +34,12 @@ internal static class JobCheck
             var path = NcInterpreter.Run(
                 NcProgram.Read(InputFile.Program(program)), dialect, new ProgramFolder(program).Find, cancellation);
             return path.Refusal is { } refusal
-                ? new(job, program, null, new(ErrorItems.Of([refusal], program)))
+                ? new(job, program, null, new([refusal.In(program)]))
                 : new(job, program, path.Motions.Length, null);
         }
-        catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+        catch (InputException e)
         {
-            return new(job, program, null, new(items));
+            return new(job, program, null, new(e.Refusals));
         }
     }
 }

@@ -1,6 +1,7 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -62,19 +63,23 @@ public sealed class CorrectionComputer(PolicySettings policy)
                 ? new RefusedComputation(CorrectionCodes.JobChanged, Recorded.JobChanged.With(request.Job.Name))
                 : computation;
         }
-        catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+        catch (InputException e)
         {
-            return Refused(items);
+            return Refused(e.Refusals, r => r.Sentence);
         }
     }
 
     /// <summary>A refusal for a list of errors: the first code, and the reasons in order.</summary>
-    internal static RefusedComputation Refused(IReadOnlyList<ErrorItem> items) => new(
+    internal static RefusedComputation Refused(IReadOnlyList<Refusal> items) =>
+        Refused(items, r => r.Place.Path is null ? r.Message : r.Sentence);
+
+    // The correction names its job and program; only a place inside the job adds to that.
+    private static RefusedComputation Refused(IReadOnlyList<Refusal> items, Func<Refusal, string> words) => new(
         items[0].Code,
-        string.Join(' ', items.Take(MostReasons).Select(i => i.Message))
+        string.Join(' ', items.Take(MostReasons).Select(words))
             + (items.Count > MostReasons ? " " + Recorded.AndMore.With(items.Count - MostReasons) : ""))
     {
-        Block = items[0].Block,
+        Block = items[0].Place.Block,
         MayPass = items[0].Code == MeasurementError.FileUnreadable,
     };
 

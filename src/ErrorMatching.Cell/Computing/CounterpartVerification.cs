@@ -2,6 +2,7 @@ using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -38,9 +39,9 @@ internal sealed record CounterpartVerification(VerifyReport? Report, string Othe
         {
             return Failed(e.Message);
         }
-        catch (Exception e) when (ErrorItems.OfInput(e) is [var item, ..])
+        catch (InputException e)
         {
-            return Failed(item.Message);
+            return Failed(e.Refusals[0].Sentence);
         }
     }
 

@@ -1,5 +1,6 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -17,7 +18,7 @@ internal sealed class MatingCorrection
     /// <param name="request">What is computed from it.</param>
     /// <param name="policy">The policy that applies to it.</param>
     /// <param name="job">The bytes of the job's file.</param>
-    /// <exception cref="JobException">The job cannot be used.</exception>
+    /// <exception cref="InputException">The job cannot be used.</exception>
     public MatingCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
         (_request, _policy, _job, _files) = (request, policy, job, new(MatingJob.Parse(job, request.Job.File)));
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -17,7 +18,7 @@ internal sealed class SurfaceCorrection
     /// <param name="request">What is computed from it.</param>
     /// <param name="policy">The policy that applies to it.</param>
     /// <param name="job">The bytes of the job's file.</param>
-    /// <exception cref="JsonDocumentException">The job cannot be used.</exception>
+    /// <exception cref="InputException">The job cannot be used.</exception>
     public SurfaceCorrection(CorrectionRequest request, PolicySettings policy, byte[] job) =>
         (_request, _policy, _job, _files) = (request, policy, job, new(FreeformJob.Parse(job, request.Job.File)));
 

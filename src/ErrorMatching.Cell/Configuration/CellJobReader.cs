@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -65,9 +66,9 @@ internal sealed class CellJobReader(
         {
             return NamedJob.Read(file);
         }
-        catch (JsonDocumentException e)
+        catch (InputException e)
         {
-            problems.AddRange(FileProblems.Of(item, e.File, e.Problems));
+            problems.AddRange(FileProblems.Of(item, e.Refusals));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -1,26 +1,27 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
 /// <summary>Errors in a configuration, and warnings about what is allowed but unwise.</summary>
 internal sealed class CellProblems
 {
-    private readonly List<JsonProblem> _problems = [];
-    private readonly List<JsonProblem> _warnings = [];
+    private readonly List<Refusal> _problems = [];
+    private readonly List<Refusal> _warnings = [];
 
     /// <summary>Warnings, in document order.</summary>
-    public IReadOnlyList<JsonProblem> Warnings => InOrder(_warnings);
+    public IReadOnlyList<Refusal> Warnings => InOrder(_warnings);
 
     /// <summary>True if there is already an error at a path.</summary>
-    public bool Has(string path) => _problems.Exists(p => p.Path == path);
+    public bool Has(string path) => _problems.Exists(p => p.Place.Path == path);
 
-    public void AddRange(IEnumerable<JsonProblem> problems) => _problems.AddRange(problems.ToArray());
+    public void AddRange(IEnumerable<Refusal> problems) => _problems.AddRange(problems.ToArray());
 
     public void Refuse(JsonItem item, string code, string found, string expected) =>
-        _problems.Add(JsonProblem.At(item, code, found, expected));
+        _problems.Add(JsonRefusal.At(item, code, found, expected));
 
     public void Warn(JsonItem item, string code, string found, string expected) =>
-        _warnings.Add(JsonProblem.At(item, code, found, expected));
+        _warnings.Add(JsonRefusal.At(item, code, found, expected));
 
     /// <summary>Rejects texts with control characters, which no setter types: they would reach command lines and logs.</summary>
     public void RefuseControlCharacters(JsonItem item)
@@ -36,15 +37,15 @@ internal sealed class CellProblems
         }
     }
 
-    /// <exception cref="JsonDocumentException">There is at least one error.</exception>
+    /// <exception cref="InputException">There is at least one error.</exception>
     public void ThrowIfAny(string file)
     {
         if (_problems.Count > 0)
         {
-            throw new JsonDocumentException(file, InOrder(_problems));
+            throw new InputException(file, InOrder(_problems));
         }
     }
 
-    private static JsonProblem[] InOrder(IEnumerable<JsonProblem> problems) =>
-        [.. problems.Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)];
+    private static Refusal[] InOrder(IEnumerable<Refusal> problems) =>
+        [.. problems.Distinct().OrderBy(p => p.Place.Line).ThenBy(p => p.Place.Column)];
 }

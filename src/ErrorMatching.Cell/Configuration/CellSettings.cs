@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -38,5 +39,5 @@ public sealed record CellSettings
     public required PolicySettings Policy { get; init; }
 
     /// <summary>Warnings, in document order, such as plain FTP or a gauge that no job uses.</summary>
-    public IReadOnlyList<JsonProblem> Warnings { get; init; } = [];
+    public IReadOnlyList<Refusal> Warnings { get; init; } = [];
 }

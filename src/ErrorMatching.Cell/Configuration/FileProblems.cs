@@ -1,5 +1,5 @@
-using System.Globalization;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -8,17 +8,15 @@ namespace ErrorMatching.Cell;
 internal static class FileProblems
 {
     /// <summary>Each problem of the file.</summary>
-    public static IEnumerable<JsonProblem> Of(JsonItem item, string file, IEnumerable<JsonProblem> problems) =>
-        problems.Select(p => new JsonProblem(
-        p.Code,
-        item.Path,
-        item.Place,
-        p.Found,
-        p.Expected,
-        string.Create(CultureInfo.InvariantCulture, $"in {file}, line {p.Line}, column {p.Column}, {p.Path}: {p.Message}")));
+    public static IEnumerable<Refusal> Of(JsonItem item, IEnumerable<Refusal> problems) =>
+        problems.Select(p => p with
+        {
+            Message = $"in {p.Sentence}",
+            Place = JsonRefusal.PlaceOf(item),
+        });
 
     /// <summary>Reports a file that cannot be read at all.</summary>
-    public static JsonProblem Unreadable(JsonItem item, string code, string file, Exception why) => JsonProblem.At(
+    public static Refusal Unreadable(JsonItem item, string code, string file, Exception why) => JsonRefusal.At(
         item,
         code,
         why is FileNotFoundException or DirectoryNotFoundException

@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -114,13 +115,13 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             return null;
         }
 
-        var found = new List<JsonProblem>();
+        var found = new List<Refusal>();
         var format = MeasurementFormat.Read(item, found);
         problems.AddRange(item.Kind == JsonItemKind.Text ? found.Select(NameOfFormat) : found);
         return format ?? MeasurementFormat.Points;
 
         // A cell also reads the log of a probing program, which is no table.
-        JsonProblem NameOfFormat(JsonProblem problem) => JsonProblem.At(
+        Refusal NameOfFormat(Refusal problem) => JsonRefusal.At(
             item, problem.Code, problem.Found, "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table");
     }
 }

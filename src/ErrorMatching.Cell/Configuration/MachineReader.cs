@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -43,9 +44,9 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         {
             _ = NcDialects.Read(file);
         }
-        catch (JsonDocumentException e)
+        catch (InputException e)
         {
-            problems.AddRange(FileProblems.Of(item, e.File, e.Problems));
+            problems.AddRange(FileProblems.Of(item, e.Refusals));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

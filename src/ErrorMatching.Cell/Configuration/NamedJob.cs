@@ -2,6 +2,7 @@ using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -50,23 +51,16 @@ internal sealed class NamedJob
 
     /// <summary>Reads the job from a file.</summary>
     /// <param name="file">The absolute path.</param>
-    /// <exception cref="JsonDocumentException">The job is invalid.</exception>
+    /// <exception cref="InputException">The job is invalid.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static NamedJob Read(string file)
     {
         var bytes = JsonInput.Load(file);
         var root = JsonInput.Read(bytes, file);
-        try
-        {
-            return root.Kind == JsonItemKind.Object && root.Find("kind")?.Text == "freeform"
-                ? new(null, FreeformJob.Parse(bytes, file))
-                : new(MatingJob.Parse(bytes, file), null);
-        }
-        catch (JobException e)
-        {
-            throw new JsonDocumentException(e.File, e.Problems);
-        }
+        return root.Kind == JsonItemKind.Object && root.Find("kind")?.Text == "freeform"
+            ? new(null, FreeformJob.Parse(bytes, file))
+            : new(MatingJob.Parse(bytes, file), null);
     }
 
     private string Absolute(string path) => Path.GetFullPath(Mating?.PathOf(path) ?? Freeform!.PathOf(path));

@@ -2,6 +2,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -110,7 +111,7 @@ public sealed partial class JobEdits
             return MatingDraftFiles.Job(saved).AsSpan().SequenceEqual(MatingDraftFiles.Job(draft))
                 && MatingDraftFiles.Theoretical(saved).AsSpan().SequenceEqual(MatingDraftFiles.Theoretical(draft));
         }
-        catch (Exception e) when (e is JobException or MeasurementException or DraftException)
+        catch (Exception e) when (e is InputException or DraftException)
         {
             return false;
         }
@@ -243,7 +244,7 @@ public sealed partial class JobEdits
         {
             return InputFile.Program(path);
         }
-        catch (NcException e)
+        catch (InputException e) when (e.Code == NcInputCodes.ProgramTooLarge)
         {
             throw new JobEditException(JobEditException.Wrong, e.Message);
         }

@@ -4,6 +4,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -39,8 +40,7 @@ public sealed partial class JobEdits
     /// <param name="version">One of its <see cref="Versions"/>.</param>
     /// <exception cref="StoreException">The store is unavailable, or a content is damaged.</exception>
     /// <exception cref="JobEditException">A file of the job was not stored with it.</exception>
-    /// <exception cref="JobException">The job is no longer usable.</exception>
-    /// <exception cref="MeasurementException">Its theoretical points are no longer usable.</exception>
+    /// <exception cref="InputException">The job is no longer usable. Its theoretical points are no longer usable.</exception>
     /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public MatingDraft Open(CellJobSettings job, JobVersion version)
     {
@@ -111,7 +111,7 @@ public sealed partial class JobEdits
             var root = JsonInput.Read(store.Content(version.Sha256), version.Files[^1].Name);
             return root.Kind == JsonItemKind.Object && root.Find("name") is { Kind: JsonItemKind.Text } name ? name.Text : "";
         }
-        catch (JsonDocumentException)
+        catch (InputException)
         {
             return "";
         }
@@ -131,7 +131,7 @@ public sealed partial class JobEdits
                 (Path.GetFileName(job.File), bytes),
             ];
         }
-        catch (Exception e) when (e is InputException or JobException)
+        catch (InputException)
         {
             return [];
         }

@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -151,7 +152,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
             {
                 named = NamedJob.Read(other.File).Files;
             }
-            catch (Exception e) when (e is JsonDocumentException or IOException or UnauthorizedAccessException)
+            catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
             {
                 // Its own measurements report that it is unusable, so nothing in it can be damaged.
                 continue;
@@ -197,7 +198,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         {
             return InputFile.Job(job.File).Compensation.From;
         }
-        catch (Exception e) when (e is InputException or JobException)
+        catch (InputException)
         {
             // A job that cannot be read has decided nothing.
             return null;

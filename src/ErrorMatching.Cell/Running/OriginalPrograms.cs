@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -7,8 +8,7 @@ namespace ErrorMatching.Cell;
 internal sealed class OriginalPrograms(CellSettings settings)
 {
     /// <summary>The original program of a job; null for a free-form job that computes its tool path.</summary>
-    /// <exception cref="InputException">The job or the program cannot be opened.</exception>
-    /// <exception cref="Json.JsonDocumentException">The job is invalid.</exception>
+    /// <exception cref="InputException">The job or the program cannot be opened. The job is invalid.</exception>
     public static ReadOnlyMemory<byte>? Of(CellJobSettings job)
     {
         if (!job.IsFreeform)
@@ -33,7 +33,7 @@ internal sealed class OriginalPrograms(CellSettings settings)
                     hashes.Add(Convert.ToHexStringLower(SHA256.HashData(bytes.Span)));
                 }
             }
-            catch (Exception e) when (e is InputException or Json.JsonDocumentException)
+            catch (InputException)
             {
                 // The job's own measurements report it.
             }

@@ -1,6 +1,7 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -38,7 +39,7 @@ internal sealed record RevertedBase(Correction By)
                 && OriginalPrograms.Of(settings) is { } original
                 && new KeptFile("", original).Sha256 == sha256;
         }
-        catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
+        catch (InputException)
         {
             // An unreadable program cannot be distinguished from the reverted one, so this gives the cautious answer.
             return false;

@@ -3,7 +3,7 @@ using System.Text;
 namespace ErrorMatching.Console;
 
 /// <summary>A result that can be written as JSON for a script and as text for a person.</summary>
-internal abstract class Answer : Outcome
+internal abstract class Answer : VerbResult
 {
     /// <summary>Why the result must not be used although there is something to show; null if it may be used.</summary>
     public virtual Failure? Failure => null;

@@ -1,5 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -7,33 +8,29 @@ namespace ErrorMatching.Console;
 internal static class FailureOfCell
 {
     /// <summary>An act that a person may not do, or a failed operation on users or secrets.</summary>
-    public static Failure People(PeopleException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
+    public static Failure People(PeopleException e) => new(ExitOf(e.Error), new Refusal(CodeOf(e.Error), e.Message));
 
     /// <summary>A failed store call.</summary>
-    public static Failure Store(StoreException e) => new(ExitOf(e.Error), new ErrorItem(CodeOf(e.Error), e.Message));
+    public static Failure Store(StoreException e) => new(ExitOf(e.Error), new Refusal(CodeOf(e.Error), e.Message));
 
     /// <summary>A decision that cannot be carried out. An unknown number is wrong input; everything else is a refusal.</summary>
     public static Failure Decision(DecisionException e) =>
-        new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new ErrorItem(e.Code, e.Message));
+        new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new Refusal(e.Code, e.Message));
 
     /// <summary>A failed transfer to or from a machine.</summary>
-    public static Failure Machine(TransportException e) => new(ExitCode.Outside, new ErrorItem(CellCodes.Of(e.Error), e.Message));
+    public static Failure Machine(TransportException e) => new(ExitCode.Outside, new Refusal(CellCodes.Of(e.Error), e.Message));
 
     /// <summary>A password that could not be read.</summary>
-    public static Failure Secret(SecretInputException e) => new(ExitCode.WrongInput, new ErrorItem("no-password", e.Message));
+    public static Failure Secret(SecretInputException e) => new(ExitCode.WrongInput, new Refusal("no-password", e.Message));
 
     /// <summary>A machine that the configuration does not name.</summary>
-    public static Failure UnknownMachine(CellSettings settings, string machine) => new(ExitCode.WrongInput, new ErrorItem(
+    public static Failure UnknownMachine(CellSettings settings, string machine) => new(ExitCode.WrongInput, new Refusal(
         "unknown-machine",
-        $"{settings.File} names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.")
-    {
-        File = settings.File,
-        Path = "$.machines",
-        Problem = $"names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.",
-    });
+        $"names no machine {machine}; it names {string.Join(", ", settings.Machines.Select(m => m.Name))}.",
+        new() { File = settings.File, Path = "$.machines" }));
 
     /// <summary>An audit trail that differs from what was written.</summary>
-    public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new ErrorItem(CodeOf(fault.Kind), fault.Message));
+    public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new Refusal(CodeOf(fault.Kind), fault.Message));
 
     /// <summary>The code of an error about users or secrets.</summary>
     public static string CodeOf(PeopleError error) => error switch

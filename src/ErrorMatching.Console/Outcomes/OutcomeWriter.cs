@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -19,7 +20,7 @@ internal static class OutcomeWriter
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping
     };
 
-    public static ExitCode Write(Outcome outcome, Terminal terminal, bool isJson)
+    public static ExitCode Write(VerbResult outcome, Terminal terminal, bool isJson)
     {
         switch (outcome)
         {
@@ -67,7 +68,7 @@ internal static class OutcomeWriter
     {
         foreach (var error in failure?.Errors ?? [])
         {
-            terminal.Error.Write(PrintedText.OneLine(Place(error) + (error.Problem ?? error.Message)) + "\n");
+            terminal.Error.Write(PrintedText.OneLine(Line(error)) + "\n");
         }
     }
 
@@ -85,16 +86,16 @@ internal static class OutcomeWriter
     }
 
     /// <summary>Writes one item with the members that apply to it.</summary>
-    public static void Write(Utf8JsonWriter json, ErrorItem item)
+    public static void Write(Utf8JsonWriter json, Refusal item)
     {
         json.WriteStartObject();
         json.WriteString("code", item.Code);
-        json.WriteString("message", item.Message);
-        WriteText(json, "file", item.File);
-        WriteNumber(json, "line", item.Line);
-        WriteNumber(json, "column", item.Column);
-        WriteText(json, "path", item.Path);
-        WriteText(json, "block", item.Block);
+        json.WriteString("message", item.Sentence);
+        WriteText(json, "file", item.Place.File);
+        WriteNumber(json, "line", item.Place.Line);
+        WriteNumber(json, "column", item.Place.Column);
+        WriteText(json, "path", item.Place.Path);
+        WriteText(json, "block", item.Place.Block);
         json.WriteEndObject();
     }
 
@@ -114,20 +115,25 @@ internal static class OutcomeWriter
         }
     }
 
-    // file:line:column: the form that editors and build logs recognize. Without a separate problem, the message contains the place.
-    private static string Place(ErrorItem error)
+    // file:line:column: the form that editors and build logs recognize.
+    private static string Line(Refusal error)
     {
-        if (error.Problem is null)
+        var place = error.Place;
+        if (error.NamesFile || (place.File ?? place.Path) is not { } at)
         {
-            return "errormatch: ";
+            return "errormatch: " + error.Message;
         }
 
-        var place = new StringBuilder(error.File ?? error.Path ?? "errormatch");
-        foreach (var number in new[] { error.Line, error.Column })
+        var line = new StringBuilder(at);
+        foreach (var number in new[] { place.Line, place.Column })
         {
-            place.Append(number is null ? "" : string.Create(CultureInfo.InvariantCulture, $":{number}"));
+            line.Append(number is null ? "" : string.Create(CultureInfo.InvariantCulture, $":{number}"));
         }
 
-        return place.Append(error.File is null || error.Path is null ? "" : ":" + error.Path).Append(": ").ToString();
+        line.Append(place.File is null || place.Path is null ? "" : ":" + place.Path).Append(": ");
+
+        // A block without a number is named by its line, which the place in front has already.
+        var name = place.Line is { } first ? string.Create(CultureInfo.InvariantCulture, $"line {first}: ") : "";
+        return line.Append(error.Message.StartsWith(name, StringComparison.Ordinal) ? error.Message[name.Length..] : error.Message).ToString();
     }
 }

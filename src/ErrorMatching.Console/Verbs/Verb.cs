@@ -24,7 +24,7 @@ internal abstract class Verb : Command
     /// <summary>Runs the command.</summary>
     /// <param name="arguments">The user's arguments, parsed without errors.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>
-    public abstract Outcome Run(ParseResult arguments, CancellationToken cancellation);
+    public abstract VerbResult Run(ParseResult arguments, CancellationToken cancellation);
 
     /// <summary>An option for a file.</summary>
     protected static Option<string> FileOption(string name, string description) =>

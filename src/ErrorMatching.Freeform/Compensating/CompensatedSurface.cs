@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -31,7 +32,7 @@ internal sealed record CompensatedSurface(
 
     /// <summary>Returns why no surface may be fitted through the compensation points, or null. Such a surface ends at its points and
     /// ignores trimming: it would cut across holes and leave edges uncut.</summary>
-    public static FreeformRefusal? Refusal(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
+    public static Refusal? Refusal(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
     {
         const string instead = "Use \"of\": \"error\" under fit, which keeps the limits of the nominal surface";
         if (!IsThroughPoints(job, field))

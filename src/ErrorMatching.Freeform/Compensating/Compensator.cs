@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -16,8 +17,8 @@ public static class Compensator
     private const double FarMore = 4;
 
     /// <summary>Calculates the compensated surface, or returns the reasons for refusing it.</summary>
-    /// <exception cref="FreeformException">A measured point has no foot, or there are too few for the job's fit or alignment.</exception>
-    public static CompensationOutcome Compensate(CompensationInput input)
+    /// <exception cref="InputException">A measured point has no foot, or there are too few for the job's fit or alignment.</exception>
+    public static Outcome<CompensationResult> Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
         MeasuredPoints.ThrowIfTwice(input.Measured);
@@ -36,19 +37,19 @@ public static class Compensator
         {
             if (OtherStage(repeats[k], input.Measured[k].File, job, stock) is { } other)
             {
-                return new(null, [other]);
+                return other;
             }
         }
 
         var samples = repeats.Length == 1 ? repeats[0] : Average(repeats, notes, warnings);
         if (BeyondLimit(samples, job, stock) is { } refusal)
         {
-            return new(null, [refusal]);
+            return refusal;
         }
 
         if (Outlying(samples, repeats, input.Measured) is { } outlying)
         {
-            return new(null, [outlying]);
+            return outlying;
         }
 
         var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
@@ -60,13 +61,13 @@ public static class Compensator
         var compensated = job.Compensation.Mirror ? systematic : mean;
         if (CompensatedSurface.Refusal(nominal, job, samples, compensated) is { } lost)
         {
-            return new(null, [lost]);
+            return lost;
         }
 
         var surface = CompensatedSurface.Of(nominal, job, samples, compensated);
         if (surface.LargestMoveMm > job.Compensation.LimitMm)
         {
-            return CompensationOutcome.Refused("beyond-limit", string.Create(
+            return new Refusal("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
                 $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm "
                     + $"from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
@@ -103,7 +104,7 @@ public static class Compensator
                     + $"one to the next, and between them more may be left. Measure more points to know."));
         }
 
-        return new(result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) }, []);
+        return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
     }
 
     // The actual residual of the surface through the points. It may miss the nominal surface and the measurement by any amount.
@@ -135,7 +136,7 @@ public static class Compensator
     }
 
     // Mirroring missing or remaining stock as if it were an error would spoil the piece.
-    private static FreeformRefusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
+    private static Refusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
     {
         var mean = samples.Sum(s => s.ErrorMm) / samples.Count;
         var found = MeasuredStage.Of(job, mean + stock);
@@ -147,7 +148,7 @@ public static class Compensator
                 + $"measuring.measuredAfter."));
     }
 
-    private static FreeformRefusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
+    private static Refusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
     {
         var beyond = samples.Where(s => Math.Abs(s.ErrorMm) > job.Compensation.LimitMm).ToArray();
         if (beyond.Length == 0)
@@ -169,7 +170,7 @@ public static class Compensator
     }
 
     // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
-    private static FreeformRefusal? Outlying(
+    private static Refusal? Outlying(
         IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
     {
         var points = OutlyingPoints.Of(samples);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -25,7 +26,7 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
     public double MisfitMm { get; private set; }
 
     /// <summary>Follows the whole path. Null, or why it cannot be displaced.</summary>
-    public NcRefusal? Follow()
+    public Refusal? Follow()
     {
         for (var i = 0; i < path.Motions.Length; i++)
         {
@@ -72,7 +73,7 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
         return [.. moves.Select(m => new PointWish(m.Key, m.Value))];
     }
 
-    private NcRefusal? Refused(in NcMotion motion, SurfaceContact end)
+    private Refusal? Refused(in NcMotion motion, SurfaceContact end)
     {
         var deepest = Deepest(motion, end);
         if (deepest < -SurfaceDisplacer.TouchMm)
@@ -120,7 +121,7 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
         }
     }
 
-    private NcRefusal OffSurface() => SurfaceDisplacer.Misread(path) ?? new NcRefusal("program-off-surface", "", 0, string.Create(
+    private Refusal OffSurface() => SurfaceDisplacer.Misread(path) ?? new Refusal("program-off-surface", string.Create(
         CultureInfo.InvariantCulture,
         $"No cut of the program touches the surface with a ball of {2 * radiusMm} mm within {SurfaceDisplacer.TouchMm} mm. {Check}"));
 

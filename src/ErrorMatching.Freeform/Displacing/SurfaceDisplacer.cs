@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -30,8 +31,8 @@ public static class SurfaceDisplacer
     /// nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or
     /// places that are not known near the surface, what cannot be rewritten, or a proof that fails.
     /// </returns>
-    /// <exception cref="NcException">The program is too large.</exception>
-    public static NcOutcome<DisplacedProgram> Displace(
+    /// <exception cref="InputException">The program is too large.</exception>
+    public static Outcome<DisplacedProgram> Displace(
         PartSurface surface,
         ErrorField field,
         double gain,
@@ -55,7 +56,7 @@ public static class SurfaceDisplacer
         return followed.Follow() is { } off ? off : Proved(path, program, followed, measurementSha256);
     }
 
-    private static NcOutcome<DisplacedProgram> Proved(
+    private static Outcome<DisplacedProgram> Proved(
         NcPath path, ReadOnlyMemory<byte> program, FollowedPath followed, string measurementSha256)
     {
         var syntax = path.Dialect.Syntax;
@@ -66,17 +67,17 @@ public static class SurfaceDisplacer
             return rewrite.Refusal.Code == NcRefusalCodes.UnknownState ? Misread(path) ?? rewrite.Refusal : rewrite.Refusal;
         }
 
-        var marker = rewrite.Value.Patches.Count == 0
+        var marker = rewrite.Result.Patches.Count == 0
             ? null
             : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
-        var displaced = marker is null ? rewrite.Value.Program : NcProgram.Read(marker.InsertInto(rewrite.Value.Program), syntax);
-        var proof = Prover.Check(path, displaced, wish, rewrite.Value.LeastIncrementMm, marker?.TextIn(syntax));
+        var displaced = marker is null ? rewrite.Result.Program : NcProgram.Read(marker.InsertInto(rewrite.Result.Program), syntax);
+        var proof = Prover.Check(path, displaced, wish, rewrite.Result.LeastIncrementMm, marker?.TextIn(syntax));
         return proof.Holds
             ? new DisplacedProgram(
                 displaced,
                 path,
                 wish,
-                rewrite.Value,
+                rewrite.Result,
                 proof,
                 marker,
                 followed.Touching,
@@ -87,7 +88,7 @@ public static class SurfaceDisplacer
     }
 
     // What is wrong with the program wherever it goes. A marker counts even where it is damaged: only what was compensated has one.
-    private static NcRefusal? BeforeAll(NcPath path)
+    private static Refusal? BeforeAll(NcPath path)
     {
         if (Marker.Find(path.Program) is [var (block, _), ..])
         {
@@ -103,7 +104,7 @@ public static class SurfaceDisplacer
     }
 
     // Where the dialect is another's, everything behind the first unknown code goes wrong: that one is to blame.
-    internal static NcRefusal? Misread(NcPath path) => path.Problems is [var problem, ..]
+    internal static Refusal? Misread(NcPath path) => path.Problems is [var problem, ..]
         ? Refuse(
             path,
             problem.Block,
@@ -112,10 +113,6 @@ public static class SurfaceDisplacer
                 + $"{path.Dialect.Name}, is the control that the program was posted for.")
         : null;
 
-    internal static NcRefusal Refuse(NcPath path, int position, string code, string message)
-    {
-        var block = path.Program[position];
-        var name = path.Program.NameOf(block);
-        return new(code, name, block.Line, $"{name}: {message}");
-    }
+    internal static Refusal Refuse(NcPath path, int position, string code, string message) =>
+        BlockRefusal.At(path.Program, position, code, message);
 }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -38,14 +39,14 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
     /// <param name="points">Points of the plan with their measured contacts; at least six.</param>
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="FreeformException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Of"/>.</exception>
+    /// <exception cref="InputException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Of"/>.</exception>
     public static SurfaceAlignment BestFit(
         PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(points);
         if (points.Count < 6)
         {
-            throw new FreeformException("too-few-points", file, $"{points.Count} points for an alignment; at least 6 are expected");
+            throw InputException.At("too-few-points", file, $"{points.Count} points for an alignment; at least 6 are expected");
         }
 
         var center = points.Aggregate(default(Vector3), (s, p) => s + (p.Contact - default(Point3))) * (1.0 / points.Count);

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,7 +13,7 @@ public static class SurfaceErrors
     /// <param name="points">Points of the measuring plan with their measured contacts, in millimeters.</param>
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="FreeformException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
+    /// <exception cref="InputException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
     public static IReadOnlyList<ErrorSample> Of(
         PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
@@ -23,7 +24,7 @@ public static class SurfaceErrors
         {
             if (NormalFoot.Of(surface.Spline, contact, plan.U, plan.V) is not { } foot)
             {
-                throw new FreeformException("no-foot", file, string.Create(
+                throw InputException.At("no-foot", file, string.Create(
                     CultureInfo.InvariantCulture,
                     $"point {plan.Number} was measured at {PlaceText.Words(contact, 4)}, where no normal of the surface leads; near "
                         + $"{PlaceText.Words(plan.Position, 4)} is expected"));

@@ -15,7 +15,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     /// <param name="job">Stock, stage and alignment.</param>
     /// <param name="surface">The nominal surface.</param>
     /// <param name="pieces">At least one.</param>
-    /// <exception cref="FreeformException">Two pieces are the same measurement (<c>same-measurement</c>); otherwise as for
+    /// <exception cref="InputException">Two pieces are the same measurement (<c>same-measurement</c>); otherwise as for
     /// <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
     public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
     {

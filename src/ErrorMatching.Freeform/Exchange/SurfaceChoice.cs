@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -14,14 +15,14 @@ internal static class SurfaceChoice
     /// <param name="names">The name of each surface, empty if it has none; at least one.</param>
     /// <param name="entity">Name or number; null for the only one.</param>
     /// <param name="read">Reads a surface, to report its extent.</param>
-    /// <exception cref="FreeformException">No surface matches, or several do.</exception>
+    /// <exception cref="InputException">No surface matches, or several do.</exception>
     public static int Of(string file, IReadOnlyList<string> names, string? entity, Func<int, ReadSurface> read)
     {
         if (entity is null)
         {
             return names.Count == 1
                 ? 0
-                : throw new FreeformException(
+                : throw InputException.At(
                     "several-surfaces",
                     file,
                     $"it has {names.Count} surfaces: {List(names, read)}. Say which one by name or number (\"surfaceEntity\" in the job)");
@@ -30,13 +31,13 @@ internal static class SurfaceChoice
         var named = Enumerable.Range(0, names.Count).Where(i => names[i] == entity).ToList();
         return named.Count == 1 ? named[0]
             : named.Count > 1
-                ? throw new FreeformException(
+                ? throw InputException.At(
                     "several-surfaces",
                     file,
                     $"{named.Count} surfaces are called {ExchangeLimits.Quote(entity)}: say which one by number: {List(names, read)}")
             : int.TryParse(entity, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= names.Count
                 ? number - 1
-            : throw new FreeformException(
+            : throw InputException.At(
                 "no-such-surface", file, $"no surface is called or numbered {ExchangeLimits.Quote(entity)}; it has {List(names, read)}");
     }
 
@@ -71,7 +72,7 @@ internal static class SurfaceChoice
                 $"x {points.Min(p => p.X):0.#} to {points.Max(p => p.X):0.#}, y {points.Min(p => p.Y):0.#} to "
                     + $"{points.Max(p => p.Y):0.#}, z {points.Min(p => p.Z):0.#} to {points.Max(p => p.Z):0.#}");
         }
-        catch (FreeformException e)
+        catch (InputException e)
         {
             return e.Code;
         }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -19,14 +20,14 @@ public static partial class SurfaceReader
     /// <param name="entity">Name or number, from 1, of the surface if the file has several; null if it has one.</param>
     /// <param name="outsideIsUp">True if the material is below the surface (towards -z), false if above it.</param>
     /// <returns>The surface in millimeters with its boundaries.</returns>
-    /// <exception cref="Measurement.MeasurementException">A grid (<c>.csv</c>) is unreadable or does not determine a surface.</exception>
-    /// <exception cref="FreeformException">The file is broken, does not contain the surface, or contains several matching ones; or the
+    /// <exception cref="Measurement.InputException">A grid (<c>.csv</c>) is unreadable or does not determine a surface.</exception>
+    /// <exception cref="InputException">The file is broken, does not contain the surface, or contains several matching ones; or the
     /// surface is vertical somewhere or folded, so that up and down are ambiguous.</exception>
     public static PartSurface Read(ReadOnlySpan<byte> bytes, string file, string? entity, bool outsideIsUp)
     {
         if (bytes.Length > ExchangeLimits.MaxBytes)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
@@ -42,7 +43,7 @@ public static partial class SurfaceReader
             var far = read.Spline.Poles.ToArray().Max(p => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z))));
             return far <= LargestMm
                 ? new(read.Name, read.Spline, read.Region, SurfaceSide.Of(read, file, outsideIsUp))
-                : throw new FreeformException(
+                : throw InputException.At(
                     "implausible",
                     file,
                     string.Create(
@@ -52,7 +53,7 @@ public static partial class SurfaceReader
         }
         catch (GeometryException e)
         {
-            throw new FreeformException("bad-surface", file, e.Message);
+            throw InputException.At("bad-surface", file, e.Message);
         }
     }
 

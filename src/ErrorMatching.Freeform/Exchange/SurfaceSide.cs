@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,7 +13,7 @@ internal static class SurfaceSide
     private const double Level = 1e-9;
 
     /// <summary>Returns +1 if the surface's own normal points out of the material, otherwise -1.</summary>
-    /// <exception cref="FreeformException">The normal points up in some places and down in others, or is horizontal everywhere.</exception>
+    /// <exception cref="InputException">The normal points up in some places and down in others, or is horizontal everywhere.</exception>
     public static int Of(ReadSurface surface, string file, bool outsideIsUp)
     {
         var (spline, up, down) = (surface.Spline, default(SurfacePoint?), default(SurfacePoint?));
@@ -34,13 +35,13 @@ internal static class SurfaceSide
             (not null, null) => outsideIsUp ? 1 : -1,
             (null, not null) => outsideIsUp ? -1 : 1,
             (null, null) =>
-                throw new FreeformException(
+                throw InputException.At(
                     "upright-surface",
                     file,
                     $"surface {surface.Name} stands upright everywhere: its normal points neither to +z nor to -z. Turn the piece as it "
                         + $"is cut, the tool's axis along z"),
             _ =>
-                throw new FreeformException(
+                throw InputException.At(
                     "folded-surface",
                     file,
                     $"surface {surface.Name} turns over: its normal points up at {Place(up.Value.Position)} and down at "

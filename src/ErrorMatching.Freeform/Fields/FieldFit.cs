@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -13,7 +14,7 @@ public static class FieldFit
     /// <param name="samples">Measured errors on the lines of a grid, in any order; curves may have different numbers of points.</param>
     /// <param name="pointUncertaintyMm">Stated standard uncertainty of one measured point along the normal, in millimeters; zero if
     /// unknown. Stated uncertainties are never smaller than it allows.</param>
-    /// <exception cref="FreeformException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is not
+    /// <exception cref="InputException"><c>no-samples</c>; <c>too-many-samples</c>; <c>not-finite</c> if a parameter or an error is not
     /// a finite number.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is negative or not finite.</exception>
     public static FittedField Fit(IReadOnlyList<ErrorSample> samples, double pointUncertaintyMm = 0)
@@ -41,12 +42,12 @@ public static class FieldFit
     {
         if (samples.Count == 0)
         {
-            throw new FreeformException("no-samples", "measured errors", "no measured point; at least one is expected");
+            throw InputException.At("no-samples", "measured errors", "no measured point; at least one is expected");
         }
 
         if (samples.Count > MostSamples)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "too-many-samples",
                 "measured errors",
                 string.Create(CultureInfo.InvariantCulture, $"{samples.Count} measured points; at most {MostSamples} are taken"));
@@ -56,7 +57,7 @@ public static class FieldFit
         {
             if (!double.IsFinite(sample.U) || !double.IsFinite(sample.V) || !double.IsFinite(sample.ErrorMm))
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "not-finite",
                     "measured errors",
                     string.Create(

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -29,7 +30,7 @@ public sealed class RepeatedMeasurement
 
     /// <summary>Averages measurements of the same points.</summary>
     /// <param name="measurements">One list per measurement. Points are identified by their number, and lists may lack points.</param>
-    /// <exception cref="FreeformException"><c>no-samples</c>; <c>doubled-point</c> if a list contains a point twice;
+    /// <exception cref="InputException"><c>no-samples</c>; <c>doubled-point</c> if a list contains a point twice;
     /// <c>not-finite</c>.</exception>
     public static RepeatedMeasurement Of(IReadOnlyList<IReadOnlyList<ErrorSample>> measurements)
     {
@@ -60,7 +61,7 @@ public sealed class RepeatedMeasurement
 
         if (order.Count == 0)
         {
-            throw new FreeformException("no-samples", "repeated measurements", "no measured point; at least one is expected");
+            throw InputException.At("no-samples", "repeated measurements", "no measured point; at least one is expected");
         }
 
         var points = order.ConvertAll(number => Average(first[number], values[number].ConvertAll(v => v.Error)));
@@ -118,6 +119,7 @@ public sealed class RepeatedMeasurement
         }
     }
 
-    private static FreeformException Refused(string code, int measurement, FormattableString problem) =>
-        new(code, string.Create(CultureInfo.InvariantCulture, $"measurement {measurement + 1}"), FormattableString.Invariant(problem));
+    private static InputException Refused(string code, int measurement, FormattableString problem) =>
+        InputException.At(
+            code, string.Create(CultureInfo.InvariantCulture, $"measurement {measurement + 1}"), FormattableString.Invariant(problem));
 }

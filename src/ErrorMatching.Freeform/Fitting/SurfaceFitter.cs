@@ -11,7 +11,7 @@ public static class SurfaceFitter
     /// <param name="curveToleranceMm">Mean distance in millimeters that determines the degree and poles of the curves of
     /// <see cref="FitMethod.ThroughCurves"/> and <see cref="FitMethod.ThroughCurveMesh"/>: the lowest degree that stays below it.</param>
     /// <exception cref="GeometryException">The points do not determine a surface.</exception>
-    /// <exception cref="FreeformException">As for <see cref="BestSurface.Fit"/>.</exception>
+    /// <exception cref="InputException">As for <see cref="BestSurface.Fit"/>.</exception>
     public static FittedSurface Fit(PointGrid grid, FitMethod method, double curveToleranceMm)
     {
         ArgumentNullException.ThrowIfNull(grid);

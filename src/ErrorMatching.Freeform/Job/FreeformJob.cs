@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -59,7 +60,7 @@ public sealed record FreeformJob
     /// <summary>Parses a job.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">Name for messages. Relative paths are resolved against it.</param>
-    /// <exception cref="JsonDocumentException">The bytes are not JSON or violate the schema, or the job contradicts itself. The exception
+    /// <exception cref="InputException">The bytes are not JSON or violate the schema, or the job contradicts itself. The exception
     /// lists all problems.</exception>
     public static FreeformJob Parse(ReadOnlySpan<byte> bytes, string file)
     {
@@ -67,12 +68,12 @@ public sealed record FreeformJob
         var problems = Schema.Value.Check(document);
         if (problems.Count > 0)
         {
-            throw new JsonDocumentException(file, problems);
+            throw new InputException(file, problems);
         }
 
         var reader = new FreeformJobReader(document);
         var job = reader.Read(file, Convert.ToHexStringLower(SHA256.HashData(bytes)));
-        return reader.Problems.Count == 0 ? job : throw new JsonDocumentException(file, reader.Problems);
+        return reader.Problems.Count == 0 ? job : throw new InputException(file, reader.Problems);
     }
 
     /// <summary>Resolves a path of the job: relative paths start from the job's folder, absolute paths are kept.</summary>

@@ -1,11 +1,12 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>Converts a schema-valid document to a job, and collects the problems that a schema cannot detect.</summary>
 internal sealed class FreeformJobReader(JsonItem root)
 {
-    public List<JsonProblem> Problems { get; } = [];
+    public List<Refusal> Problems { get; } = [];
 
     public FreeformJob Read(string file, string sha256) => new()
     {
@@ -166,5 +167,5 @@ internal sealed class FreeformJobReader(JsonItem root)
     private static int? Count(JsonItem item, string key) => (int?)item.Find(key)?.Number;
 
     private void Refuse(JsonItem item, string code, string found, string expected) =>
-        Problems.Add(JsonProblem.At(item, code, found, expected));
+        Problems.Add(JsonRefusal.At(item, code, found, expected));
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -17,13 +18,13 @@ public sealed record ToolCall(int? Number, string? Name, int LengthOffset)
         && name.All(c => char.IsAsciiLetterOrDigit(c) || c is ' ' or '_' or '-' or '.' or '+' or '/' or '#');
 
     /// <summary>The value of a template's placeholder.</summary>
-    /// <exception cref="FreeformException">The tool has no such value (<c>bad-template</c>).</exception>
+    /// <exception cref="InputException">The tool has no such value (<c>bad-template</c>).</exception>
     internal string ValueOf(string place, string template) => place switch
     {
         "tool.number" when Number is { } number => number.ToString(CultureInfo.InvariantCulture),
         "tool.name" when Name is { } name => name,
         "tool.offset" => LengthOffset.ToString(CultureInfo.InvariantCulture),
-        _ => throw new FreeformException(
+        _ => throw InputException.At(
             "bad-template", template, $"it asks for {{{place}}}, but the job calls its tool by its {(Name is null ? "number" : "name")}."),
     };
 }

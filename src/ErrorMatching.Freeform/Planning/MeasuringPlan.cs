@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Where and in which order a surface is probed, and what prevents it.</summary>
@@ -52,7 +54,7 @@ public sealed record MeasuringPlan
     public double TravelMm => Access.TravelMm;
 
     /// <summary>Why the plan cannot be used; empty if every point can be touched.</summary>
-    public IReadOnlyList<FreeformRefusal> Refusals => Refusal is { } refusal ? [refusal] : Access.Refusals;
+    public IReadOnlyList<Refusal> Refusals => Refusal is { } refusal ? [refusal] : Access.Refusals;
 
     /// <summary>True if every point faces down, as in a job with "outside": "-z". No vertical stylus reaches them, but the plan shows a
     /// machine that measures from below where to measure.</summary>
@@ -74,7 +76,7 @@ public sealed record MeasuringPlan
     public Geometry.Point3 ContactOf(PlanPoint point) => Along(point, StockMm);
 
     /// <summary>Why there are no points; null if there are points.</summary>
-    internal FreeformRefusal? Refusal { get; init; }
+    internal Refusal? Refusal { get; init; }
 
     /// <summary>The curves with their points, before ordering.</summary>
     internal IReadOnlyList<PlanCurve> Lines { get; init; } = [];

@@ -1,11 +1,12 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>Carries a refusal out of the layout of a plan; it never leaves the planner.</summary>
-internal sealed class PlanRefusedException(FreeformRefusal refusal) : Exception(refusal.Message)
+internal sealed class PlanRefusedException(Refusal refusal) : Exception(refusal.Message)
 {
-    public FreeformRefusal Refusal { get; } = refusal;
+    public Refusal Refusal { get; } = refusal;
 
     public static PlanRefusedException TooFew(string what, int asked, int needed, int breaks) => new(new(
         "too-few-points",

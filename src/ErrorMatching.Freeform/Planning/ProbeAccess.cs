@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -32,7 +33,7 @@ internal sealed class ProbeAccess
             TravelMm += (2 * upAndDown) + (k > 0 ? plan.AboveOf(points[k - 1]).DistanceTo(plan.AboveOf(points[k])) : 0);
         }
 
-        Refusals = [.. points.Select(Refusal).OfType<FreeformRefusal>()];
+        Refusals = [.. points.Select(Refusal).OfType<Refusal>()];
     }
 
     /// <summary>See <see cref="MeasuringPlan.ClearanceZ"/>.</summary>
@@ -42,9 +43,9 @@ internal sealed class ProbeAccess
     public double TravelMm { get; }
 
     /// <summary>Why points cannot be touched.</summary>
-    public IReadOnlyList<FreeformRefusal> Refusals { get; } = [];
+    public IReadOnlyList<Refusal> Refusals { get; } = [];
 
-    private FreeformRefusal? Refusal(PlanPoint point) => Reason(point) is { } reason
+    private Refusal? Refusal(PlanPoint point) => Reason(point) is { } reason
         ? new(
             "untouchable-point",
             string.Create(

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -22,7 +23,7 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
             : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
 
     /// <summary>Throws if files contain the same measurement, which would count several times.</summary>
-    /// <exception cref="FreeformException"><c>same-measurement</c>.</exception>
+    /// <exception cref="InputException"><c>same-measurement</c>.</exception>
     internal static void ThrowIfTwice(IReadOnlyList<MeasuredPoints> files)
     {
         var first = new Dictionary<string, string>(StringComparer.Ordinal);
@@ -30,7 +31,7 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         {
             if (!first.TryAdd(file.Sha256, file.File))
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "same-measurement",
                     file.File,
                     $"its bytes are those of {first[file.Sha256]}: one measurement counts once. Give each measurement once.");

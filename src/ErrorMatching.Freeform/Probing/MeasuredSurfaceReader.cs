@@ -3,6 +3,7 @@ using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -25,17 +26,17 @@ public static class MeasuredSurfaceReader
     /// <param name="plan">The measured plan.</param>
     /// <param name="measuring">The content of the file (<see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel,
     /// which limit the distance from the expected surface.</param>
-    /// <exception cref="FreeformException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
-    /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it (<c>contradictory-point</c>),
-    /// or too far from the expected place (<c>far-off-point</c>).</exception>
-    /// <exception cref="MeasurementException">A table of features cannot be read.</exception>
+    /// <exception cref="InputException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
+    /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it
+    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). A table of features cannot be
+    /// read.</exception>
     public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring)
     {
         ArgumentNullException.ThrowIfNull(plan);
         ArgumentNullException.ThrowIfNull(measuring);
         if (bytes.Length > MaxBytes)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "file-too-large",
                 file,
                 FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
@@ -52,7 +53,7 @@ public static class MeasuredSurfaceReader
             var number = NumberOf(point, places, plan, file);
             if (found[number - 1] is { } first)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "doubled-point",
                     file,
                     string.Create(
@@ -84,7 +85,7 @@ public static class MeasuredSurfaceReader
     {
         cutBy = null;
         var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim()
-            ?? throw new FreeformException("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
+            ?? throw InputException.At("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
         if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
         {
             var log = new ProbingLogReader(file, plan);
@@ -106,7 +107,7 @@ public static class MeasuredSurfaceReader
                 .Points.Select(p => new RawPoint(
             MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number
                 ? number
-                : throw new FreeformException(
+                : throw InputException.At(
                     "bad-number",
                     file,
                     $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.",
@@ -115,7 +116,7 @@ public static class MeasuredSurfaceReader
             null,
             p.HasZ
                 ? p.Position
-                : throw new FreeformException(
+                : throw InputException.At(
                     "missing-coordinate",
                     file,
                     $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.",
@@ -130,7 +131,7 @@ public static class MeasuredSurfaceReader
         {
             if (number < 1 || number > plan.Points.Count)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "unknown-point",
                     file,
                     FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."),
@@ -140,7 +141,7 @@ public static class MeasuredSurfaceReader
             var planned = plan.Points[number - 1];
             return point.I is null || (point.I == planned.I && point.J == planned.J)
                 ? number
-                : throw new FreeformException(
+                : throw InputException.At(
                     "contradictory-point",
                     file,
                     string.Create(
@@ -152,7 +153,7 @@ public static class MeasuredSurfaceReader
 
         return point is { I: { } i, J: { } j } && places.TryGetValue((i, j), out var found)
             ? found
-            : throw new FreeformException(
+            : throw InputException.At(
                 "unknown-point",
                 file,
                 string.Create(
@@ -169,7 +170,7 @@ public static class MeasuredSurfaceReader
         {
             var shown = string.Join(", ", missing.Take(10).Select(n => n.ToString(CultureInfo.InvariantCulture)))
                 + (missing.Length > 10 ? ", ..." : "");
-            throw new FreeformException(
+            throw InputException.At(
                 "missing-point",
                 file,
                 string.Create(
@@ -187,7 +188,7 @@ public static class MeasuredSurfaceReader
         }
 
         var foot = NormalFoot.Of(plan.Surface.Spline, raw.Position, planned.U, planned.V)
-            ?? throw new FreeformException(
+            ?? throw InputException.At(
                 "far-off-point",
                 file,
                 FormattableString.Invariant(
@@ -221,7 +222,7 @@ public static class MeasuredSurfaceReader
             2 => " 1 other point is beyond that, too.",
             _ => string.Create(CultureInfo.InvariantCulture, $" {far.Length - 1} other points are beyond that, too."),
         };
-        throw new FreeformException(
+        throw InputException.At(
             "far-off-point",
             file,
             string.Create(
@@ -238,12 +239,12 @@ public static class MeasuredSurfaceReader
         {
             var text = new UTF8Encoding(false, true).GetString(bytes).TrimStart('\uFEFF');
             return text.Contains('\0', StringComparison.Ordinal)
-                ? throw new FreeformException("binary-file", file, "found a NUL character; expected text.")
+                ? throw InputException.At("binary-file", file, "found a NUL character; expected text.")
                 : text;
         }
         catch (DecoderFallbackException)
         {
-            throw new FreeformException("invalid-encoding", file, "found bytes that are no UTF-8 text; expected UTF-8.");
+            throw InputException.At("invalid-encoding", file, "found bytes that are no UTF-8 text; expected UTF-8.");
         }
     }
 }

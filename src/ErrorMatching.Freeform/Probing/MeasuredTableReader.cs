@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -25,7 +26,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         var (point, i, j) = (Find("point", "label"), Find("i"), Find("j"));
         if (point < 0 && (i < 0 || j < 0))
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "missing-column",
                 file,
                 $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected point, or "
@@ -44,7 +45,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             var cells = lines[row].Split(_delimiter);
             if (cells.Length < names.Length)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "short-row",
                     file,
                     FormattableString.Invariant($"found a line of {cells.Length} cells; expected {names.Length} as in the header."),
@@ -54,7 +55,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             // A decimal comma would split a coordinate into two and give a different point.
             if (cells.Skip(names.Length).Any(c => c.Trim().Length > 0))
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "long-row",
                     file,
                     string.Create(
@@ -84,14 +85,14 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         {
             var at = Find(any);
             return at < 0
-                ? throw new FreeformException(
+                ? throw InputException.At(
                     "missing-column",
                     file,
                     $"found a header with the columns {string.Join(", ", names.Take(20).Select(ProbingLogReader.Shown))}; expected "
                         + $"{any[0]} among them.",
                     head + 1)
                 : names.Count(n => any.Contains(n, StringComparer.Ordinal)) > 1
-                    ? throw new FreeformException("duplicate-column", file, $"found two columns for {any[0]}; expected it once.", head + 1)
+                    ? throw InputException.At("duplicate-column", file, $"found two columns for {any[0]}; expected it once.", head + 1)
                     : at;
         }
     }
@@ -118,7 +119,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
 
     private int Label(string label, int row, int column) => NumberOf(label) is >= 0 and var number
         ? number
-        : throw new FreeformException(
+        : throw InputException.At(
             "bad-number", file, $"found {ProbingLogReader.Shown(label)}; expected the number of a point of the plan.", row + 1, column + 1);
 
     private double Number(string[] cells, int column, int row)
@@ -131,7 +132,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
             out var value)
             && double.IsFinite(value)
             ? value
-            : throw new FreeformException(
+            : throw InputException.At(
                 "bad-number",
                 file,
                 $"found {ProbingLogReader.Shown(text)}; expected a coordinate in millimetres with a decimal point.",
@@ -144,7 +145,7 @@ internal sealed class MeasuredTableReader(string file, bool isCenter)
         var text = cells[column].Trim().Trim('"');
         return int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value)
             ? value
-            : throw new FreeformException(
+            : throw InputException.At(
                 "bad-number", file, $"found {ProbingLogReader.Shown(text)}; expected a whole number as in plan.csv.", row + 1, column + 1);
     }
 }

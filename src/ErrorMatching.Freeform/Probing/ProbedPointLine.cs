@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,7 +13,7 @@ internal sealed class ProbedPointLine(string file, string line, int number)
     private int _at;
 
     /// <summary>The point.</summary>
-    /// <exception cref="FreeformException">The line says none.</exception>
+    /// <exception cref="InputException">The line says none.</exception>
     public RawPoint Read()
     {
         var point = Number('P');
@@ -81,7 +82,7 @@ internal sealed class ProbedPointLine(string file, string line, int number)
         }
     }
 
-    private FreeformException Fail() => new(
+    private InputException Fail() => InputException.At(
         "bad-log",
         file,
         FormattableString.Invariant(

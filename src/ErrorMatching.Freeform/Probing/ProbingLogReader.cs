@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -36,7 +37,7 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
             {
                 begun = begun == 0
                     ? i + 1
-                    : throw new FreeformException(
+                    : throw InputException.At(
                         "two-runs",
                         file,
                         string.Create(
@@ -48,7 +49,7 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
             }
             else if (ended > 0)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "bad-log",
                     file,
                     FormattableString.Invariant($"found {Shown(line)} behind {LastWord} in line {ended}; expected nothing more."),
@@ -76,20 +77,20 @@ internal sealed class ProbingLogReader(string file, MeasuringPlan plan)
         var words = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
         if (words is not [FirstWord, "PROBE", "PLAN", var id, var unit])
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-log", file, $"found {Shown(line)}; expected {FirstWord} PROBE PLAN, the plan's number, and MM.", number);
         }
 
         if (unit != "MM")
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-log", file, $"found the unit {Shown(unit)}; expected MM: the log of a probing program is in millimetres.", number);
         }
 
         var expected = ProbingProgram.PlanId(plan);
         if (id != expected)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "other-plan",
                 file,
                 $"the log belongs to the plan {Shown(id)}; that of the job is {expected}. Was the job or its surface changed behind "

@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -159,5 +160,5 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
             && ((axes & AxisSet.Y) == AxisSet.None || a.Y == b.Y)
             && ((axes & AxisSet.Z) == AxisSet.None || a.Z == b.Z);
 
-    private FreeformException Fail(string problem) => new("not-mergeable", file, problem);
+    private InputException Fail(string problem) => InputException.At("not-mergeable", file, problem);
 }

@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -37,7 +38,7 @@ public sealed class ProbingProgram
     /// <param name="dialect">The control.</param>
     /// <param name="template">The template for the control, probe or shop: <see cref="ProbingTemplate.Named"/> with the dialect's name, or
     /// a shop's own.</param>
-    /// <exception cref="FreeformException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
+    /// <exception cref="InputException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
     /// the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
     /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
     public static ProbingProgram Of(MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template)
@@ -64,9 +65,8 @@ public sealed class ProbingProgram
     /// <param name="semiFinishing">A program in the same dialect and work offset.</param>
     /// <param name="file">Its name, for messages.</param>
     /// <param name="cutsIn">The dialect of the job's cutting programs, for messages.</param>
-    /// <exception cref="FreeformException">The dialect does not know a code of the program, its end cannot be found, or probing would move
-    /// differently after it (<c>not-mergeable</c>).</exception>
-    /// <exception cref="NcException">The program is too large.</exception>
+    /// <exception cref="InputException">The dialect does not know a code of the program, its end cannot be found, or probing would
+    /// move differently after it (<c>not-mergeable</c>). The program is too large.</exception>
     public ReadOnlyMemory<byte> MergeAfter(ReadOnlyMemory<byte> semiFinishing, string file, string? cutsIn = null)
     {
         // The surface cut by a program that follows a measurement must not be compensated like a nominal one, so the log records this.
@@ -83,7 +83,7 @@ public sealed class ProbingProgram
         var path = NcInterpreter.Run(program, Dialect);
         if (path.Refusal is { } refusal)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-template",
                 Template.File,
                 $"the program that comes of it cannot be followed in the dialect {Dialect.Name}: {refusal.Message}");
@@ -92,7 +92,7 @@ public sealed class ProbingProgram
         if (path.Problems.Count > 0)
         {
             var problem = path.Problems[0];
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-template",
                 Template.File,
                 $"the dialect {Dialect.Name} does not understand a block of the program that comes of it, "

@@ -43,11 +43,11 @@ public sealed class ProbingTemplate : ProgramTemplate
 
     /// <summary>A built-in template.</summary>
     /// <param name="name">One of <see cref="Names"/>, such as a dialect's.</param>
-    /// <exception cref="FreeformException">No built-in template has this name (<c>unknown-template</c>).</exception>
+    /// <exception cref="InputException">No built-in template has this name (<c>unknown-template</c>).</exception>
     public static ProbingTemplate Named(string name) => new(BuiltIn(name, Grammar));
 
     /// <summary>The built-in template for a dialect: its own, or the one of its family for a shop's own dialect.</summary>
-    /// <exception cref="FreeformException">There is none (<c>unknown-template</c>).</exception>
+    /// <exception cref="InputException">There is none (<c>unknown-template</c>).</exception>
     public static ProbingTemplate For(NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
@@ -60,12 +60,12 @@ public sealed class ProbingTemplate : ProgramTemplate
 
     /// <summary>The text of a built-in template, as a start for a shop's own.</summary>
     /// <param name="name">One of <see cref="Names"/>.</param>
-    /// <exception cref="FreeformException">As for <see cref="Named"/>.</exception>
+    /// <exception cref="InputException">As for <see cref="Named"/>.</exception>
     public static string TextOf(string name) => TextOf(name, Grammar);
 
     /// <summary>Parses a template.</summary>
     /// <param name="bytes">UTF-8.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="FreeformException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
+    /// <exception cref="InputException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
     public static ProbingTemplate Parse(ReadOnlySpan<byte> bytes, string file) => new(Read(bytes, file, Grammar));
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -72,7 +73,7 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
 
     // A positive value of the job must not round to 0: at a feed of 0 the control stops, and a probe that does not move touches nothing.
     private string NotZero(string key, double value) =>
-        Mm(value) is var text and not "0.0" ? text : throw new FreeformException("rounds-to-zero", template, string.Create(
+        Mm(value) is var text and not "0.0" ? text : throw InputException.At("rounds-to-zero", template, string.Create(
         CultureInfo.InvariantCulture,
         $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, "
             + $"{Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));

@@ -82,7 +82,7 @@ public sealed record CompensationDocument
     /// <summary>Reads a document.</summary>
     /// <param name="document">The document, of this schema.</param>
     /// <returns>The document; null if it is older than the map.</returns>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static CompensationDocument? Read(ReportReader document)
     {
         ArgumentNullException.ThrowIfNull(document);

@@ -143,7 +143,7 @@ public sealed record SurfaceFindings
 
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
     /// <returns>The findings; null if the document is older than the map.</returns>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static SurfaceFindings? Read(ReportReader json)
     {
         ArgumentNullException.ThrowIfNull(json);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -23,19 +24,19 @@ public static class GridReader
 
     /// <summary>Reads a grid from a file.</summary>
     /// <param name="path">The file, as named in errors.</param>
-    /// <exception cref="MeasurementException">The file cannot be read or is not a grid. The message states where, what was found, and what
+    /// <exception cref="InputException">The file cannot be read or is not a grid. The message states where, what was found, and what
     /// is expected.</exception>
     public static PointGrid Read(string path) => Grid(NumberTable.Read(path, "i", "j", "x", "y", "z"));
 
     /// <summary>Reads a grid from the bytes of a file.</summary>
     /// <param name="bytes">UTF-8 with decimal points. Cells are separated by commas, or semicolons or tabs if the header has them.</param>
     /// <param name="file">The file name for errors.</param>
-    /// <exception cref="MeasurementException">Not a grid. The message states where, what was found, and what is expected.</exception>
+    /// <exception cref="InputException">Not a grid. The message states where, what was found, and what is expected.</exception>
     public static PointGrid Read(ReadOnlyMemory<byte> bytes, string file) => Grid(NumberTable.Read(bytes, file, "i", "j", "x", "y", "z"));
 
     /// <summary>Reads points without indices, for checking a surface: columns <c>x</c>, <c>y</c> and <c>z</c>, in file order.</summary>
     /// <param name="path">The file, as named in errors.</param>
-    /// <exception cref="MeasurementException">The file cannot be read or does not contain such points. The message states where, what was
+    /// <exception cref="InputException">The file cannot be read or does not contain such points. The message states where, what was
     /// found, and what is expected.</exception>
     public static IReadOnlyList<Point3> ReadPoints(string path) => Points(NumberTable.Read(path, "x", "y", "z"));
 
@@ -132,7 +133,7 @@ public static class GridReader
         }
     }
 
-    private static MeasurementException Missing(NumberTable table, int row, string column, string found) =>
+    private static InputException Missing(NumberTable table, int row, string column, string found) =>
         Wrong(
             table,
             row,
@@ -167,6 +168,6 @@ public static class GridReader
                 "a coordinate within a kilometer: has its decimal sign been lost?");
     }
 
-    private static MeasurementException Wrong(NumberTable table, int row, string column, string code, string found, string expected) =>
-        new(code, found, expected, table.File, table.Lines[row], table.ColumnOf(column));
+    private static InputException Wrong(NumberTable table, int row, string column, string code, string found, string expected) =>
+        MeasurementRefusal.Of(code, found, expected, table.File, table.Lines[row], table.ColumnOf(column));
 }

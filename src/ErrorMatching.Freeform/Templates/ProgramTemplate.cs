@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -28,12 +29,12 @@ public abstract class ProgramTemplate
     internal IReadOnlyList<TemplateItem> Section(string name) => Content.Sections.GetValueOrDefault(name) ?? [];
 
     /// <summary>Ensures that a tool named by the job is not silently omitted.</summary>
-    /// <exception cref="FreeformException">The template does not use the tool (<c>bad-template</c>).</exception>
+    /// <exception cref="InputException">The template does not use the tool (<c>bad-template</c>).</exception>
     internal void CheckAsksFor(ToolCall? tool, string key)
     {
         if (tool is not null && !AsksForTool)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-template",
                 File,
                 $"it has no @if {TemplateGrammar.Tool}, but the job names a tool ({key}), which would be left out. Write the call of the "
@@ -50,7 +51,7 @@ public abstract class ProgramTemplate
 
     internal static TemplateContent BuiltIn(string name, TemplateGrammar grammar) => grammar.BuiltIn.Contains(name, StringComparer.Ordinal)
         ? new TemplateReader(name, grammar).Read(Resource(name, grammar)) with { IsBuiltIn = true }
-        : throw new FreeformException(
+        : throw InputException.At(
             "unknown-template",
             name,
             $"no {grammar.Extension} template is built in for it; there are {string.Join(", ", grammar.BuiltIn)}. Name one of them, or a "
@@ -58,7 +59,7 @@ public abstract class ProgramTemplate
             + $"own, as \"template\" under \"{grammar.Under}\".");
 
     internal static TemplateContent Read(ReadOnlySpan<byte> bytes, string file, TemplateGrammar grammar) => bytes.Length > MaxBytes
-        ? throw new FreeformException(
+        ? throw InputException.At(
             "bad-template",
             file,
             FormattableString.Invariant($"{bytes.Length} bytes; a template has at most {MaxBytes}. Is this the right file?"))

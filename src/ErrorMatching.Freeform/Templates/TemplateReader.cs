@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -22,7 +23,7 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         }
         catch (DecoderFallbackException)
         {
-            throw new FreeformException("bad-template", file, "bytes that are no UTF-8 text. Save the template as UTF-8.");
+            throw InputException.At("bad-template", file, "bytes that are no UTF-8 text. Save the template as UTF-8.");
         }
 
         foreach (var line in text.TrimStart('\uFEFF').ReplaceLineEndings("\n").TrimEnd('\n').Split('\n'))
@@ -172,6 +173,6 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
 
     private static string Word(TemplateItem item) => item.Kind == TemplateItemKind.Each ? "@each" : "@if " + item.Text;
 
-    private FreeformException Fail(string found, string expected, int? line = null) =>
-        new("bad-template", file, $"found {found}; expected {expected}.", line ?? Math.Max(1, _line));
+    private InputException Fail(string found, string expected, int? line = null) =>
+        InputException.At("bad-template", file, $"found {found}; expected {expected}.", line ?? Math.Max(1, _line));
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -20,7 +21,7 @@ public static class FinishingProgram
 
     /// <summary>Writes the program to memory.</summary>
     /// <exception cref="ArgumentException">As for the other overload.</exception>
-    /// <exception cref="FreeformException">As for the other overload.</exception>
+    /// <exception cref="InputException">As for the other overload.</exception>
     public static byte[] Write(
         ToolPath path,
         FreeformJob job,
@@ -44,7 +45,7 @@ public static class FinishingProgram
     /// <param name="marker">The comment by which a compensated program identifies its sources; null if it follows no measurement.</param>
     /// <param name="template">The text around the moves; null for the dialect's (<see cref="FinishingTemplate.For"/>).</param>
     /// <exception cref="ArgumentException">The path was planned for a control with a different least increment.</exception>
-    /// <exception cref="FreeformException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or the template would
+    /// <exception cref="InputException">Speed or feed of the job would be written as 0 (<c>rounds-to-zero</c>), or the template would
     /// change the moves of the path (<c>bad-template</c>).</exception>
     public static void Write(
         ToolPath path,
@@ -115,7 +116,7 @@ public static class FinishingProgram
                 + "End it with G0 Z{travel}, and write G90 and the code for millimeters before.");
         }
 
-        FreeformException Fail(string what) => new("bad-template", template.File, what);
+        InputException Fail(string what) => InputException.At("bad-template", template.File, what);
     }
 
     internal static string NameOf(CuttingStage stage) => stage switch

@@ -37,7 +37,7 @@ public sealed class FinishingTemplate : ProgramTemplate
 
     /// <summary>A built-in template.</summary>
     /// <param name="name">One of <see cref="Names"/>.</param>
-    /// <exception cref="FreeformException">No built-in template has this name (<c>unknown-template</c>).</exception>
+    /// <exception cref="InputException">No built-in template has this name (<c>unknown-template</c>).</exception>
     public static FinishingTemplate Named(string name) => new(BuiltIn(name, Grammar));
 
     /// <summary>The built-in template for a dialect: its own, or for a shop's own dialect, the one for its syntax.</summary>
@@ -54,13 +54,13 @@ public sealed class FinishingTemplate : ProgramTemplate
 
     /// <summary>The text of a built-in template, as a start for a shop's own.</summary>
     /// <param name="name">One of <see cref="Names"/>.</param>
-    /// <exception cref="FreeformException">As for <see cref="Named"/>.</exception>
+    /// <exception cref="InputException">As for <see cref="Named"/>.</exception>
     public static string TextOf(string name) => TextOf(name, Grammar);
 
     /// <summary>Parses a template.</summary>
     /// <param name="bytes">UTF-8.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="FreeformException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
+    /// <exception cref="InputException">The bytes are not a template (<c>bad-template</c>), with the line.</exception>
     public static FinishingTemplate Parse(ReadOnlySpan<byte> bytes, string file) => new(Read(bytes, file, Grammar));
 
     /// <summary>True if a job's program calls its tool; false if it stops with an alarm because the job names no tool.</summary>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -15,7 +16,7 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
 
     /// <summary>Fills the placeholders of lines.</summary>
-    /// <exception cref="FreeformException">Speed or feed would be written as 0, or the tool has no such value.</exception>
+    /// <exception cref="InputException">Speed or feed would be written as 0, or the tool has no such value.</exception>
     public byte[] Fill(IReadOnlyList<TemplateItem> items)
     {
         var text = new StringBuilder();
@@ -49,7 +50,7 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
     // A job cannot intend a stopped spindle or a feed of 0.
     private static string Word(FreeformJob job, string key, double value, int decimals) => Number(value, decimals) is var text and not "0"
         ? text
-        : throw new FreeformException(
+        : throw InputException.At(
             "rounds-to-zero",
             job.File,
             string.Create(

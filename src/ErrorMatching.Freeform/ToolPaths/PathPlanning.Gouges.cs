@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -171,7 +172,7 @@ internal sealed partial class PathPlanning
             : "Use a smaller ball: it touches another part of the surface";
     }
 
-    private FreeformRefusal? Impossible(CenterLine line)
+    private Refusal? Impossible(CenterLine line)
     {
         for (var i = 0; i < line.Count; i++)
         {
@@ -197,14 +198,14 @@ internal sealed partial class PathPlanning
     }
 
     /// <summary>An edge inside the surface, where the normal jumps. The center would have to roll around it.</summary>
-    private FreeformRefusal? EdgeInSurface()
+    private Refusal? EdgeInSurface()
     {
         var spline = _offset.Surface.Spline;
         return EdgeAt(spline.KnotsU, spline.KnotsV, (along, across) => new(across, along))
             ?? EdgeAt(spline.KnotsV, spline.KnotsU, (along, across) => new(along, across));
     }
 
-    private FreeformRefusal? EdgeAt(KnotVector knots, KnotVector along, Func<double, double, Point2> place)
+    private Refusal? EdgeAt(KnotVector knots, KnotVector along, Func<double, double, Point2> place)
     {
         const int Samples = 32;
         foreach (var knot in knots.Breaks)

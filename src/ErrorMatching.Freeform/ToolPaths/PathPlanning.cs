@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -32,7 +33,7 @@ internal sealed partial class PathPlanning
     private readonly StripHeight _strip;
     private readonly List<CutChain> _chains = [];
     private (Point2 From, Point2 To)? _free;
-    private FreeformRefusal? _refusal;
+    private Refusal? _refusal;
     private int _passes;
     private int _points;
     private double _length;
@@ -336,7 +337,7 @@ internal sealed partial class PathPlanning
         }
     }
 
-    private static FreeformRefusal TooLong(string points) =>
+    private static Refusal TooLong(string points) =>
         new(
             "path-too-long",
             string.Create(
@@ -344,7 +345,7 @@ internal sealed partial class PathPlanning
                 $"the path would have {points} points; at most {MostPoints} are made. Check the units of the surface, and scallopMm and "
                     + $"chordMm."));
 
-    private FreeformRefusal NotReached(string what, double found, double wanted, Point2 at) => new(
+    private Refusal NotReached(string what, double found, double wanted, Point2 at) => new(
         "tolerance-not-reached",
         string.Create(
             CultureInfo.InvariantCulture,

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -43,7 +44,7 @@ public static class ToolPathPlanner
         var finest = Math.Min(toolpath.ChordMm, toolpath.ScallopMm);
         if (increment > finest * (1 + 1e-9))
         {
-            return new FreeformRefusal("increment-too-coarse", string.Create(
+            return new Refusal("increment-too-coarse", string.Create(
                 CultureInfo.InvariantCulture,
                 $"{dialect.Name} writes {increment} mm, more than the {finest} mm that scallopMm and chordMm ask for: rounding alone "
                     + $"would exceed it. Ask for {increment} mm or more, or name a dialect whose metricDecimals is larger."));
@@ -52,7 +53,7 @@ public static class ToolPathPlanner
         // On a convex surface, chords cut into the stock. The gouge limit is twice the chord, so at half the stock it would be all of it.
         if (stockMm > 0 && toolpath.ChordMm >= stockMm / 2)
         {
-            return new FreeformRefusal("chord-too-coarse", string.Create(
+            return new Refusal("chord-too-coarse", string.Create(
                 CultureInfo.InvariantCulture,
                 $"toolpath.chordMm is {toolpath.ChordMm} mm, but {stockMm} mm of stock are to stay: straight cuts may lie inside by the "
                     + $"chord, so it has to be less than {stockMm / 2} mm, half of the stock. State a smaller chordMm, or leave more stock "

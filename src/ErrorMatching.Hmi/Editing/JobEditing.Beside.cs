@@ -2,6 +2,7 @@ using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -115,7 +116,7 @@ public sealed partial class JobEditing
         {
             return InputFile.Job(place.File);
         }
-        catch (Exception e) when (e is InputException or JobException)
+        catch (InputException)
         {
             return null;
         }

@@ -3,6 +3,7 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -57,7 +58,7 @@ public sealed partial class JobEditing
                 isBroken,
                 message);
         }
-        catch (Exception e) when (e is InputException or JobException or MeasurementException or DraftException)
+        catch (Exception e) when (e is InputException or DraftException)
         {
             return ("", null, false, null, isBroken, Texts.Current.With("Setup.NotOpened", Failures.Of(e, _station.Clock)));
         }

@@ -2,6 +2,7 @@ using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -44,7 +45,7 @@ public sealed partial class JobEditing
             {
                 draft = Edits.Open(job, version);
             }
-            catch (Exception e) when (e is JobException or MeasurementException or DraftException)
+            catch (Exception e) when (e is InputException or DraftException)
             {
                 refusal = Failures.Of(e, _station.Clock);
             }

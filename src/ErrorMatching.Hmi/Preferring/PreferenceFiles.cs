@@ -4,6 +4,7 @@ using System.Text.Encodings.Web;
 using System.Text.Json;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -38,8 +39,8 @@ public sealed class PreferenceFiles(string folder)
         Path.Combine(folder, $"station-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(user)))[..16]}.json");
 
     /// <summary>The preferences of a user; null if none are stored.</summary>
-    /// <exception cref="InputException">The file cannot be read.</exception>
-    /// <exception cref="JsonDocumentException">It does not have the form that <see cref="Keep"/> writes.</exception>
+    /// <exception cref="InputException">The file cannot be read. It does not have the form that <see cref="Keep"/>
+    /// writes.</exception>
     public Preferences? Read(string user)
     {
         var file = Of(user);
@@ -51,7 +52,7 @@ public sealed class PreferenceFiles(string folder)
         var limits = JsonLimits.Default with { MaxBytes = MostBytes };
         var document = JsonInput.Read(InputFile.Open(file, f => JsonInput.Load(f, limits)), file, limits);
         return Schema.Value.Check(document) is { Count: > 0 } problems
-            ? throw new JsonDocumentException(file, problems)
+            ? throw new InputException(file, problems)
             : new(
                 Enum.Parse<Language>(document["language"].Text),
                 document["theme"].Text == "dark",

@@ -39,7 +39,7 @@ public sealed class OpenedProgram
     /// <param name="bytes">Its bytes. They are not copied: do not change them afterwards.</param>
     /// <param name="dialect">Its dialect.</param>
     /// <param name="cancellation">Cancels the opening.</param>
-    /// <exception cref="NcException">The program is too large.</exception>
+    /// <exception cref="InputException">The program is too large.</exception>
     /// <exception cref="OperationCanceledException">The opening was canceled.</exception>
     public static OpenedProgram Read(ReadOnlyMemory<byte> bytes, NcDialect dialect, CancellationToken cancellation = default)
     {

@@ -1,5 +1,6 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -232,12 +233,12 @@ public sealed class ProgramPicture : Observable
         {
             var selected = BlockSelector.Select(program, [.. feature.Blocks.Select(BlockSelector.Parse)]);
             return selected.IsUsable
-                ? new(feature.Name, BlockRange.Of(selected.Value), null)
+                ? new(feature.Name, BlockRange.Of(selected.Result), null)
                 : new(feature.Name, [], CodeText.Of(selected.Refusal.Code, selected.Refusal.Message));
         }
-        catch (NcException e)
+        catch (InputException e)
         {
-            return new(feature.Name, [], CodeText.Of(ErrorItems.Of(e).Code, e.Message));
+            return new(feature.Name, [], CodeText.Of(e.Code, e.Message));
         }
     }
 
@@ -263,7 +264,7 @@ public sealed class ProgramPicture : Observable
             // Clears the selection after use: the next feature needs other blocks.
             Selection = Selection == range ? null : Selection;
             Message = null;
-            RangeChosen?.Invoke(new(feature, words.Value, isMore));
+            RangeChosen?.Invoke(new(feature, words.Result, isMore));
         }
         finally
         {

@@ -1,6 +1,7 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -17,7 +18,7 @@ public static class Failures
             or SlotTakenException
             or InputException
             or OutputException
-            or JsonDocumentException
+            or InputException
             or JobEditException
             or IOException
             or UnauthorizedAccessException;
@@ -51,7 +52,7 @@ public static class Failures
             StoreException e => texts.Word(e.Error),
             TransportException e => texts.Word(e.Error),
             OutputException e => CodeText.Of(e.Code, e.Message),
-            _ => CodeText.Of(ErrorItems.OfInput(failure) is [var item, ..] ? item.Code : "", failure.Message),
+            _ => CodeText.Of((failure as InputException)?.Code ?? "", failure.Message),
         };
     }
 }

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using ErrorMatching.Cell;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -38,7 +39,7 @@ public sealed class JobNames
             var root = JsonInput.Read(file, job);
             return root.Kind == JsonItemKind.Object && root.Find("name")?.Text is { Length: > 0 } name ? name : job;
         }
-        catch (JsonDocumentException)
+        catch (InputException)
         {
             return job;
         }

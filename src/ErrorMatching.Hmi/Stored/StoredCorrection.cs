@@ -1,6 +1,6 @@
 using ErrorMatching.Cell;
-using ErrorMatching.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -51,7 +51,7 @@ public sealed record StoredCorrection(Correction Correction, IReadOnlyList<Corre
     /// <param name="store">The store.</param>
     /// <param name="correction">The correction.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
-    /// <exception cref="JsonDocumentException">Its report cannot be read.</exception>
+    /// <exception cref="InputException">Its report cannot be read.</exception>
     public static StoredCorrection Read(CellStore store, Correction correction)
     {
         ArgumentNullException.ThrowIfNull(store);

@@ -1,7 +1,7 @@
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -21,7 +21,7 @@ public sealed record StoredReport
     public StoredSurface? Surface { get; private init; }
 
     /// <summary>Reads a report.</summary>
-    /// <exception cref="JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="InputException">A member is missing or wrong.</exception>
     public static StoredReport Read(ReadOnlySpan<byte> json)
     {
         var document = ReportReader.Document(json);

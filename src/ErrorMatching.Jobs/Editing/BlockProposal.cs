@@ -1,5 +1,6 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -36,19 +37,17 @@ internal static class BlockProposal
                         BoundarySearch.NotFound,
                         $"{name}, {path.Program.NameOf(block)}: the program cuts this boundary by a jump or a call, so its blocks do not "
                             + $"follow one another in the file. Name the blocks yourself.",
-                        name,
-                        Block: path.Program.NameOf(block),
-                        Line: block.Line),
+                        new() { Feature = name, Block = path.Program.NameOf(block), Line = block.Line }),
                 };
             }
 
             var named = BlockNames.Of(path.Program, first, last);
             if (!named.IsUsable)
             {
-                return none with { Refusal = MatingRefusal.Of(named.Refusal, name) };
+                return none with { Refusal = FeatureRefusal.Of(named.Refusal, name) };
             }
 
-            names.AddRange(named.Value);
+            names.AddRange(named.Result);
             passes.Add((first, last));
         }
 

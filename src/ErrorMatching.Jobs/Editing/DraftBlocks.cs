@@ -1,5 +1,6 @@
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -25,7 +26,7 @@ internal static class DraftBlocks
             dialect = MatingDraftCheck.DialectOf(draft, file);
             program = NcProgram.Read(bytes, dialect.Syntax);
         }
-        catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
+        catch (InputException)
         {
             // The job's reader reports an unknown control.
             yield break;
@@ -59,14 +60,13 @@ internal static class DraftBlocks
                     : new(
                         field,
                         found.Refusal.Code,
-                        found.Refusal.Block.Length > 0
-                            ? found.Refusal.Block
-                            : string.Join(", ", draft.Features[feature].BlockList.Where(b => b.StartsWith('/'))),
+                        found.Refusal.Place.Block
+                            ?? string.Join(", ", draft.Features[feature].BlockList.Where(b => b.StartsWith('/'))),
                         found.Refusal.Message);
                 continue;
             }
 
-            foreach (var block in found.Value)
+            foreach (var block in found.Result)
             {
                 if (!owners.TryAdd(block, draft.Features[feature].Name) && owners[block] != draft.Features[feature].Name)
                 {
@@ -90,16 +90,16 @@ internal static class DraftBlocks
 
     // Null for a block that does not exist, or exists twice.
     private static int? PlaceOf(NcProgram program, string name) =>
-        BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Value[0] : null;
+        BlockSelector.Select(program, [BlockSelector.Parse(name)]) is { IsUsable: true } found ? found.Result[0] : null;
 
     // Null if nothing is named yet, or if the job's reader reports a problem with a name.
-    private static NcOutcome<int[]>? Find(NcProgram program, FeatureDraft feature)
+    private static Outcome<int[]>? Find(NcProgram program, FeatureDraft feature)
     {
         try
         {
             return feature.BlockList.Count == 0 ? null : BlockSelector.Select(program, [.. feature.BlockList.Select(BlockSelector.Parse)]);
         }
-        catch (NcException)
+        catch (InputException)
         {
             return null;
         }

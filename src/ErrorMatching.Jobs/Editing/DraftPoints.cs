@@ -1,5 +1,6 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -27,7 +28,7 @@ internal static class DraftPoints
         {
             file = MeasurementReader.Read(MatingDraftFiles.Theoretical(points), File, MeasurementFormat.Points);
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
             Explain(draft, points, e, problems);
             return null;
@@ -49,7 +50,7 @@ internal static class DraftPoints
     }
 
     // A reader stops at the first mistake in a file. To find all of them, read each field in a file where everything else is right.
-    private static void Explain(MatingDraft draft, PointDraft[] points, MeasurementException whole, List<DraftProblem> problems)
+    private static void Explain(MatingDraft draft, PointDraft[] points, InputException whole, List<DraftProblem> problems)
     {
         var (labels, hasZ, count) = (DraftPaths.Labels(draft).ToArray(), points.Any(p => !string.IsNullOrWhiteSpace(p.Z)), problems.Count);
         for (var i = 0; i < points.Length; i++)
@@ -67,9 +68,9 @@ internal static class DraftPoints
         {
             // A problem between rows, such as a duplicate label.
             problems.Add(new(
-                whole.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical",
+                whole.Place.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical",
                 whole.Code,
-                whole.Found,
+                whole.Refusals[0].Found,
                 whole.Problem));
         }
     }
@@ -80,12 +81,12 @@ internal static class DraftPoints
         {
             _ = MeasurementReader.Read(MatingDraftFiles.Theoretical([point]), File, MeasurementFormat.Points);
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
             // The job's reader may have reported the same label.
             if (!problems.Exists(p => p.Field == field))
             {
-                problems.Add(new(field, e.Code, e.Found, e.Problem));
+                problems.Add(new(field, e.Code, e.Refusals[0].Found, e.Problem));
             }
         }
     }
@@ -99,9 +100,9 @@ internal static class DraftPoints
         {
             file.Require(labels);
         }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
-            problems.Add(new(field, e.Code, e.Found, e.Problem));
+            problems.Add(new(field, e.Code, e.Refusals[0].Found, e.Problem));
         }
     }
 }

@@ -4,6 +4,7 @@ using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -30,10 +31,10 @@ public static class MatingDraftCheck
         {
             job = MatingJob.Parse(MatingDraftFiles.Job(draft), file);
         }
-        catch (JobException e)
+        catch (InputException e)
         {
             problems.AddRange(
-                e.Problems.Where(p => p.Code != DraftLimits.ReversedTolerance).Select(p => new DraftProblem(
+                e.Refusals.Where(p => p.Code != DraftLimits.ReversedTolerance).Select(p => new DraftProblem(
                     FieldOf(p), p.Code, p.Found, p.Message, p.Expected)));
         }
 
@@ -77,8 +78,7 @@ public static class MatingDraftCheck
     /// <summary>The program of a draft that may have other problems: the imported one, otherwise the job's.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
-    /// <exception cref="InputException">The job's program cannot be opened.</exception>
-    /// <exception cref="NcException">It is larger than the limit for programs.</exception>
+    /// <exception cref="InputException">The job's program cannot be opened. It is larger than the limit for programs.</exception>
     public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -88,9 +88,8 @@ public static class MatingDraftCheck
     /// <summary>The dialect of a draft that may have other problems.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths.</param>
-    /// <exception cref="InputException">The shop's dialect file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">No dialect has this name.</exception>
+    /// <exception cref="InputException">The shop's dialect file cannot be opened. It cannot be used. No dialect has this
+    /// name.</exception>
     public static NcDialect DialectOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -108,9 +107,9 @@ public static class MatingDraftCheck
             var dialect = InputFile.DialectOf(job);
             return NcDialects.IsFile(job.Counterpart.Dialect) ? dialect : null;
         }
-        catch (Exception e) when (e is InputException or JsonDocumentException or NcException)
+        catch (InputException e)
         {
-            problems.AddRange(ErrorItems.OfInput(e)!.Select(i => At(Dialect, i)));
+            problems.AddRange(e.Refusals.Select(i => At(Dialect, i)));
             return null;
         }
     }
@@ -122,9 +121,9 @@ public static class MatingDraftCheck
         {
             program = ProgramOf(draft, file);
         }
-        catch (Exception e) when (e is InputException or NcException)
+        catch (InputException e)
         {
-            problems.AddRange(ErrorItems.OfInput(e)!.Select(i => At(Program, i)));
+            problems.AddRange(e.Refusals.Select(i => At(Program, i)));
         }
     }
 
@@ -134,36 +133,32 @@ public static class MatingDraftCheck
         {
             var match = Matcher.Match(input);
             problems.AddRange(match.Refusals.Select(
-                r => new DraftProblem(FieldOf(draft, r), r.Code, r.Point ?? r.Block ?? "", r.Message) { Amount = AmountOf(r) }));
+                r => new DraftProblem(FieldOf(draft, r), r.Code, r.Place.Point ?? r.Place.Block ?? "", r.Message) { Amount = r.Found }));
             if (match.Result is { } result)
             {
                 doubts.AddRange(DraftDoubts.OfBlocks(result));
                 doubts.AddRange(DraftDoubts.OfCorners(draft, result));
             }
         }
-        catch (NcException e)
+        catch (InputException e)
         {
-            problems.Add(At(Program, ErrorItems.Of(e)));
-        }
-        catch (MeasurementException e)
-        {
-            problems.Add(new("$.part.theoretical", e.Code, e.Found, e.Problem));
+            problems.Add(new(e.File is null ? Program : "$.part.theoretical", e.Code, e.Refusals[0].Found, e.Problem));
         }
         catch (GeometryException e)
         {
-            problems.Add(At("$.features", ErrorItems.Of(e, input.Theoretical.File)));
+            problems.Add(At("$.features", InputRefusals.Of(e, input.Theoretical.File).Refusals[0]));
         }
     }
 
     // Report a missing key at the field that would write it.
-    private static string FieldOf(JsonProblem problem) => problem.Code switch
+    private static string FieldOf(Refusal problem) => problem.Code switch
     {
         "stylus-diameter-missing" => "$.gauge.stylusDiameterMm",
         "measured-missing" => "$.counterpart.measured",
-        _ => problem.Path,
+        _ => problem.Place.Path ?? "$",
     };
 
-    private static string FieldOf(MatingDraft draft, MatingRefusal refusal)
+    private static string FieldOf(MatingDraft draft, Refusal refusal)
     {
         var feature = IndexOf(draft, refusal);
         return feature >= 0
@@ -173,12 +168,8 @@ public static class MatingDraftCheck
             : Program;
     }
 
-    // Distance of a point from the nearest of its blocks.
-    private static string AmountOf(MatingRefusal refusal) =>
-        refusal.DistanceMm is { } mm ? string.Create(CultureInfo.InvariantCulture, $"{mm:0.000} mm") : "";
+    private static int IndexOf(MatingDraft draft, Refusal refusal) =>
+        draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Place.Feature);
 
-    private static int IndexOf(MatingDraft draft, MatingRefusal refusal) =>
-        draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Feature);
-
-    private static DraftProblem At(string field, ErrorItem item) => new(field, item.Code, "", item.Problem ?? item.Message);
+    private static DraftProblem At(string field, Refusal item) => new(field, item.Code, "", item.Message);
 }

@@ -20,9 +20,8 @@ public static class MatingDraftFiles
 
     /// <summary>Opens a job for editing.</summary>
     /// <param name="file">The job's file.</param>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="JobException">The job cannot be used.</exception>
-    /// <exception cref="MeasurementException">The theoretical points cannot be used.</exception>
+    /// <exception cref="InputException">A file cannot be opened. The job cannot be used. The theoretical points cannot be
+    /// used.</exception>
     /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public static MatingDraft Open(string file)
     {
@@ -35,7 +34,7 @@ public static class MatingDraftFiles
     /// <param name="bytes">The job's file, which must be usable.</param>
     /// <param name="file">Its name.</param>
     /// <param name="theoretical">The theoretical points' file.</param>
-    /// <exception cref="MeasurementException">The theoretical points cannot be used.</exception>
+    /// <exception cref="InputException">The theoretical points cannot be used.</exception>
     /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
     public static MatingDraft Read(ReadOnlySpan<byte> bytes, string file, ReadOnlyMemory<byte> theoretical)
     {

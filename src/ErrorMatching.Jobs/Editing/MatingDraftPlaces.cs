@@ -1,5 +1,6 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -38,7 +39,7 @@ public static class MatingDraftPlaces
         {
             return MatingJob.Parse(MatingDraftFiles.Job(draft), "job.json");
         }
-        catch (JobException)
+        catch (InputException)
         {
             return null;
         }
@@ -59,7 +60,7 @@ public static class MatingDraftPlaces
                 MatingDraftFiles.Theoretical([point with { Label = Label }]), File, MeasurementFormat.Points)[Label];
             return new(feature.Name, point.Label, plane, job.Counterpart.PlaceOf(read, plane, File));
         }
-        catch (MeasurementException)
+        catch (InputException)
         {
             return null;
         }

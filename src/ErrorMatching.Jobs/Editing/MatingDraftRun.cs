@@ -1,6 +1,7 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -12,15 +13,11 @@ public static class MatingDraftRun
     /// <param name="file">The job's file, for relative paths.</param>
     /// <param name="request">The run's request; theoretical points and an imported program come from the draft.</param>
     /// <param name="cancellation">Checked between reading and calculating.</param>
-    /// <exception cref="JobException">The draft has problems.</exception>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="MeasurementException">A measurement or the points cannot be used.</exception>
-    /// <exception cref="WrongPieceException">A measurement is of the other piece.</exception>
-    /// <exception cref="Json.JsonDocumentException">The job's own dialect cannot be used.</exception>
-    /// <exception cref="NcException">The dialect, a selector or the program cannot be read.</exception>
-    /// <exception cref="PointsException">The measured points determine no result.</exception>
+    /// <exception cref="InputException">The draft has problems. A file cannot be opened. A measurement or the points cannot be
+    /// used. A measurement is of the other piece. The job's own dialect cannot be used. The dialect, a selector or the program
+    /// cannot be read. The measured points determine no result.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static RunOutcome<MatchedProgram> Of(MatingDraft draft, string file, MatingRequest request, CancellationToken cancellation)
+    public static Outcome<MatchedProgram> Of(MatingDraft draft, string file, MatingRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(request);

@@ -1,4 +1,5 @@
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -12,5 +13,5 @@ public sealed record ProposedBlocks(int Feature, string Name, IReadOnlyList<stri
     public IReadOnlyList<(int First, int Last)> Passes { get; init; } = [];
 
     /// <summary>Why they were not found, or null.</summary>
-    public MatingRefusal? Refusal { get; init; }
+    public Refusal? Refusal { get; init; }
 }

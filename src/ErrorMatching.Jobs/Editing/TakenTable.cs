@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Jobs;
 
 /// <summary>The result of putting a <see cref="PointTable"/> into a draft.</summary>

@@ -1,7 +1,9 @@
 using System.Security.Cryptography;
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
@@ -16,8 +18,7 @@ public sealed class FreeformFiles
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">The job cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. The job cannot be used.</exception>
     public FreeformFiles(string job)
         : this(InputFile.Freeform(job))
     {
@@ -43,8 +44,7 @@ public sealed class FreeformFiles
     public IReadOnlyList<ReportInput> Inputs => _inputs;
 
     /// <summary>The nominal surface.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="FreeformException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public PartSurface Surface()
     {
         var file = Job.PathOf(Job.Surface.File);
@@ -62,8 +62,7 @@ public sealed class FreeformFiles
     /// <param name="role">Its role in the report.</param>
     /// <param name="file">The file.</param>
     /// <param name="plan">The plan that it was measured by.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="FreeformException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
     {
         ArgumentNullException.ThrowIfNull(file);
@@ -83,21 +82,19 @@ public sealed class FreeformFiles
     }
 
     /// <summary>The dialect of the probing program. A dialect file is relative to the job's folder.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used, or there is no dialect of this name (<c>unknown-dialect</c>).</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used, or there is no dialect of this name
+    /// (<c>unknown-dialect</c>).</exception>
     public NcDialect MeasuringDialect() => Dialect(Job.Measuring.Dialect, "$.measuring.dialect");
 
     /// <summary>The dialect of the cutting programs. A dialect file is relative to the job's folder.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used, or there is no dialect of this name (<c>unknown-dialect</c>).</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used, or there is no dialect of this name
+    /// (<c>unknown-dialect</c>).</exception>
     public NcDialect ToolpathDialect() => Dialect(Job.Toolpath.Dialect, "$.toolpath.dialect");
 
     /// <summary>The template of the probing program: the job's own, which may name a built-in one, or the dialect's.</summary>
     /// <param name="dialect">The dialect of the probing program.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="FreeformException">It cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The dialect has no built-in template (<c>unknown-template</c>), or its control
-    /// does not support tool names (<c>tool-by-name</c>).</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used. The dialect has no built-in template
+    /// (<c>unknown-template</c>), or its control does not support tool names (<c>tool-by-name</c>).</exception>
     public ProbingTemplate Template(NcDialect dialect)
     {
         CheckCall(Job.Measuring.Tool, "$.measuring.tool.name", dialect);
@@ -113,7 +110,7 @@ public sealed class FreeformFiles
         {
             return ProbingTemplate.For(dialect);
         }
-        catch (FreeformException e) when (Job.PlaceOf("$.measuring.dialect") is { } place)
+        catch (InputException e) when (Job.PlaceOf("$.measuring.dialect") is { } place)
         {
             throw Wrong(
                 e.Code,
@@ -126,9 +123,8 @@ public sealed class FreeformFiles
 
     /// <summary>The template of cutting programs: the job's own, which may name a built-in one, or the dialect's.</summary>
     /// <param name="dialect">The dialect of the programs that cut.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="FreeformException">It cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The dialect's control does not support tool names (<c>tool-by-name</c>).</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used. The dialect's control does not support tool
+    /// names (<c>tool-by-name</c>).</exception>
     public FinishingTemplate FinishingTemplate(NcDialect dialect)
     {
         CheckCall(Job.Toolpath.Tool, "$.toolpath.tool.name", dialect);
@@ -211,14 +207,14 @@ public sealed class FreeformFiles
         {
             return read();
         }
-        catch (InputException e) when (Job.PlaceOf(path) is { } place)
+        catch (InputException e) when (e.Code == MeasurementError.FileUnreadable && Job.PlaceOf(path) is { } place)
         {
-            throw new InputException(e.File, e.Message, e) { NamedAt = new(Job.File, path, place) };
+            throw InputRefusals.NamedAt(Job.File, path, place, e);
         }
     }
 
-    private JsonDocumentException Wrong(string code, string path, JsonPlace place, string found, string expected) =>
-        new(Job.File, [new(code, path, place, found, expected, $"found {found}; expected {expected}")]);
+    private InputException Wrong(string code, string path, JsonPlace place, string found, string expected) =>
+        new(Job.File, [JsonRefusal.At(place, path, code, found, expected)]);
 
     private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
     {

@@ -1,7 +1,9 @@
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Jobs;
@@ -13,18 +15,15 @@ public static class InputFile
     private const int Many = 4_000_000;
 
     /// <summary>The job in a file.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JobException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
 
     /// <summary>The free-form job in a file.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), path);
 
     /// <summary>The kind of the job in a file, as the file states it; null if it states none.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It is not JSON.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It is not JSON.</exception>
     public static string? KindOfJob(string path)
     {
         var root = JsonInput.Read(Open(path, p => JsonInput.Load(p)), path);
@@ -33,16 +32,12 @@ public static class InputFile
 
     /// <summary>A built-in dialect by its name, or a shop's own dialect from a file.</summary>
     /// <param name="dialect">A name, or a file ending in <c>.json</c>.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">There is no dialect of this name.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used. There is no dialect of this name.</exception>
     public static NcDialect Dialect(string dialect) =>
         NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
 
     /// <summary>The dialect of a job's program. A dialect file is relative to the job's folder.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
-    /// <exception cref="NcException">There is no dialect of this name.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used. There is no dialect of this name.</exception>
     public static NcDialect DialectOf(MatingJob job)
     {
         var name = job.Counterpart.Dialect;
@@ -58,7 +53,8 @@ public static class InputFile
             ? length < Many
             ? File.ReadAllBytes(p)
             : InHalves(p, (int)length)
-            : throw new NcException(NcErrorCode.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read.");
+            : throw new InputException(
+                new Refusal(NcInputCodes.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read."));
     });
 
     /// <summary>The bytes of a file.</summary>
@@ -70,8 +66,7 @@ public static class InputFile
     });
 
     /// <summary>The wish in a file.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public static WishFile Wish(string path) =>
         WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
 
@@ -112,7 +107,12 @@ public static class InputFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
-            throw new InputException(path, $"{path} cannot be opened: {e.Message.TrimEnd('.')}. Name a file that this user may read.", e);
+            throw new InputException(
+                new Refusal(
+                    MeasurementError.FileUnreadable,
+                    $"{path} cannot be opened: {e.Message.TrimEnd('.')}. Name a file that this user may read.",
+                    new() { File = path }),
+                e);
         }
     }
 }

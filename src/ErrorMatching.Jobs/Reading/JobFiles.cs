@@ -2,6 +2,7 @@ using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -12,8 +13,7 @@ public sealed class JobFiles
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JobException">The job cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. The job cannot be used.</exception>
     public JobFiles(string job)
         : this(InputFile.Job(job))
     {
@@ -33,18 +33,16 @@ public sealed class JobFiles
     public IReadOnlyList<string> Read => _read;
 
     /// <summary>The nominal key points: the given ones, or the job's.</summary>
-    /// <exception cref="MeasurementException">The file cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be used.</exception>
     public MeasurementFile Theoretical(GivenFile? given = null) =>
         Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
     /// <summary>A measurement of the part: the given one, or the job's.</summary>
-    /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    /// <exception cref="WrongPieceException">The job's rules say that it is of the counterpart.</exception>
+    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the counterpart.</exception>
     public MeasurementFile Part(GivenFile? given) => Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
 
     /// <summary>A measurement of a counterpart.</summary>
-    /// <exception cref="MeasurementException">The file cannot be used.</exception>
-    /// <exception cref="WrongPieceException">The job's rules say that it is of the part.</exception>
+    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the part.</exception>
     public MeasurementFile Counterpart(GivenFile file) => Recognized(file, SourceSide.Counterpart);
 
     /// <summary>The counterpart's program: the given one, or the job's.</summary>
@@ -62,8 +60,7 @@ public sealed class JobFiles
     }
 
     /// <summary>The dialect of the program if the job names a dialect file; otherwise null.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
-    /// <exception cref="JsonDocumentException">It cannot be used.</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public NcDialect? OwnDialect()
     {
         if (!NcDialects.IsFile(Job.Counterpart.Dialect))
@@ -81,7 +78,7 @@ public sealed class JobFiles
         var measurement = Measured(file, Job.Gauge.Format);
         return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected
             ? measurement
-            : throw new WrongPieceException(file.File, expected);
+            : throw InputRefusals.WrongPiece(file.File, expected);
     }
 
     private MeasurementFile Measured(GivenFile file, MeasurementFormat format)

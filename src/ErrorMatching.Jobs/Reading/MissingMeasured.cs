@@ -1,4 +1,5 @@
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
@@ -24,7 +25,7 @@ public static class MissingMeasured
 
     /// <summary>The warning with its place in the job's file; null in the same cases as <see cref="Of"/>.</summary>
     /// <param name="job">The job.</param>
-    public static ErrorItem? ItemOf(MatingJob job) => Of(job) is { } warning && job.MeasuredPlace is { } place
-        ? ErrorItems.At(new(job.File, Path, place), warning.Code, warning.Message)
+    public static Refusal? ItemOf(MatingJob job) => Of(job) is { } warning && job.MeasuredPlace is { } place
+        ? new(warning.Code, warning.Message, new() { File = job.File, Line = place.Line, Column = place.Column, Path = Path })
         : null;
 }

@@ -2,6 +2,7 @@ using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -13,13 +14,11 @@ public static class BlockRun
     /// <param name="file">The job's file. Its features may lack their blocks.</param>
     /// <param name="cancellation">Checked between reading and searching.</param>
     /// <returns>The result for each feature; a refusal if the program cannot be interpreted to its end.</returns>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="JobException">The job cannot be used for a reason other than missing blocks.</exception>
-    /// <exception cref="MeasurementException">The nominal points cannot be used, or a key point is not among them.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
-    /// <exception cref="NcException">The dialect or the program cannot be read.</exception>
+    /// <exception cref="InputException">A file cannot be opened. The job cannot be used for a reason other than missing blocks. The
+    /// nominal points cannot be used, or a key point is not among them. The job's own dialect cannot be used. The dialect or the
+    /// program cannot be read.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static RunOutcome<FoundBlocks> Of(string file, CancellationToken cancellation)
+    public static Outcome<FoundBlocks> Of(string file, CancellationToken cancellation)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
         var job = MatingJob.ParseWithoutBlocks(bytes, file);
@@ -34,12 +33,12 @@ public static class BlockRun
         var path = NcInterpreter.Run(NcProgram.Read(text), dialect, null, cancellation);
         if (path.Refusal is { } refusal)
         {
-            return new(ErrorItems.Of([refusal], program));
+            return refusal.In(program);
         }
 
         var sought = job.Features.Select(f => Sought(job, f, theoretical)).ToArray();
         var proposed = BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm);
-        return new(new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(job, path, theoretical, p))], files.Read, bytes));
+        return new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(job, path, theoretical, p))], files.Read, bytes);
     }
 
     private static SoughtBoundary Sought(MatingJob job, JobFeature feature, MeasurementFile theoretical) =>

@@ -88,7 +88,7 @@ public sealed record DisplacementDocument
     /// <summary>Reads a document. Older ones lack the marker.</summary>
     /// <param name="document">The document, of this schema.</param>
     /// <returns>The document; null if it is older than the map.</returns>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static DisplacementDocument? Read(ReportReader document)
     {
         ArgumentNullException.ThrowIfNull(document);

@@ -2,6 +2,7 @@ using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -21,7 +22,7 @@ public sealed record FoundBlocks(
     ReadOnlyMemory<byte> JobBytes)
 {
     /// <summary>Why features have no blocks; empty if each has some.</summary>
-    public IReadOnlyList<ErrorItem> Refusals => ErrorItems.Of(Features.Select(f => f.Refusal).OfType<MatingRefusal>(), Job.File, Program);
+    public IReadOnlyList<Refusal> Refusals => InputRefusals.Of(Features.Select(f => f.Refusal).OfType<Refusal>(), Job.File, Program);
 
     /// <summary>True if the job already names the same cutting motions for a feature, in any form.</summary>
     /// <param name="feature">Index of the feature, from 0.</param>
@@ -32,9 +33,9 @@ public sealed record FoundBlocks(
             return Job.Features[feature].Blocks is { Count: > 0 } blocks
                 && BlockSelector.Select(Path.Program, [.. blocks.Select(BlockSelector.Parse)]) is { IsUsable: true } named
                 && Features[feature].Passes is { Count: > 0 } passes
-                && Cutting(named.Value).SetEquals(Cutting(passes.SelectMany(p => Enumerable.Range(p.First, p.Last - p.First + 1))));
+                && Cutting(named.Result).SetEquals(Cutting(passes.SelectMany(p => Enumerable.Range(p.First, p.Last - p.First + 1))));
         }
-        catch (NcException)
+        catch (InputException)
         {
             // Selectors that match nothing.
             return false;

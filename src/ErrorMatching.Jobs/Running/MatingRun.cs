@@ -3,6 +3,7 @@ using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -14,15 +15,12 @@ public static class MatingRun
     /// <param name="files">The job's files.</param>
     /// <param name="request">The other inputs.</param>
     /// <param name="cancellation">Checked between reading and calculating.</param>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="MeasurementException">A measurement cannot be used.</exception>
-    /// <exception cref="WrongPieceException">A measurement is of the other piece.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used.</exception>
-    /// <exception cref="NcException">The dialect, a selector or the program cannot be read.</exception>
-    /// <exception cref="PointsException">The measured points determine no solution.</exception>
+    /// <exception cref="InputException">A file cannot be opened. A measurement cannot be used. A measurement is of the other piece.
+    /// The job's own dialect cannot be used. The dialect, a selector or the program cannot be read. The measured points determine
+    /// no solution.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static RunOutcome<MatchedProgram> Of(JobFiles files, MatingRequest request, CancellationToken cancellation)
+    public static Outcome<MatchedProgram> Of(JobFiles files, MatingRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(files);
         ArgumentNullException.ThrowIfNull(request);
@@ -37,7 +35,7 @@ public static class MatingRun
             var outcome = Matcher.Match(new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
             if (outcome.Result is not { } result)
             {
-                return new(ErrorItems.Of(outcome.Refusals, job.File, program));
+                return Outcome<MatchedProgram>.Refused(InputRefusals.Of(outcome.Refusals, job.File, program));
             }
 
             var report = MatchReporter.Report(
@@ -47,15 +45,15 @@ public static class MatingRun
                 report = report with { Warnings = [.. report.Warnings, missing] };
             }
 
-            return new(new MatchedProgram(
+            return new MatchedProgram(
                 result,
                 GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
                     ? report with { Notes = [.. report.Notes, note] }
-                    : report));
+                    : report);
         }
         catch (GeometryException e)
         {
-            throw new PointsException(part.File, e);
+            throw InputRefusals.Of(e, part.File);
         }
     }
 
@@ -84,9 +82,9 @@ public static class MatingRun
         {
             return files.Counterpart(new(job.PathOf(measured)));
         }
-        catch (MeasurementException e) when (e.Code == MeasurementError.FileUnreadable && job.MeasuredPlace is { } place)
+        catch (InputException e) when (e.Code == MeasurementError.FileUnreadable && job.MeasuredPlace is { } place)
         {
-            throw new InputException(e.File!, e.Message, e) { NamedAt = new(job.File, MissingMeasured.Path, place) };
+            throw InputRefusals.NamedAt(job.File, MissingMeasured.Path, place, e);
         }
     }
 }

@@ -1,5 +1,6 @@
 using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -31,7 +32,7 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
     /// <param name="made">The file to be written, which may contain a program of an earlier run; null if unknown.</param>
     /// <param name="baseSha256">Base hash in the markers of this job's programs.</param>
     /// <exception cref="InputException">A program cannot be opened.</exception>
-    public ErrorItem? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
+    public Refusal? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
     {
         _measurements.AddRange(measured.Select(m => m.Sha256));
         _measurements.Add(SurfaceRun.MeasurementSha256(measured));
@@ -45,7 +46,7 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
             : Found.File is null && made is not null ? Beside(made, baseSha256) : null;
     }
 
-    private ErrorItem? Named()
+    private Refusal? Named()
     {
         if ((request.CutBy is { } given ? files.Given(FreeformFiles.CutByRole, given) : files.CutBy()) is not { Bytes: { } bytes } named)
         {
@@ -64,7 +65,7 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
     }
 
     // A finishing program cut a piece without stock; the last one is where this run will write. A repeated measurement is not a new piece.
-    private ErrorItem? Beside(string made, string baseSha256)
+    private Refusal? Beside(string made, string baseSha256)
     {
         if (files.Job.Stock.Of(files.Job.Measuring.After) > 0 || !File.Exists(made))
         {
@@ -82,9 +83,9 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
             " If another one did, name that by --cut-by, or as \"cutBy\" under \"measuring\".");
     }
 
-    private static ErrorItem Refuse(string file, string found, NcProgram? program, int block, string more = "")
+    private static Refusal Refuse(string file, string found, NcProgram? program, int block, string more = "")
     {
-        var (name, line) = program is null ? ("", 0) : (program.NameOf(program[block]), program[block].Line);
-        return ErrorItems.Of([new NcRefusal(Code, name, line, $"{(name.Length > 0 ? name + ": " : "")}{found} {WhatToDo}{more}")], file)[0];
+        var message = $"{found} {WhatToDo}{more}";
+        return (program is null ? new(Code, message) : BlockRefusal.At(program, block, Code, message)).In(file);
     }
 }

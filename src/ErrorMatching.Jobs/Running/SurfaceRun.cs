@@ -4,6 +4,7 @@ using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
@@ -19,13 +20,11 @@ public static class SurfaceRun
     /// <param name="files">The job's files.</param>
     /// <param name="request">The other inputs.</param>
     /// <param name="cancellation">Checked between the stages of the calculation.</param>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or does not exist.</exception>
-    /// <exception cref="PointsException">The measured points determine no fit.</exception>
+    /// <exception cref="InputException">A file cannot be opened. A file cannot be used. The job's own dialect cannot be used, or
+    /// does not exist. The measured points determine no fit.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static RunOutcome<FinishedSurface> Compensate(FreeformFiles files, SurfaceRequest request, CancellationToken cancellation)
+    public static Outcome<FinishedSurface> Compensate(FreeformFiles files, SurfaceRequest request, CancellationToken cancellation)
     {
         var job = Job(files, request);
         var dialect = files.ToolpathDialect();
@@ -40,14 +39,14 @@ public static class SurfaceRun
                 files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
                 is not { } result)
             {
-                return new(refusals);
+                return Outcome<FinishedSurface>.Refused(refusals);
             }
 
             cancellation.ThrowIfCancellationRequested();
             var planned = ToolPathPlanner.Plan(result.Surface, job.Tool, job.Toolpath, 0, dialect);
             if (!planned.IsUsable)
             {
-                return new(ErrorItems.Of([planned.Refusal], job.File));
+                return planned.Refusal.In(job.File);
             }
 
             cancellation.ThrowIfCancellationRequested();
@@ -56,11 +55,11 @@ public static class SurfaceRun
             var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
             var callsTool = template.CallsTool(job);
             result = callsTool ? result : result with { Warnings = [FinishingProgram.NoToolCall, .. result.Warnings] };
-            return new(new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
+            return new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
             {
                 CallsTool = callsTool,
                 CutBy = cutBy,
-            }));
+            });
         });
     }
 
@@ -69,14 +68,11 @@ public static class SurfaceRun
     /// <param name="request">The other inputs.</param>
     /// <param name="program">The shop's finishing program from its CAM system.</param>
     /// <param name="cancellation">Checked between the stages of the calculation.</param>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="FreeformException">A file cannot be used.</exception>
-    /// <exception cref="JsonDocumentException">The job's own dialect cannot be used, or does not exist.</exception>
-    /// <exception cref="NcException">The program is too large.</exception>
-    /// <exception cref="PointsException">The measured points determine no fit.</exception>
+    /// <exception cref="InputException">A file cannot be opened. A file cannot be used. The job's own dialect cannot be used, or
+    /// does not exist. The program is too large. The measured points determine no fit.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static RunOutcome<DisplacedSurface> Displace(
+    public static Outcome<DisplacedSurface> Displace(
         FreeformFiles files, SurfaceRequest request, GivenFile program, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(program);
@@ -96,7 +92,7 @@ public static class SurfaceRun
                 files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
                 is not { } compensation)
             {
-                return new(refusals);
+                return Outcome<DisplacedSurface>.Refused(refusals);
             }
 
             if (!asked.Fit.OfError)
@@ -114,12 +110,11 @@ public static class SurfaceRun
                 job.Toolpath.ProgramsTip,
                 MeasurementSha256(compensation.Input.Measured));
             return displaced.IsUsable
-                ? new(
-                    new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Value, compensation, request.Folder)
-                    {
-                        CutBy = cutBy
-                    })
-                : new(ErrorItems.Of([displaced.Refusal], program.File));
+                ? new DisplacedSurface(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
+                {
+                    CutBy = cutBy
+                }
+                : displaced.Refusal.In(program.File);
         });
     }
 
@@ -152,7 +147,7 @@ public static class SurfaceRun
         string? made,
         string baseSha256,
         CancellationToken cancellation,
-        out IReadOnlyList<ErrorItem> refusals,
+        out IReadOnlyList<Refusal> refusals,
         out MeasuredPieceProgram cutBy)
     {
         var plan = files.Plan(surface);
@@ -162,7 +157,7 @@ public static class SurfaceRun
         // here, not a point that this stylus cannot reach.
         if (plan.Points.Count == 0 || plan.FacesDown)
         {
-            refusals = ErrorItems.Of(plan.Refusals, job.File);
+            refusals = InputRefusals.In(job.File, plan.Refusals);
             return null;
         }
 
@@ -177,13 +172,13 @@ public static class SurfaceRun
 
         cutBy = piece.Found;
         var outcome = Compensator.Compensate(new(job, surface, plan, points));
-        refusals = ErrorItems.Of(outcome.Refusals, job.File);
+        refusals = InputRefusals.In(job.File, outcome.Refusals);
         return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
             ? result with { Notes = [.. result.Notes, note] }
             : outcome.Result;
     }
 
-    private static RunOutcome<T> Fitted<T>(SurfaceRequest request, Func<RunOutcome<T>> run)
+    private static Outcome<T> Fitted<T>(SurfaceRequest request, Func<Outcome<T>> run)
         where T : class
     {
         try
@@ -192,7 +187,7 @@ public static class SurfaceRun
         }
         catch (GeometryException e)
         {
-            throw new PointsException(request.Measured[0].File, e);
+            throw InputRefusals.Of(e, request.Measured[0].File);
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Json;
 
@@ -26,7 +27,7 @@ public static class JsonInput
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
     /// <param name="limits">The size limits; <see cref="JsonLimits.Default"/> if null.</param>
-    /// <exception cref="JsonDocumentException">The document is too large
+    /// <exception cref="InputException">The document is too large
     /// (<c>too-big</c>), empty (<c>empty-document</c>), not UTF-8 (<c>not-utf8</c>), not JSON (<c>not-json</c>), nested too deeply
     /// (<c>too-deep</c>), has too many values (<c>too-many-values</c>), a number beyond the range of a double (<c>number-out-of-range</c>),
     /// or a duplicate key (<c>duplicate-key</c>). After 100 problems, <c>too-many-problems</c> is the last.</exception>
@@ -87,11 +88,11 @@ public static class JsonInput
                 : Refuse(file, "not-json", map.PlaceOf(bytes, e.LineNumber ?? 0, e.BytePositionInLine ?? 0), SyntaxSentence(e), "JSON");
         }
 
-        return tree.Problems.Count == 0 ? root : throw new JsonDocumentException(file, tree.Problems);
+        return tree.Problems.Count == 0 ? root : throw new InputException(file, tree.Problems);
     }
 
-    private static JsonDocumentException Refuse(string file, string code, JsonPlace place, string found, string expected) =>
-        new(file, [new(code, "$", place, found, expected, $"found {found}; expected {expected}")]);
+    private static InputException Refuse(string file, string code, JsonPlace place, string found, string expected) =>
+        new(file, [JsonRefusal.At(place, "$", code, found, expected)]);
 
     /// <summary>The reader's sentence without its own line numbers, which start at 0.</summary>
     private static string SyntaxSentence(JsonException e)

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Json;
 
 /// <summary>Limits the problems of a document to a useful number. A hostile or wrong file could have millions.</summary>
@@ -7,7 +9,7 @@ internal static class ProblemList
     public const int Most = 100;
 
     /// <summary>The first problems, followed by one that states if there are more.</summary>
-    public static IReadOnlyList<JsonProblem> Shortened(IReadOnlyList<JsonProblem> problems)
+    public static IReadOnlyList<Refusal> Shortened(IReadOnlyList<Refusal> problems)
     {
         if (problems.Count <= Most)
         {
@@ -16,8 +18,6 @@ internal static class ProblemList
 
         var next = problems[Most];
         var (found, expected) = ($"more than {Most} problems", "a document of the right kind, or these corrected first");
-        return [
-            .. problems.Take(Most),
-            new("too-many-problems", next.Path, next.Place, found, expected, $"found {found}; expected {expected}")];
+        return [.. problems.Take(Most), Refusal.Of("too-many-problems", found, expected, next.Place)];
     }
 }

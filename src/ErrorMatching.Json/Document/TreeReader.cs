@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Json;
 
@@ -11,10 +12,10 @@ namespace ErrorMatching.Json;
 /// <param name="maxValues">Maximum number of values.</param>
 internal sealed class TreeReader(LineMap map, string file, int skipped, int maxValues)
 {
-    private readonly List<JsonProblem> _problems = [];
+    private readonly List<Refusal> _problems = [];
     private int _values;
 
-    public IReadOnlyList<JsonProblem> Problems => _problems;
+    public IReadOnlyList<Refusal> Problems => _problems;
 
     public JsonItem ReadValue(ref Utf8JsonReader reader, ReadOnlySpan<byte> bytes, JsonItem? parent, string? name, int index, int depthLeft)
     {
@@ -23,9 +24,11 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         {
             var (found, expected) = ("one more value", string.Create(CultureInfo.InvariantCulture, $"at most {maxValues} values"));
             var place = map.PlaceOf(bytes, start);
-            throw new JsonDocumentException(
+            throw new InputException(
                 file,
-                [.. _problems, new("too-many-values", parent?.Path ?? "$", place, found, expected, $"found {found}; expected {expected}")]);
+                [
+                    .. _problems,
+                    JsonRefusal.At(place, parent?.Path ?? "$", "too-many-values", found, expected)]);
         }
 
         var item = ReadItem(ref reader, bytes, parent, name, index, depthLeft);
@@ -70,13 +73,10 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
             }
             else
             {
-                Report(new(
-                    "duplicate-key",
-                    item.PathOf(name),
-                    place,
-                    $"the key \"{name}\" again",
-                    "each key once",
-                    $"the key \"{name}\" stands twice in this object; keep one"));
+                Report(JsonRefusal.At(place, item.PathOf(name), "duplicate-key", $"the key \"{name}\" again", "each key once") with
+                {
+                    Message = $"the key \"{name}\" stands twice in this object; keep one."
+                });
             }
         }
 
@@ -110,7 +110,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         var item = new JsonItem(JsonItemKind.Number, place, parent, name, index) { Text = spelling, Number = reader.GetDouble() };
         if (!double.IsFinite(item.Number))
         {
-            Report(JsonProblem.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
+            Report(JsonRefusal.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
         }
 
         return item;
@@ -126,23 +126,20 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         catch (InvalidOperationException)
         {
             const string expected = "whole characters";
-            Report(new(
-                "not-utf8",
-                item.Path,
-                place,
-                "half a surrogate pair",
-                expected,
-                "found half a surrogate pair (\\uD800 to \\uDFFF); expected " + expected));
+            Report(JsonRefusal.At(item, "not-utf8", "half a surrogate pair", expected) with
+            {
+                Message = $"found half a surrogate pair (\\uD800 to \\uDFFF); expected {expected}."
+            });
             return "";
         }
     }
 
-    private void Report(JsonProblem problem)
+    private void Report(Refusal problem)
     {
         _problems.Add(problem);
         if (_problems.Count > ProblemList.Most)
         {
-            throw new JsonDocumentException(file, ProblemList.Shortened(_problems));
+            throw new InputException(file, ProblemList.Shortened(_problems));
         }
     }
 
@@ -150,8 +147,8 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
     {
         if (depthLeft < 0)
         {
-            throw new JsonDocumentException(
-                file, [.. _problems, JsonProblem.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
+            throw new InputException(
+                file, [.. _problems, JsonRefusal.At(item, "too-deep", "one more level", "fewer lists and objects inside one another")]);
         }
     }
 }

@@ -14,7 +14,7 @@ internal static class Alternatives
         {
             findings.Add(new(
                 item,
-                JsonProblem.At(
+                JsonRefusal.At(
                     item,
                     "several-alternatives",
                     ValueText.Of(item) + " that could mean several things",
@@ -65,13 +65,13 @@ internal static class Alternatives
         if (meant.Length == 0 && ruledOut.All(f => ReferenceEquals(f.Item, ruledOut[0].Item)))
         {
             var (place, first) = (ruledOut[0].Item, ruledOut[0].Problem);
-            var all = JsonProblem.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
+            var all = JsonRefusal.At(place, first.Code, first.Found, ValueText.Or(ruledOut.Select(f => f.Problem.Expected)));
             // A value that may be a word or something else, such as "auto" or a number, does not identify the kind of its object.
             findings.Add(new(place, all, ruledOut.All(f => f.ByType), ruledOut.All(f => f.ByConst) && !ReferenceEquals(place, item)));
             return;
         }
 
-        findings.Add(new(item, JsonProblem.At(item, "no-alternative", ValueText.Of(item), ValueText.Or(alternatives.Select(Name)))));
+        findings.Add(new(item, JsonRefusal.At(item, "no-alternative", ValueText.Of(item), ValueText.Or(alternatives.Select(Name)))));
     }
 
     /// <summary>True if an alternative was not intended: another type of value, or another const in it or in one of its members.</summary>

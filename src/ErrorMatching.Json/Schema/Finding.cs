@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Json;
 
 /// <summary>A problem and the item that it refers to.</summary>
@@ -5,4 +7,4 @@ namespace ErrorMatching.Json;
 /// <param name="Problem">What is wrong.</param>
 /// <param name="ByType">True if the rule requires another type. If there is an alternative, this one was not intended.</param>
 /// <param name="ByConst">True if a const differs. The alternative with that const was not intended.</param>
-internal readonly record struct Finding(JsonItem Item, JsonProblem Problem, bool ByType = false, bool ByConst = false);
+internal readonly record struct Finding(JsonItem Item, Refusal Problem, bool ByType = false, bool ByConst = false);

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Json;
 
 /// <summary>A JSON Schema of draft 2020-12, restricted to keywords that are checked exactly.</summary>
@@ -14,24 +16,24 @@ public sealed class JsonSchema
     /// <summary>Parses a schema.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">The bytes are not JSON (as for <see cref="JsonInput.Read"/>) or not a schema of the subset
+    /// <exception cref="InputException">The bytes are not JSON (as for <see cref="JsonInput.Read"/>) or not a schema of the subset
     /// (<c>schema</c>).</exception>
     public static JsonSchema Parse(ReadOnlySpan<byte> bytes, string file)
     {
         var parser = new SchemaParser(JsonInput.Read(bytes, file));
         var root = parser.Parse();
-        return parser.Problems.Count == 0 ? new(root) : throw new JsonDocumentException(file, parser.Problems);
+        return parser.Problems.Count == 0 ? new(root) : throw new InputException(file, parser.Problems);
     }
 
     /// <summary>Returns all violations of the schema, in the order of the document; empty if there are none. After 100 problems,
     /// <c>too-many-problems</c> is the last.</summary>
-    public IReadOnlyList<JsonProblem> Check(JsonItem document)
+    public IReadOnlyList<Refusal> Check(JsonItem document)
     {
         ArgumentNullException.ThrowIfNull(document);
         var findings = new List<Finding>();
         SchemaChecker.Check(_root, document, findings);
 
         // Identical findings of two rules are reported once. The sort is stable, so problems at one place keep the order of the rules.
-        return ProblemList.Shortened([.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Line).ThenBy(p => p.Column)]);
+        return ProblemList.Shortened([.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Place.Line).ThenBy(p => p.Place.Column)]);
     }
 }

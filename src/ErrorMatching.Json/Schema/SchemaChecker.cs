@@ -22,14 +22,14 @@ internal static class SchemaChecker
         {
             findings.Add(new(
                 item,
-                JsonProblem.At(item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType))),
+                JsonRefusal.At(item, "wrong-type", ValueText.Of(item), ValueText.Or(rule.Types.Select(ValueText.OfType))),
                 ByType: true));
             return;
         }
 
         if (rule.Values.Count > 0 && !rule.Values.Any(v => IsSame(v, item)))
         {
-            var problem = JsonProblem.At(item, "not-one-of", ValueText.Of(item), ValueText.Or(rule.Values.Select(ValueText.Literal)));
+            var problem = JsonRefusal.At(item, "not-one-of", ValueText.Of(item), ValueText.Or(rule.Values.Select(ValueText.Literal)));
             findings.Add(new(item, problem, ByType: !rule.Values.Any(v => v.Kind == item.Kind), ByConst: rule.IsConst));
             return;
         }
@@ -78,17 +78,19 @@ internal static class SchemaChecker
                 var known = rule.Properties.Select(p => p.Key).ToArray();
                 var near = NearestName.To(member.Name, known);
                 var message = near is null
-                    ? $"the key \"{member.Name}\" is not known here; known are {string.Join(", ", known)}"
+                    ? $"the key \"{member.Name}\" is not known here; known are {string.Join(", ", known)}."
                     : $"the key \"{member.Name}\" is not known here; did you mean \"{near}\"?";
                 findings.Add(new(
                     item,
-                    new(
-                        "unknown-key",
-                        member.Value.Path,
+                    JsonRefusal.At(
                         member.Place,
+                        member.Value.Path,
+                        "unknown-key",
                         $"the key \"{member.Name}\"",
-                        near is null ? ValueText.Or(known) : $"\"{near}\"",
-                        message)));
+                        near is null ? ValueText.Or(known) : $"\"{near}\"") with
+                    {
+                        Message = message
+                    }));
             }
         }
     }
@@ -166,7 +168,7 @@ internal static class SchemaChecker
     }
 
     private static void Add(List<Finding> findings, JsonItem item, string code, string found, string expected) =>
-        findings.Add(new(item, JsonProblem.At(item, code, found, expected)));
+        findings.Add(new(item, JsonRefusal.At(item, code, found, expected)));
 
     /// <summary>In JSON Schema, a number is an integer if its value is whole, regardless of its spelling.</summary>
     private static bool IsOfType(JsonItem item, string type) => type switch

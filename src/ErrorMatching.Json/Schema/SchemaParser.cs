@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Json;
 
@@ -10,7 +11,7 @@ internal sealed class SchemaParser(JsonItem document)
     private readonly List<(JsonItem At, SchemaRule Rule, string Target)> _references = [];
     private readonly SchemaRule _root = new();
 
-    public List<JsonProblem> Problems { get; } = [];
+    public List<Refusal> Problems { get; } = [];
 
     public SchemaRule Parse()
     {
@@ -64,13 +65,11 @@ internal sealed class SchemaParser(JsonItem document)
         var (keyword, value) = (member.Name, member.Value);
         if (!SaysWhatItIs(rule, keyword, value) && !SaysParts(rule, keyword, value) && !SaysLimit(rule, keyword, value))
         {
-            Problems.Add(new(
-                "schema",
-                member.Value.Path,
-                member.Place,
-                $"the keyword \"{member.Name}\"",
-                "a keyword that is checked",
-                $"the keyword \"{member.Name}\" is not checked here, so a schema must not use it"));
+            Problems.Add(JsonRefusal.At(
+                member.Place, member.Value.Path, "schema", $"the keyword \"{member.Name}\"", "a keyword that is checked") with
+            {
+                Message = $"the keyword \"{member.Name}\" is not checked here, so a schema must not use it."
+            });
         }
     }
 
@@ -212,7 +211,7 @@ internal sealed class SchemaParser(JsonItem document)
         return false;
     }
 
-    private void Refuse(JsonItem at, string found, string expected) => Problems.Add(JsonProblem.At(at, "schema", found, expected));
+    private void Refuse(JsonItem at, string found, string expected) => Problems.Add(JsonRefusal.At(at, "schema", found, expected));
 
     /// <summary>Whether the rules that judge the same value as one rule come back to it: checking would never end.</summary>
     private static bool LeadsBack(SchemaRule from, SchemaRule to, HashSet<SchemaRule> seen)

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -41,7 +42,7 @@ internal static class Decider
         ArgumentNullException.ThrowIfNull(points);
         var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
         var features = new List<FeatureDecision>();
-        var refusals = new List<MatingRefusal>();
+        var refusals = new List<Refusal>();
         for (var i = 0; i < job.Features.Count; i++)
         {
             var feature = job.Features[i];
@@ -67,7 +68,7 @@ internal static class Decider
 
     // The refusal of limits that are probably micrometers, or null. A deviation below half a program increment does not test the limits
     // either.
-    private static MatingRefusal? Micrometers(JobFeature feature, int index, double largest, double u)
+    private static Refusal? Micrometers(JobFeature feature, int index, double largest, double u)
     {
         var (band, off) = (feature.Tolerance.Band, Math.Abs(largest));
         var limit = Math.Abs(band.LowerMm) > Math.Abs(band.UpperMm) ? band.LowerMm : band.UpperMm;
@@ -75,11 +76,13 @@ internal static class Decider
         var nothing = Math.Max(CoverageFactor * u, 0.0005);
         return Math.Abs(limit) <= UsualTolerance || off <= nothing || Math.Abs(limit) <= MostTolerance * off
             ? null
-            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000), feature.Name)
+            : new(form.Name, form.With(feature.Name, limit, off, limit / 1000), new()
             {
+                Feature = feature.Name,
+                Line = feature.Tolerance.Place?.Line,
+                Column = feature.Tolerance.Place?.Column,
                 Path = string.Create(CultureInfo.InvariantCulture, $"$.features[{index}].toleranceMm"),
-                Place = feature.Tolerance.Place,
-            };
+            });
     }
 
     private static FeatureDecision Decide(
@@ -113,9 +116,8 @@ internal static class Decider
         return point.Displacement * (compensation.Gain * share);
     }
 
-    private static MatingRefusal Implausible(string feature, BoundaryPoint point, double limit) => new(
+    private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => new(
         ImplausibleDeviation,
         RefusalForms.ImplausibleDeviation.With(point.Label, feature, point.Displacement.Length, limit),
-        feature,
-        point.Label);
+        new() { Feature = feature, Point = point.Label });
 }

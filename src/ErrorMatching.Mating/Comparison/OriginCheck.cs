@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -17,7 +18,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     public bool Holds => DistanceMm <= LimitMm;
 
     /// <summary>The refusal, or null if the origin is within its limit.</summary>
-    public MatingRefusal? Refusal => Holds
+    public Refusal? Refusal => Holds
         ? null
         : new(
             OriginOff,
@@ -25,7 +26,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
                 CultureInfo.InvariantCulture,
                 $"The origin {Point} was measured {DistanceMm:0.000} mm off, more than the {LimitMm:0.###} mm allowed: check clamping "
                     + $"and work offset, then measure again."),
-            Point: Point);
+            new() { Point = Point });
 
     /// <summary>Checks the origin as measured, before any alignment.</summary>
     /// <param name="check">The check that the job requests.</param>
@@ -42,7 +43,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
 
     /// <summary>The refusal of the first measurement with an origin outside its limit, or null; null also if the job has no
     /// check.</summary>
-    internal static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
+    internal static Refusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)
         {

@@ -14,13 +14,13 @@ internal readonly record struct ProjectedPoint(string Label, Point2 Position, do
     /// <param name="point">The point.</param>
     /// <param name="plane">The feature's plane.</param>
     /// <param name="file">File of the point, for messages.</param>
-    /// <exception cref="MeasurementException">The plane is not XY and the file has no Z
+    /// <exception cref="InputException">The plane is not XY and the file has no Z
     /// (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
     public static ProjectedPoint Of(LabelledPoint point, CoordinatePlane plane, string file)
     {
         if (!point.HasZ && plane != CoordinatePlane.XY)
         {
-            throw new MeasurementException(
+            throw MeasurementRefusal.Of(
                 MeasurementError.MissingCoordinate,
                 string.Create(CultureInfo.InvariantCulture, $"no Z of the point {point.Label}"),
                 $"a Z coordinate, since its feature lies in the plane {plane}",

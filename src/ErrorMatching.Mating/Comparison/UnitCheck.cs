@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -15,7 +16,7 @@ internal static class UnitCheck
 
     /// <summary>The refusal of the first measurement that seems to be in inches while the theoretical points are in millimeters, or the
     /// reverse; null if all units agree.</summary>
-    public static MatingRefusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
+    public static Refusal? Refuse(MatingJob job, MeasurementFile theoretical, params ReadOnlySpan<MeasurementFile?> measurements)
     {
         foreach (var file in measurements)
         {

@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -36,11 +37,11 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <summary>Why its points or its blocks do not fit a feature of its kind, or null.</summary>
     /// <param name="path">The program, interpreted.</param>
     /// <param name="map">Its mapping onto the program.</param>
-    internal virtual MatingRefusal? RefuseMap(NcPath path, FeatureMap map) => null;
+    internal virtual Refusal? RefuseMap(NcPath path, FeatureMap map) => null;
 
     /// <summary>Why a cut cannot follow the corrections at its points, or null.</summary>
     /// <param name="cut">One of its cuts.</param>
-    internal virtual MatingRefusal? RefuseCut(FeatureCut cut) => null;
+    internal virtual Refusal? RefuseCut(FeatureCut cut) => null;
 
     /// <summary>The wishes for one of its cuts, in the order of its motions.</summary>
     /// <param name="cut">A cut that <see cref="RefuseCut"/> accepts.</param>

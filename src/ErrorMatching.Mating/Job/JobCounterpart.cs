@@ -23,14 +23,14 @@ public sealed record JobCounterpart(
 
     /// <summary>The dialect of the program, with the switch state from the job.</summary>
     /// <param name="own">The shop's dialect if the job names a file; null for a built-in one.</param>
-    /// <exception cref="NcException">No dialect has the job's name.</exception>
+    /// <exception cref="InputException">No dialect has the job's name.</exception>
     public NcDialect DialectOf(NcDialect? own) => (own ?? NcDialects.Named(Dialect)).With(BlockSkip);
 
     /// <summary>Position of a part point in the program, mm, in the axis order of a plane.</summary>
     /// <param name="point">The point as designed.</param>
     /// <param name="plane">The plane of its feature.</param>
     /// <param name="file">File of the point, for messages.</param>
-    /// <exception cref="MeasurementException">The plane is not XY and the point has no Z
+    /// <exception cref="InputException">The plane is not XY and the point has no Z
     /// (<see cref="MeasurementError.MissingCoordinate"/>).</exception>
     public Point2 PlaceOf(LabelledPoint point, CoordinatePlane plane, string file) =>
         Frame.Apply(ProjectedPoint.Of(point, plane, file).Position);

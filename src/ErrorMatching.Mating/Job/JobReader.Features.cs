@@ -3,6 +3,7 @@ using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -86,9 +87,9 @@ internal sealed partial class JobReader
             {
                 labels.AddRange(LabelRange.Expand(item.Text).Select(l => (l, item)));
             }
-            catch (MeasurementException e)
+            catch (InputException e)
             {
-                Refuse(item, "bad-range", e.Found, e.Expected);
+                Refuse(item, "bad-range", e.Refusals[0].Found, e.Refusals[0].Expected);
             }
         }
 
@@ -103,10 +104,13 @@ internal sealed partial class JobReader
             {
                 _ = BlockSelector.Parse(item.Text);
             }
-            catch (NcException e)
+            catch (InputException e)
             {
                 const string Expected = "a regular expression without look-around and back references";
-                Problems.Add(new("bad-pattern", item.Path, item.Place, $"the pattern {item.Text}", Expected, e.Message.TrimEnd('.')));
+                Problems.Add(JsonRefusal.At(item, "bad-pattern", $"the pattern {item.Text}", Expected) with
+                {
+                    Message = e.Problem
+                });
             }
         }
     }

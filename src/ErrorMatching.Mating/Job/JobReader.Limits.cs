@@ -29,10 +29,11 @@ internal sealed partial class JobReader
             var u = job.Gauge.Uncertainty.CombinedMm;
             var expected = $"less than {Number(Math.Floor(most / factor * 1e4) / 1e4)}";
             var item = root["gauge"]["uncertaintyMm"];
-            Problems.Add(new(
-                UncertaintyImplausible, item.Path, item.Place, Number(u), expected,
-                $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to the "
-                + $"{Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm"));
+            Problems.Add(JsonRefusal.At(item, UncertaintyImplausible, Number(u), expected) with
+            {
+                Message = $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to the "
+                + $"{Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm."
+            });
         }
     }
 
@@ -57,10 +58,11 @@ internal sealed partial class JobReader
     private void RefuseLimit(JsonItem item, double limit, double most, string found)
     {
         var expected = $"at most {Number(most)}";
-        Problems.Add(new(
-            RefusalForms.LimitImplausible.Name, item.Path, item.Place, found, expected,
-            $"found {found} mm; expected {expected} mm either way, since the job stops at any larger deviation (\"limitMm\"). "
-            + $"um? {Number(limit)} um are {Number(limit / 1000)} mm"));
+        Problems.Add(JsonRefusal.At(item, RefusalForms.LimitImplausible.Name, found, expected) with
+        {
+            Message = $"found {found} mm; expected {expected} mm either way, since the job stops at any larger deviation (\"limitMm\"). "
+            + $"um? {Number(limit)} um are {Number(limit / 1000)} mm."
+        });
     }
 
     private static string Number(double value) => value.ToString("0.#########", CultureInfo.InvariantCulture);

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -14,7 +15,7 @@ internal sealed partial class JobReader(JsonItem root)
     private readonly Dictionary<string, JobFeature> _features = new(StringComparer.Ordinal);
     private readonly Dictionary<string, string> _featureOfPoint = new(StringComparer.Ordinal);
 
-    public List<JsonProblem> Problems { get; } = [];
+    public List<Refusal> Problems { get; } = [];
 
     public MatingJob Read(string file, string sha256)
     {
@@ -144,9 +145,9 @@ internal sealed partial class JobReader(JsonItem root)
                     _ => SourceRule.OfFileName(pattern),
                 });
             }
-            catch (MeasurementException e)
+            catch (InputException e)
             {
-                Refuse(item["pattern"], "bad-pattern", e.Found, e.Expected);
+                Refuse(item["pattern"], "bad-pattern", e.Refusals[0].Found, e.Refusals[0].Expected);
             }
         }
 
@@ -167,5 +168,5 @@ internal sealed partial class JobReader(JsonItem root)
 
     /// <summary>Adds a problem with an item.</summary>
     public void Refuse(JsonItem item, string code, string found, string expected) =>
-        Problems.Add(JsonProblem.At(item, code, found, expected));
+        Problems.Add(JsonRefusal.At(item, code, found, expected));
 }

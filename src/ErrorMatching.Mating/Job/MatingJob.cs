@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json.Nodes;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -77,7 +78,7 @@ public sealed record MatingJob
 
     /// <summary>Reads a job from a file.</summary>
     /// <param name="path">The file.</param>
-    /// <exception cref="JobException">As of <see cref="Parse"/>.</exception>
+    /// <exception cref="InputException">As of <see cref="Parse"/>.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static MatingJob Read(string path) => Parse(JsonInput.Load(path), path);
@@ -85,7 +86,7 @@ public sealed record MatingJob
     /// <summary>Reads a job from bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">File name for messages, and base of relative paths.</param>
-    /// <exception cref="JobException">The bytes are not JSON, violate the schema, or the job contradicts itself; the exception lists all
+    /// <exception cref="InputException">The bytes are not JSON, violate the schema, or the job contradicts itself; the exception lists all
     /// problems.</exception>
     public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema.Value);
 
@@ -93,30 +94,21 @@ public sealed record MatingJob
     /// it.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed.</param>
     /// <param name="file">File name for messages, and base of relative paths.</param>
-    /// <exception cref="JobException">As for <see cref="Parse"/>, except for missing blocks.</exception>
+    /// <exception cref="InputException">As for <see cref="Parse"/>, except for missing blocks.</exception>
     public static MatingJob ParseWithoutBlocks(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, SchemaWithoutBlocks.Value);
 
     private static MatingJob Checked(ReadOnlySpan<byte> bytes, string file, JsonSchema schema)
     {
-        JsonItem document;
-        try
-        {
-            document = JsonInput.Read(bytes, file);
-        }
-        catch (JsonDocumentException e)
-        {
-            throw new JobException(file, e.Problems, e);
-        }
-
+        var document = JsonInput.Read(bytes, file);
         var problems = schema.Check(document);
         if (problems.Count > 0)
         {
-            throw new JobException(file, problems);
+            throw new InputException(file, problems);
         }
 
         var reader = new JobReader(document);
         var job = reader.Read(file, Convert.ToHexStringLower(SHA256.HashData(bytes)));
-        return reader.Problems.Count == 0 ? job : throw new JobException(file, reader.Problems);
+        return reader.Problems.Count == 0 ? job : throw new InputException(file, reader.Problems);
     }
 
     /// <summary>Resolves a path of the job: a relative path starts from the job's folder, an absolute one is unchanged.</summary>

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -44,7 +45,7 @@ public static class BoundarySearch
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(boundaries);
         var cuts = boundaries.Select(b => b.Plane).Distinct().ToDictionary(p => p, p => Cuts(path, p));
-        var (found, refusals) = (new List<Pass>[boundaries.Count], new MatingRefusal?[boundaries.Count]);
+        var (found, refusals) = (new List<Pass>[boundaries.Count], new Refusal?[boundaries.Count]);
         for (var b = 0; b < found.Length; b++)
         {
             (found[b], refusals[b]) = Cores(path, cuts[boundaries[b].Plane], boundaries[b], toolDiameterMm / 2, mapMm);
@@ -77,29 +78,20 @@ public static class BoundarySearch
     /// <param name="feature">Index of the feature, from 0.</param>
     /// <param name="blocks">Selectors of the blocks.</param>
     /// <returns>The reason, or null if a match accepts them.</returns>
-    /// <exception cref="MeasurementException">A key point is missing, or has no coordinate in the feature's plane.</exception>
-    /// <exception cref="NcException">A selector cannot be read.</exception>
-    public static MatingRefusal? Try(MatingJob job, NcPath path, MeasurementFile theoretical, int feature, IReadOnlyList<string> blocks)
+    /// <exception cref="InputException">A key point is missing, or has no coordinate in the feature's plane. A selector cannot be
+    /// read.</exception>
+    public static Refusal? Try(MatingJob job, NcPath path, MeasurementFile theoretical, int feature, IReadOnlyList<string> blocks)
     {
         ArgumentNullException.ThrowIfNull(job);
         return FeatureMapper.Map(job with { Features = [job.Features[feature] with { Blocks = blocks }] }, path, theoretical, out _);
     }
 
     /// <summary>A refusal at the block of a motion; it ends with a generally applicable remedy.</summary>
-    internal static MatingRefusal Refuse(NcPath path, int motion, string code, string message, string feature, string? point = null)
-    {
-        var block = path.Program[path.Motions[motion].Block];
-        return new(
-            code,
-            $"{feature}, {path.Program.NameOf(block)}: {message}, or name the blocks yourself.",
-            feature,
-            point,
-            path.Program.NameOf(block),
-            block.Line);
-    }
+    internal static Refusal Refuse(NcPath path, int motion, string code, string message, string feature, string? point = null) =>
+        FeatureRefusal.At(path, path.Motions[motion].Block, code, $"{message}, or name the blocks yourself.", feature, point);
 
     // Why a boundary's blocks cannot be distinguished from another boundary's, or null.
-    private static MatingRefusal? Shared(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, List<Pass>[] found, int boundary)
+    private static Refusal? Shared(NcPath path, IReadOnlyList<SoughtBoundary> boundaries, List<Pass>[] found, int boundary)
     {
         foreach (var (core, other) in found[boundary].SelectMany(
             c => Enumerable.Range(0, found.Length).Where(o => o != boundary).Select(o => (c.Core, o))))
@@ -144,7 +136,7 @@ public static class BoundarySearch
     }
 
     // The nearest of all cuts that pass the boundary; or why the closest candidate does not.
-    private static (List<Pass> Cores, MatingRefusal? Refusal) Cores(
+    private static (List<Pass> Cores, Refusal? Refusal) Cores(
         NcPath path, List<FoundPass> cuts, SoughtBoundary boundary, double? radius, double mapMm)
     {
         if (boundary.Points.Count < 2)
@@ -155,7 +147,7 @@ public static class BoundarySearch
                     NotFound,
                     $"{boundary.Name}: fewer than two of its points have a place in the program. Give them their coordinates, or name "
                         + $"the blocks yourself.",
-                    boundary.Name));
+                    new() { Feature = boundary.Name }));
         }
 
         var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary, radius, mapMm));
@@ -163,11 +155,11 @@ public static class BoundarySearch
         if (cores.Count == 0)
         {
             return ([], fits.MinBy(f => f.MissMm)?.Refuse(path, boundary, radius, mapMm)
-                ?? new MatingRefusal(
+                ?? new Refusal(
                     NotFound,
                     $"{boundary.Name}: the program cuts nothing in the plane {boundary.Plane} of which it says where. Check the program "
                         + $"and the plane.",
-                    boundary.Name));
+                    new() { Feature = boundary.Name }));
         }
 
         var nearest = cores.Min(c => c.DistanceMm);
@@ -194,7 +186,7 @@ public static class BoundarySearch
 
     // An arc that turns is not a piece of a straight boundary but a corner, which follows both adjacent elements. A point that is also
     // beside the element before the arc does not need the arc.
-    private static MatingRefusal? WithoutCorners(NcPath path, SoughtBoundary boundary, Pass pass, double mapMm, out FoundPass straight)
+    private static Refusal? WithoutCorners(NcPath path, SoughtBoundary boundary, Pass pass, double mapMm, out FoundPass straight)
     {
         straight = pass.Core;
         foreach (var (step, isFirst) in new[] { (1, !pass.IsAgainst), (-1, pass.IsAgainst) })

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -68,7 +69,7 @@ internal sealed record CutFit(
     /// <param name="boundary">The boundary.</param>
     /// <param name="radius">Radius of the tool, mm; null if unknown.</param>
     /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
-    public MatingRefusal Refuse(NcPath path, SoughtBoundary boundary, double? radius, double mapMm)
+    public Refusal Refuse(NcPath path, SoughtBoundary boundary, double? radius, double mapMm)
     {
         var worst = Enumerable.Range(0, Feet.Count).MaxBy(i => Math.Abs(Feet[i].DistanceMm - WantedMm));
         return Fault switch
@@ -84,7 +85,7 @@ internal sealed record CutFit(
                 $"of all cuts this is the nearest, and the point {boundary.Points[worst].Label} lies {Feet[worst].DistanceMm:0.000} mm "
                     + $"from the path; expected {Where} (within {mapMm:0.###} mm). Check the frame, the tool diameter and the "
                     + $"points")) with
-            { DistanceMm = Feet[worst].DistanceMm },
+            { Found = FoundMm(Feet[worst].DistanceMm) },
             CutFault.Compensation => At(
                 Other(f => f.IsCompensated),
                 BoundarySearch.NotFound,
@@ -106,9 +107,12 @@ internal sealed record CutFit(
                 "this cut does not lead past the points one behind the other, as they are named. Check the points and their order"),
         };
 
-        MatingRefusal At(int point, string code, string message) =>
+        Refusal At(int point, string code, string message) =>
             BoundarySearch.Refuse(path, Feet[point].First, code, message, boundary.Name, boundary.Points[point].Label);
     }
+
+    // As a draft shows it beside the field.
+    internal static string FoundMm(double distance) => string.Create(CultureInfo.InvariantCulture, $"{distance:0.000} mm");
 
     private string Where =>
         Feet[0].IsCompensated

@@ -2,6 +2,7 @@ using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -34,10 +35,9 @@ internal static class FeatureMapper
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="maps">For each feature of the job, in order, its map; complete only if nothing is refused.</param>
     /// <returns>Why a feature cannot be mapped, or null.</returns>
-    /// <exception cref="MeasurementException">A key point is missing in the theoretical file, or has no coordinate in the feature's
-    /// plane.</exception>
-    /// <exception cref="NcException">A selector cannot be read.</exception>
-    public static MatingRefusal? Map(MatingJob job, NcPath path, MeasurementFile theoretical, out IReadOnlyList<FeatureMap> maps)
+    /// <exception cref="InputException">A key point is missing in the theoretical file, or has no coordinate in the feature's
+    /// plane. A selector cannot be read.</exception>
+    public static Refusal? Map(MatingJob job, NcPath path, MeasurementFile theoretical, out IReadOnlyList<FeatureMap> maps)
     {
         var found = new List<FeatureMap>();
         maps = found;
@@ -47,14 +47,14 @@ internal static class FeatureMapper
             var selection = BlockSelector.Select(path.Program, [.. feature.Blocks.Select(BlockSelector.Parse)]);
             if (!selection.IsUsable)
             {
-                return MatingRefusal.Of(selection.Refusal, feature.Name);
+                return FeatureRefusal.Of(selection.Refusal, feature.Name);
             }
 
-            foreach (var block in selection.Value)
+            foreach (var block in selection.Result)
             {
                 if (!owners.TryAdd(block, feature.Name))
                 {
-                    return At(
+                    return FeatureRefusal.At(
                         path,
                         block,
                         BlocksOverlap,
@@ -63,7 +63,7 @@ internal static class FeatureMapper
                 }
             }
 
-            var refusal = Map(job, path, feature, selection.Value, theoretical, out var map);
+            var refusal = Map(job, path, feature, selection.Result, theoretical, out var map);
             if (refusal is not null)
             {
                 return refusal;
@@ -75,14 +75,14 @@ internal static class FeatureMapper
         return null;
     }
 
-    private static MatingRefusal? Map(
+    private static Refusal? Map(
         MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)
     {
         map = null;
         var passes = Passes(path, blocks);
         if (passes.Count == 0)
         {
-            return At(path, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no cutting motion.", feature.Name);
+            return FeatureRefusal.At(path, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no cutting motion.", feature.Name);
         }
 
         var mapped = new List<FeaturePass>();
@@ -92,7 +92,7 @@ internal static class FeatureMapper
             {
                 if (Unplaceable(path.Motions[i], feature.Plane) is { } why)
                 {
-                    return At(path, path.Motions[i].Block, why.Code, why.Message, feature.Name);
+                    return FeatureRefusal.At(path, path.Motions[i].Block, why.Code, why.Message, feature.Name);
                 }
             }
 
@@ -111,7 +111,7 @@ internal static class FeatureMapper
 
             if (feet.Find(f => f.MaterialIsLeft != feet[0].MaterialIsLeft) is { } other)
             {
-                return At(
+                return FeatureRefusal.At(
                     path,
                     path.Motions[other.Motion].Block,
                     SidesDiffer,
@@ -128,7 +128,7 @@ internal static class FeatureMapper
             if (opposite >= 0)
             {
                 var foot = feet[opposite];
-                return At(
+                return FeatureRefusal.At(
                     path,
                     path.Motions[foot.Motion].Block,
                     SidesDiffer,
@@ -203,7 +203,7 @@ internal static class FeatureMapper
         return true;
     }
 
-    private static MatingRefusal? Foot(
+    private static Refusal? Foot(
         MatingJob job, NcPath path, JobFeature feature, string label, Point2 point, int first, int last, out KeyPointFoot? foot)
     {
         var (nearest, nearestDistance, nearestFraction) = (first, double.PositiveInfinity, 0.0);
@@ -242,7 +242,7 @@ internal static class FeatureMapper
         var where = compensated
             ? "on the path, since cutter compensation is active"
             : string.Create(CultureInfo.InvariantCulture, $"{wanted:0.###} mm from it, one tool radius");
-        return At(
+        return FeatureRefusal.At(
             path,
             found.Block,
             PointOffPath,
@@ -252,7 +252,7 @@ internal static class FeatureMapper
                     + $"{job.Counterpart.MapMm:0.###} mm). Check the frame, the tool diameter and the blocks."),
             feature.Name,
             label) with
-        { DistanceMm = nearestDistance };
+        { Found = CutFit.FoundMm(nearestDistance) };
     }
 
     // Of the motions that meet at the vertex, use the one that the point is least beyond; the first need not be the point's own.
@@ -276,14 +276,4 @@ internal static class FeatureMapper
     }
 
     private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions[motion].Block]);
-
-    /// <summary>A refusal at a block of a feature.</summary>
-    internal static MatingRefusal At(NcPath path, int block, string code, string message, string feature, string? point = null) =>
-        new(
-            code,
-            $"{feature}, {path.Program.NameOf(path.Program[block])}: {message}",
-            feature,
-            point,
-            path.Program.NameOf(path.Program[block]),
-            block + 1);
 }

@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -21,7 +22,7 @@ public sealed record AlignedMeasurement(
     private const double Flat = 0.001;
 
     /// <summary>Why a job's alignment cannot be computed, or null.</summary>
-    internal static MatingRefusal? Check(MatingJob job)
+    internal static Refusal? Check(MatingJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
         return job.Alignment.Kind == JobAlignmentKind.None || job.Features.All(f => f.Plane == job.Features[0].Plane)
@@ -37,7 +38,7 @@ public sealed record AlignedMeasurement(
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="measured">The measurement.</param>
     /// <param name="piece">The piece that was measured.</param>
-    /// <exception cref="MeasurementException">A point is missing, or has no coordinate in its feature's plane.</exception>
+    /// <exception cref="InputException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
     internal static AlignedMeasurement Of(
         MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)

@@ -36,6 +36,6 @@ public sealed record MatchInput(
         Counterpart ?? throw new ArgumentException("Feedback needs a measured counterpart.", nameof(Counterpart));
 
     /// <summary>Interprets the program in the job's dialect.</summary>
-    /// <exception cref="NcException">The dialect is unknown, or the program is too large.</exception>
+    /// <exception cref="InputException">The dialect is unknown, or the program is too large.</exception>
     public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), Job.Counterpart.DialectOf(OwnDialect));
 }

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -9,22 +10,22 @@ namespace ErrorMatching.Mating;
 public static class Matcher
 {
     /// <summary>Computes a match.</summary>
-    /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
+    /// <exception cref="InputException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">Points do not determine a feature or the alignment; the message names it.</exception>
-    /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>
-    public static MatchOutcome Match(MatchInput input)
+    /// <exception cref="InputException">The dialect or a selector cannot be read.</exception>
+    public static Outcome<MatchResult> Match(MatchInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
         var path = input.Interpret();
         if (CheckBefore(input, path) is { } refusal)
         {
-            return MatchOutcome.Refused(refusal);
+            return refusal;
         }
 
         if (FeatureMapper.Map(job, path, input.Theoretical, out var maps) is { } unmapped)
         {
-            return MatchOutcome.Refused(unmapped);
+            return unmapped;
         }
 
         var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
@@ -34,7 +35,7 @@ public static class Matcher
         var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart));
         if (!decision.IsUsable)
         {
-            return MatchOutcome.Refused(decision.Refusals);
+            return Outcome<MatchResult>.Refused(decision.Refusals);
         }
 
         return decision.Compensates
@@ -42,18 +43,18 @@ public static class Matcher
             : Unchanged(input, path, maps, part, counterpart, decision);
     }
 
-    private static MatingRefusal? CheckBefore(MatchInput input, NcPath path)
+    private static Refusal? CheckBefore(MatchInput input, NcPath path)
     {
         foreach (var (block, marker) in Marker.Find(path.Program))
         {
             var name = path.Program.NameOf(path.Program[block]);
             if (Refused(input, marker) is var (code, why))
             {
-                return new(code, $"{input.ProgramFile}, {name}: {why}", Block: name, Line: block + 1);
+                return new(code, $"{name}: {why}", new() { Block = name, Line = block + 1 });
             }
         }
 
-        return MatingRefusal.OfPath(path)
+        return path.Refusal
             ?? UnitCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart)
             ?? OriginCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart) ?? AlignedMeasurement.Check(input.Job);
     }
@@ -90,7 +91,7 @@ public static class Matcher
             map.Normals[i]))])];
     }
 
-    private static MatchOutcome Compensate(
+    private static Outcome<MatchResult> Compensate(
         MatchInput input,
         NcPath path,
         IReadOnlyList<FeatureMap> maps,
@@ -106,7 +107,7 @@ public static class Matcher
             {
                 if (map.Feature.RefuseCut(cut) is { } cannotFollow)
                 {
-                    return MatchOutcome.Refused(cannotFollow);
+                    return cannotFollow;
                 }
 
                 elements.AddRange(map.Feature.Wishes(cut));
@@ -116,44 +117,42 @@ public static class Matcher
         var wish = DisplacementWish.OfElements([.. elements.OrderBy(e => e.Motion)]);
         if (BeyondLimit(input, path, maps, wish) is { } wild)
         {
-            return MatchOutcome.Refused(wild);
+            return wild;
         }
 
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
-            return MatchOutcome.Refused(Named(rewrite.Refusal, maps));
+            return Named(rewrite.Refusal, maps);
         }
 
-        if (rewrite.Value.Patches.Count == 0)
+        if (rewrite.Result.Patches.Count == 0)
         {
             // Every correction is less than half an increment, so the program is already right.
             return Unchanged(input, path, maps, part, counterpart, decision);
         }
 
         var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
-        var program = NcProgram.Read(marker.InsertInto(rewrite.Value.Program), path.Dialect.Syntax);
-        var proof = Prover.Check(path, program, wish, rewrite.Value.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
+        var program = NcProgram.Read(marker.InsertInto(rewrite.Result.Program), path.Dialect.Syntax);
+        var proof = Prover.Check(path, program, wish, rewrite.Result.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         return proof.Holds
-            ? new(
-                new(
-                    input,
-                    path,
-                    NcInterpreter.Run(program, path.Dialect),
-                    maps,
-                    part,
-                    counterpart,
-                    decision,
-                    wish,
-                    rewrite.Value,
-                    marker,
-                    proof),
-                [])
-            : MatchOutcome.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
+            ? new MatchResult(
+                input,
+                path,
+                NcInterpreter.Run(program, path.Dialect),
+                maps,
+                part,
+                counterpart,
+                decision,
+                wish,
+                rewrite.Result,
+                marker,
+                proof)
+            : Outcome<MatchResult>.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
     }
 
     // The limit applies between and beyond the points too: a course that swings out there follows no measurement.
-    private static MatingRefusal? BeyondLimit(MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
+    private static Refusal? BeyondLimit(MatchInput input, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
     {
         var compensation = input.Job.Compensation;
         var limit = compensation.LimitMm * Math.Max(1, compensation.Gain);
@@ -169,18 +168,16 @@ public static class Matcher
         return new(
             RefusalForms.ImplausibleCourse.Name,
             RefusalForms.ImplausibleCourse.With(name, feature, Largest(worst), limit),
-            feature,
-            Block: name,
-            Line: block + 1);
+            new() { Feature = feature, Block = name, Line = block + 1 });
 
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
 
     // Adds the name of the feature that owns the refused block, if any.
-    private static MatingRefusal Named(NcRefusal refusal, IReadOnlyList<FeatureMap> maps) =>
-        MatingRefusal.Of(refusal, maps.FirstOrDefault(m => m.Blocks.Contains(refusal.Line - 1))?.Feature.Name);
+    private static Refusal Named(Refusal refusal, IReadOnlyList<FeatureMap> maps) =>
+        FeatureRefusal.Of(refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
 
-    private static MatchOutcome Unchanged(
+    private static Outcome<MatchResult> Unchanged(
         MatchInput input,
         NcPath path,
         IReadOnlyList<FeatureMap> maps,
@@ -190,6 +187,6 @@ public static class Matcher
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
-        return new(new(input, path, path, maps, part, counterpart, decision, null, null, null, proof), []);
+        return new MatchResult(input, path, path, maps, part, counterpart, decision, null, null, null, proof);
     }
 }

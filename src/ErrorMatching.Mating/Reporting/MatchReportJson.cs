@@ -42,7 +42,7 @@ public static class MatchReportJson
     /// <summary>Reads a document. Reports older than the codes of warnings and the roles of neighbors are read without them.</summary>
     /// <param name="document">The document, of this schema.</param>
     /// <returns>The report, without what the document does not contain: the links of the chain and the corrected outlines.</returns>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static MatchReport Read(ReportReader document)
     {
         ArgumentNullException.ThrowIfNull(document);

@@ -41,7 +41,7 @@ public sealed record ReportProof(
 
     /// <summary>Reads the proof of a report. Older reports name the neighbors without roles, or lack the marker; the report of a displaced
     /// surface names no neighbors.</summary>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static ReportProof Read(ReportReader proof)
     {
         ArgumentNullException.ThrowIfNull(proof);

@@ -33,7 +33,7 @@ public static class VerifyReportJson
 
     /// <summary>Reads a document. In older reports, the features have no points.</summary>
     /// <param name="document">The document, of this schema.</param>
-    /// <exception cref="Json.JsonDocumentException">A member is missing or wrong.</exception>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     public static VerifyReport Read(ReportReader document)
     {
         ArgumentNullException.ThrowIfNull(document);

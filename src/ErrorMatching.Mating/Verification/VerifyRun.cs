@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -17,16 +18,16 @@ public static class VerifyRun
     /// <param name="input">The input.</param>
     /// <param name="refusals">Why nothing can be compared: an origin outside its limit, points in another unit, or features not on the
     /// program; empty if there is a report.</param>
-    /// <exception cref="MeasurementException">A measurement lacks a point or coordinate.</exception>
+    /// <exception cref="InputException">A measurement lacks a point or coordinate.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names it.</exception>
-    /// <exception cref="NcException">The dialect or a selector cannot be read.</exception>
-    public static VerifyReport? Report(VerifyInput input, out IReadOnlyList<MatingRefusal> refusals)
+    /// <exception cref="InputException">The dialect or a selector cannot be read.</exception>
+    public static VerifyReport? Report(VerifyInput input, out IReadOnlyList<Refusal> refusals)
     {
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
         var path = NcInterpreter.Run(NcProgram.Read(input.Program), job.Counterpart.DialectOf(input.OwnDialect));
         IReadOnlyList<FeatureMap> maps = [];
-        var refused = MatingRefusal.OfPath(path)
+        var refused = path.Refusal
             ?? UnitCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
             ?? OriginCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
             ?? AlignedMeasurement.Check(job)

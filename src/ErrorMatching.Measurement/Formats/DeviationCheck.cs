@@ -10,12 +10,12 @@ internal sealed class DeviationCheck
     private readonly List<(DecimalNumber Nominal, DecimalNumber Actual, DecimalNumber Deviation, Cell Cell)> _rows = [];
 
     /// <summary>Adds a row.</summary>
-    /// <exception cref="MeasurementException">A cell is not a number.</exception>
+    /// <exception cref="InputException">A cell is not a number.</exception>
     public void Add(Cell nominal, Cell actual, Cell deviation) =>
         _rows.Add((nominal.Number(), actual.Number(), deviation.Number(), deviation));
 
     /// <summary>Checks all rows.</summary>
-    /// <exception cref="MeasurementException">The first row whose deviation is not actual - nominal.</exception>
+    /// <exception cref="InputException">The first row whose deviation is not actual - nominal.</exception>
     public void Run()
     {
         if (_rows.Count == 0)

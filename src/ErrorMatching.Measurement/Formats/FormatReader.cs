@@ -1,10 +1,11 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
 /// <summary>Reads the description of a format: checks it against the schema, and its columns against those of its kind.</summary>
 /// <param name="problems">Receives what is wrong, with code <see cref="MeasurementError.BadFormat"/>.</param>
-internal sealed class FormatReader(ICollection<JsonProblem> problems)
+internal sealed class FormatReader(ICollection<Refusal> problems)
 {
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(Resource("format.schema"), "format.schema.json"));
 
@@ -15,7 +16,7 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
     public static MeasurementFormat Embedded(string kind)
     {
         var file = kind + ".json";
-        var problems = new List<JsonProblem>();
+        var problems = new List<Refusal>();
         var format = new FormatReader(problems).Apply(JsonInput.Read(Resource(kind), file), new MeasurementFormat
         {
             Encoding = "",
@@ -27,7 +28,7 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
             MaxBytes = 0,
             MaxPoints = 0,
         });
-        return problems.Count == 0 ? format : throw new JsonDocumentException(file, problems);
+        return problems.Count == 0 ? format : throw new InputException(file, problems);
     }
 
     /// <summary>The format; null if something is wrong.</summary>
@@ -37,7 +38,7 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
         foreach (var problem in Schema.Value.Check(format))
         {
             problems.Add(problem.Code == "not-one-of"
-                ? Problem(problem.Path, problem.Place, problem.Found, "one of " + problem.Expected)
+                ? Refusal.Of(MeasurementError.BadFormat, problem.Found, "one of " + problem.Expected, problem.Place)
                 : problem with { Code = MeasurementError.BadFormat });
         }
 
@@ -80,7 +81,8 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
             if (known.Name is null)
             {
                 var names = string.Join(", ", columns.Members.SkipLast(1).Select(m => m.Name)) + " or " + columns.Members[^1].Name;
-                problems.Add(Problem(member.Value.Path, member.Place, $"the key \"{member.Name}\"", names));
+                problems.Add(JsonRefusal.At(
+                    member.Place, member.Value.Path, MeasurementError.BadFormat, $"the key \"{member.Name}\"", names));
             }
             else if (Column(member.Value) is { } column)
             {
@@ -92,10 +94,10 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
             }
             else
             {
-                problems.Add(Problem(
-                    member.Value.Path,
-                    member.Value.Place,
-                    MeasurementException.Quote(member.Value.ToJson()),
+                problems.Add(JsonRefusal.At(
+                    member.Value,
+                    MeasurementError.BadFormat,
+                    MeasurementRefusal.Quote(member.Value.ToJson()),
                     "the name of a column, or its position counted from 1"));
             }
         }
@@ -110,9 +112,6 @@ internal sealed class FormatReader(ICollection<JsonProblem> problems)
             ColumnSelector.At((int)json.Number),
         _ => null,
     };
-
-    private static JsonProblem Problem(string path, JsonPlace place, string found, string expected) =>
-        new(MeasurementError.BadFormat, path, place, found, expected, $"found {found}; expected {expected}");
 
     private static byte[] Resource(string name)
     {

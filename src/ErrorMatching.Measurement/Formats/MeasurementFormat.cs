@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -64,7 +65,7 @@ public sealed record MeasurementFormat
     /// <param name="format">The name of a format, or an object that describes one.</param>
     /// <param name="problems">Receives what is wrong, with code <see cref="MeasurementError.BadFormat"/>.</param>
     /// <returns>The format; null if something is wrong.</returns>
-    public static MeasurementFormat? Read(JsonItem format, ICollection<JsonProblem> problems)
+    public static MeasurementFormat? Read(JsonItem format, ICollection<Refusal> problems)
     {
         ArgumentNullException.ThrowIfNull(format);
         ArgumentNullException.ThrowIfNull(problems);
@@ -73,12 +74,12 @@ public sealed record MeasurementFormat
 
     /// <summary>Reads a format by name or description, from JSON text with comments and trailing commas.</summary>
     /// <param name="json">A JSON string that names a format, or an object that describes one.</param>
-    /// <exception cref="MeasurementException">The text is not JSON, the name is unknown, or the description has an unknown or wrong member
-    /// (<see cref="MeasurementError.BadFormat"/>), named by <see cref="MeasurementException.Path"/>, line and column.</exception>
+    /// <exception cref="InputException">The text is not JSON, the name is unknown, or the description has an unknown or wrong member
+    /// (<see cref="MeasurementError.BadFormat"/>), named by its path.</exception>
     public static MeasurementFormat FromJson(string json)
     {
         ArgumentNullException.ThrowIfNull(json);
-        var problems = new List<JsonProblem>();
+        var problems = new List<Refusal>();
         try
         {
             if (Read(JsonInput.Read(System.Text.Encoding.UTF8.GetBytes(json), "format"), problems) is { } format)
@@ -86,14 +87,14 @@ public sealed record MeasurementFormat
                 return format;
             }
         }
-        catch (JsonDocumentException e)
+        catch (InputException e)
         {
             // What is wrong with the document, not with a member.
-            problems.AddRange(e.Problems.Select(p => p with { Path = "$" }));
+            var (found, expected) = (e.Refusals[0].Found, e.Refusals[0].Expected);
+            throw MeasurementRefusal.Of(MeasurementError.BadFormat, found, expected, path: "$", cause: e);
         }
 
-        var first = problems[0];
-        throw new MeasurementException(
-            MeasurementError.BadFormat, first.Found, first.Expected, line: first.Line, column: first.Column, path: first.Path);
+        // A description of its own is short: the path says enough.
+        throw new InputException([.. problems.Select(p => p with { Place = new() { Path = p.Place.Path } })]);
     }
 }

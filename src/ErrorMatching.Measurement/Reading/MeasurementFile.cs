@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>The points of one measurement, in millimeters, with their provenance.</summary>
@@ -39,14 +41,14 @@ public sealed class MeasurementFile
     public IReadOnlyList<HeaderField> HeaderFields => _table.Fields;
 
     /// <summary>The measured point with a name.</summary>
-    /// <exception cref="MeasurementException">The file has no such point (<see cref="MeasurementError.MissingPoint"/>).</exception>
+    /// <exception cref="InputException">The file has no such point (<see cref="MeasurementError.MissingPoint"/>).</exception>
     public LabelledPoint this[string label] => TryGet(label, out var point) ? point : throw Missing(label);
 
     /// <summary>Returns the measured point with a name, if there is one.</summary>
     public bool TryGet(string label, out LabelledPoint point) => _byLabel.TryGetValue(label, out point);
 
     /// <summary>Throws unless the file has all named points.</summary>
-    /// <exception cref="MeasurementException">The first missing point (<see cref="MeasurementError.MissingPoint"/>).</exception>
+    /// <exception cref="InputException">The first missing point (<see cref="MeasurementError.MissingPoint"/>).</exception>
     public void Require(IEnumerable<string> labels)
     {
         foreach (var label in labels)
@@ -59,13 +61,13 @@ public sealed class MeasurementFile
     /// <param name="name">Name of the column; case is ignored.</param>
     public IReadOnlyList<string>? ColumnTexts(string name) => _table.TextsOf(name);
 
-    private MeasurementException Missing(string label)
+    private InputException Missing(string label)
     {
         var other = Points.FirstOrDefault(p => string.Equals(p.Label, label, StringComparison.OrdinalIgnoreCase)).Label;
         return _labels.Fail(
             MeasurementError.MissingPoint,
-            $"no point {MeasurementException.Quote(label)} among the {Points.Count} of the file"
-                + (other is null ? "" : $" (but {MeasurementException.Quote(other)})"),
-            $"a point {MeasurementException.Quote(label)}: measure it, or correct the label");
+            $"no point {MeasurementRefusal.Quote(label)} among the {Points.Count} of the file"
+                + (other is null ? "" : $" (but {MeasurementRefusal.Quote(other)})"),
+            $"a point {MeasurementRefusal.Quote(label)}: measure it, or correct the label");
     }
 }

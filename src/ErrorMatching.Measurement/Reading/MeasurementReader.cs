@@ -9,14 +9,14 @@ public static class MeasurementReader
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file, as named in errors.</param>
     /// <param name="format">The format of the file.</param>
-    /// <exception cref="MeasurementException">The file cannot be opened, or its content violates the format.</exception>
+    /// <exception cref="InputException">The file cannot be opened, or its content violates the format.</exception>
     public static MeasurementFile Read(string path, MeasurementFormat format) => Read(FileBytes.Read(path, format.MaxBytes), path, format);
 
     /// <summary>Reads a file from its bytes.</summary>
     /// <param name="bytes">The bytes.</param>
     /// <param name="fileName">The file name in errors and source rules.</param>
     /// <param name="format">The format of the file.</param>
-    /// <exception cref="MeasurementException">The content violates the format.</exception>
+    /// <exception cref="InputException">The content violates the format.</exception>
     public static MeasurementFile Read(ReadOnlyMemory<byte> bytes, string fileName, MeasurementFormat format)
     {
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);

@@ -37,7 +37,7 @@ public sealed class NumberTable
     /// header has them.</summary>
     /// <param name="path">The file, as named in errors.</param>
     /// <param name="columns">The required columns. In the header, each may end in <c>_mm</c>. Other columns are ignored.</param>
-    /// <exception cref="MeasurementException">The file cannot be opened, lacks a column or has it twice, has no rows, or a cell of a
+    /// <exception cref="InputException">The file cannot be opened, lacks a column or has it twice, has no rows, or a cell of a
     /// column is not a decimal number.</exception>
     public static NumberTable Read(string path, params IReadOnlyList<string> columns) =>
         Read(FileBytes.Read(path, MeasurementFormat.Points.MaxBytes), path, columns);
@@ -46,7 +46,7 @@ public sealed class NumberTable
     /// <param name="bytes">The bytes.</param>
     /// <param name="fileName">The file name in errors.</param>
     /// <param name="columns">The required columns. In the header, each may end in <c>_mm</c>. Other columns are ignored.</param>
-    /// <exception cref="MeasurementException">The file lacks a column or has it twice, has no rows, or a cell of a column is not a decimal
+    /// <exception cref="InputException">The file lacks a column or has it twice, has no rows, or a cell of a column is not a decimal
     /// number.</exception>
     public static NumberTable Read(ReadOnlyMemory<byte> bytes, string fileName, params IReadOnlyList<string> columns)
     {

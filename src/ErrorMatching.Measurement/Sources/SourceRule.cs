@@ -18,9 +18,9 @@ public sealed class SourceRule
         }
         catch (Exception e) when (e is ArgumentException or NotSupportedException)
         {
-            throw new MeasurementException(
+            throw MeasurementRefusal.Of(
                 MeasurementError.BadPattern,
-                $"the pattern {MeasurementException.Quote(pattern)} of a rule about {subject}",
+                $"the pattern {MeasurementRefusal.Quote(pattern)} of a rule about {subject}",
                 "a regular expression without look-around and back references: " + e.Message.TrimEnd('.'),
                 cause: e);
         }
@@ -28,14 +28,14 @@ public sealed class SourceRule
 
     /// <summary>A rule for the file name without folders.</summary>
     /// <param name="pattern">A regular expression without lookaround and backreferences, searched anywhere in the name.</param>
-    /// <exception cref="MeasurementException">The pattern is not such an expression
+    /// <exception cref="InputException">The pattern is not such an expression
     /// (<see cref="MeasurementError.BadPattern"/>).</exception>
     public static SourceRule OfFileName(string pattern) => new("the file name", pattern, f => [NameOf(f.File)]);
 
     /// <summary>A rule for the value of a header field. A file without the field does not match.</summary>
     /// <param name="name">Name of the field; case is ignored.</param>
     /// <param name="pattern">A regular expression without lookaround and backreferences, searched anywhere in the value.</param>
-    /// <exception cref="MeasurementException">The pattern is not such an expression
+    /// <exception cref="InputException">The pattern is not such an expression
     /// (<see cref="MeasurementError.BadPattern"/>).</exception>
     public static SourceRule OfHeaderField(string name, string pattern) =>
         new(
@@ -46,7 +46,7 @@ public sealed class SourceRule
     /// <summary>A rule for the values of a column, all of which must match. A file without the column does not match.</summary>
     /// <param name="name">Name of the column; case is ignored.</param>
     /// <param name="pattern">A regular expression without lookaround and backreferences, searched anywhere in each value.</param>
-    /// <exception cref="MeasurementException">The pattern is not such an expression
+    /// <exception cref="InputException">The pattern is not such an expression
     /// (<see cref="MeasurementError.BadPattern"/>).</exception>
     public static SourceRule OfColumn(string name, string pattern) => new($"the column {name}", pattern, f => f.ColumnTexts(name) ?? []);
 

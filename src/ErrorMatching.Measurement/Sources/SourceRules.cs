@@ -7,7 +7,7 @@ namespace ErrorMatching.Measurement;
 public sealed class SourceRules(IReadOnlyList<SourceRule> part, IReadOnlyList<SourceRule> counterpart)
 {
     /// <summary>Determines the source of a measurement.</summary>
-    /// <exception cref="MeasurementException">No rule matches (<see cref="MeasurementError.UndecidedSource"/>), or rules of both sides do
+    /// <exception cref="InputException">No rule matches (<see cref="MeasurementError.UndecidedSource"/>), or rules of both sides do
     /// (<see cref="MeasurementError.ContradictorySource"/>). The message names the rules.</exception>
     public SourceSide Decide(MeasurementFile file)
     {

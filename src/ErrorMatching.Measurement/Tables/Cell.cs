@@ -1,10 +1,12 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>A cell of a table with its location and column name, both used in messages.</summary>
 internal readonly record struct Cell(string Text, Place Place, string Column, bool DecimalComma)
 {
     /// <summary>Parses the cell as a number.</summary>
-    /// <exception cref="MeasurementException">It is not a plain decimal number.</exception>
+    /// <exception cref="InputException">It is not a plain decimal number.</exception>
     public DecimalNumber Number()
     {
         if (DecimalNumber.TryRead(Text, DecimalComma) is not { } number)
@@ -19,7 +21,7 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
     }
 
     /// <summary>Reads the cell as a name.</summary>
-    /// <exception cref="MeasurementException">It is empty or a spreadsheet formula.</exception>
+    /// <exception cref="InputException">It is empty or a spreadsheet formula.</exception>
     public string Label() =>
         Text.Length == 0 ? throw Fail(MeasurementError.EmptyCell, "a name")
         : NumberDefect.IsFormula(Text) && DecimalNumber.TryRead(Text, DecimalComma) is null
@@ -27,6 +29,6 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
         : Text;
 
     /// <summary>Creates an error about the cell.</summary>
-    public MeasurementException Fail(string code, string expected) =>
-        Place.Fail(code, (Text.Length == 0 ? "an empty cell" : MeasurementException.Quote(Text)) + $" in column {Column}", expected);
+    public InputException Fail(string code, string expected) =>
+        Place.Fail(code, (Text.Length == 0 ? "an empty cell" : MeasurementRefusal.Quote(Text)) + $" in column {Column}", expected);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using CsvHelper;
 using CsvHelper.Configuration;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -17,7 +18,7 @@ internal static class CsvRows
     /// <param name="file">The file name, as given by the caller.</param>
     /// <param name="firstLine">The line of the file at which the text starts.</param>
     /// <param name="delimiter">The cell separator.</param>
-    /// <exception cref="MeasurementException">Too many columns, lines or cells, or a quotation mark is unclosed or misplaced.</exception>
+    /// <exception cref="InputException">Too many columns, lines or cells, or a quotation mark is unclosed or misplaced.</exception>
     public static IEnumerable<CsvRow> Read(string text, string file, int firstLine, char delimiter)
     {
         ThrowIfTooMany(text, file, firstLine, delimiter);
@@ -83,14 +84,14 @@ internal static class CsvRows
         }
     }
 
-    private static MeasurementException BadQuote(Place place, string field) =>
+    private static InputException BadQuote(Place place, string field) =>
         field.AsSpan().Count('"') % 2 != 0 && field.StartsWith('"')
             ? place.Fail(
                 MeasurementError.UnclosedQuote,
-                "a quotation mark that nothing closes: " + MeasurementException.Quote(field),
+                "a quotation mark that nothing closes: " + MeasurementRefusal.Quote(field),
                 "a second one at the end of the cell, or none")
             : place.Fail(
                 MeasurementError.BadQuote,
-                "a quotation mark inside a cell: " + MeasurementException.Quote(field),
+                "a quotation mark inside a cell: " + MeasurementRefusal.Quote(field),
                 "quotation marks around the whole cell, and doubled inside it");
 }

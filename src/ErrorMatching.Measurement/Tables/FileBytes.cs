@@ -27,7 +27,7 @@ internal static class FileBytes
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
-            throw new MeasurementException(
+            throw MeasurementRefusal.Of(
                 MeasurementError.FileUnreadable,
                 e is FileNotFoundException or DirectoryNotFoundException
                     ? "no such file"

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>A location in a file: line and cell, both from 1.</summary>
@@ -5,6 +7,6 @@ internal readonly record struct Place(string File, int Line, int Column)
 {
     public static Place Start(string file) => new(file, 1, 1);
 
-    public MeasurementException Fail(string code, string found, string expected, Exception? cause = null) =>
-        new(code, found, expected, File, Line, Column, cause: cause);
+    public InputException Fail(string code, string found, string expected, Exception? cause = null) =>
+        MeasurementRefusal.Of(code, found, expected, File, Line, Column, cause: cause);
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -20,7 +21,7 @@ internal static class SourceText
     public static IReadOnlyList<string> EncodingNames { get; } = [.. Encodings.Select(e => e.Name)];
 
     /// <summary>Decodes a file without its byte order mark.</summary>
-    /// <exception cref="MeasurementException">The file is empty, is not text, or is text of another encoding.</exception>
+    /// <exception cref="InputException">The file is empty, is not text, or is text of another encoding.</exception>
     public static string Decode(ReadOnlySpan<byte> bytes, string file, string encodingName, char delimiter)
     {
         bytes = WithoutByteOrderMark(bytes, file, ref encodingName);
@@ -53,7 +54,7 @@ internal static class SourceText
         return control < 0 ? text : throw Binary(PlaceAfter(text[..control], file, delimiter), text[control]);
     }
 
-    private static MeasurementException Binary(Place place, char control) => place.Fail(
+    private static InputException Binary(Place place, char control) => place.Fail(
         MeasurementError.BinaryFile,
         string.Create(CultureInfo.InvariantCulture, $"the control character 0x{(int)control:X2}, as in a binary file or in UTF-16 text"),
         "text with delimited columns: export the measurement as CSV, or name the encoding in its format");

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -23,7 +24,7 @@ internal sealed class Table
     public IReadOnlyList<CsvRow> Rows { get; }
 
     /// <summary>Reads a table whose rows have the width of its first line.</summary>
-    /// <exception cref="MeasurementException">The text is empty, or a row has too few or too many cells.</exception>
+    /// <exception cref="InputException">The text is empty, or a row has too few or too many cells.</exception>
     public static Table Read(string text, string file, TableLayout layout)
     {
         if (string.IsNullOrWhiteSpace(text))
@@ -59,7 +60,7 @@ internal sealed class Table
     }
 
     /// <summary>The index of a required column.</summary>
-    /// <exception cref="MeasurementException">The column is missing or occurs twice.</exception>
+    /// <exception cref="InputException">The column is missing or occurs twice.</exception>
     public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, [name]) : FindAt(column.Position - 1);
 
     /// <summary>The index of an optional column, or -1.</summary>
@@ -75,7 +76,7 @@ internal sealed class Table
             [] => throw MissingColumn(shown),
             [_, var second, ..] => throw _header!.PlaceOf(second).Fail(
                 MeasurementError.DuplicateColumn,
-                $"a second column for {shown}, {MeasurementException.Quote(_header.Texts[second])}",
+                $"a second column for {shown}, {MeasurementRefusal.Quote(_header.Texts[second])}",
                 "each needed column once: delete or rename one"),
         };
     }
@@ -107,7 +108,7 @@ internal sealed class Table
             .. Enumerable.Range(0, _header.Texts.Count).Where(i => names.Contains(
                 _header.Texts[i].Trim(), StringComparer.OrdinalIgnoreCase))];
 
-    private MeasurementException MissingColumn(string name)
+    private InputException MissingColumn(string name)
     {
         var cells = _header!.Texts;
         if (cells.Count > 1 && cells.Count(c => DecimalNumber.TryRead(c.Trim(), _decimalComma) is not null) * 2 > cells.Count)
@@ -119,9 +120,9 @@ internal sealed class Table
         var other = cells.Count == 1 ? ",;\t|".FirstOrDefault(d => d != _delimiter && cells[0].Contains(d)) : '\0';
         return Top(0).Fail(
             MeasurementError.MissingColumn,
-            "a header with the columns " + string.Join(", ", cells.Take(20).Select(c => MeasurementException.Quote(c.Trim()))),
+            "a header with the columns " + string.Join(", ", cells.Take(20).Select(c => MeasurementRefusal.Quote(c.Trim()))),
             $"a column {name}"
-                + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementException.Quote(other.ToString())}"));
+                + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementRefusal.Quote(other.ToString())}"));
     }
 
     private static void CheckWidth(CsvRow row, CsvRow first)

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -53,7 +54,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public IReadOnlyList<NcNote> FlowNotes => _flow?.Notes ?? [];
 
-    public NcRefusal? Refusal => _flow?.Refusal;
+    public Refusal? Refusal => _flow?.Refusal;
 
     /// <summary>Continues where the flow decided.</summary>
     public void Follow(FlowAction action)

@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -25,7 +26,7 @@ internal static class DialectChain
     public static NcDialect BuiltIn(string name) => Build([.. Bases(Embedded(name))]);
 
     /// <summary>Reads the dialect of a shop's file.</summary>
-    /// <exception cref="JsonDocumentException">The file, or one that it continues, cannot be used.</exception>
+    /// <exception cref="InputException">The file, or one that it continues, cannot be used.</exception>
     public static NcDialect Own(ReadOnlySpan<byte> bytes, string file)
     {
         var documents = new List<DialectDocument> { Checked(bytes, file) };
@@ -83,7 +84,7 @@ internal static class DialectChain
         var problems = Schema.Value.Check(root);
         if (problems.Count > 0)
         {
-            throw new JsonDocumentException(file, problems);
+            throw new InputException(file, problems);
         }
 
         var document = new DialectDocument(file, root, Convert.ToHexStringLower(SHA256.HashData(bytes)));
@@ -121,7 +122,7 @@ internal static class DialectChain
             reader.Apply();
             if (reader.Problems.Count > 0)
             {
-                throw new JsonDocumentException(document.File, reader.Problems);
+                throw new InputException(document.File, reader.Problems);
             }
         }
 
@@ -134,6 +135,6 @@ internal static class DialectChain
             () => DialectPage.Of(documents));
     }
 
-    private static JsonDocumentException Refuse(DialectDocument document, JsonItem item, string code, string found, string expected) =>
-        new(document.File, [JsonProblem.At(item, code, found, expected)]);
+    private static InputException Refuse(DialectDocument document, JsonItem item, string code, string found, string expected) =>
+        new(document.File, [JsonRefusal.At(item, code, found, expected)]);
 }

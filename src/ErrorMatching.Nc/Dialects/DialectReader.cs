@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -12,7 +13,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
 
-    public List<JsonProblem> Problems { get; } = [];
+    public List<Refusal> Problems { get; } = [];
 
     public void Apply()
     {
@@ -55,7 +56,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             subjects.Clear();
             if (!SubjectRange.TryRead(entry[key].Text, topic, subjects, out var bad))
             {
-                Problems.Add(JsonProblem.At(entry[key], "bad-subject", $"\"{bad}\"", Expected(topic)));
+                Problems.Add(JsonRefusal.At(entry[key], "bad-subject", $"\"{bad}\"", Expected(topic)));
                 continue;
             }
 
@@ -71,7 +72,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
                 }
                 else
                 {
-                    Problems.Add(JsonProblem.At(entry[key], "stated-twice", $"{subject.Spelling} again", "each once in a file"));
+                    Problems.Add(JsonRefusal.At(entry[key], "stated-twice", $"{subject.Spelling} again", "each once in a file"));
                 }
             }
         }
@@ -87,11 +88,11 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         switch (topic)
         {
             case DialectTopic.Code when Misplaced((NcMeaning)Meanings[entry["means"].Text], subject) is { } expected:
-                Problems.Add(JsonProblem.At(entry["means"], "bad-role", $"\"{entry["means"].Text}\" for {subject.Spelling}", expected));
+                Problems.Add(JsonRefusal.At(entry["means"], "bad-role", $"\"{entry["means"].Text}\" for {subject.Spelling}", expected));
                 break;
             case DialectTopic.Letter
                 when subject.Word.Length == 1 && Misplaced((LetterRole)Roles[entry["role"].Text], subject.Word[0]) is { } expected:
-                Problems.Add(JsonProblem.At(entry["role"], "bad-role", $"\"{entry["role"].Text}\" for {subject.Spelling}", expected));
+                Problems.Add(JsonRefusal.At(entry["role"], "bad-role", $"\"{entry["role"].Text}\" for {subject.Spelling}", expected));
                 break;
             case DialectTopic.Code:
                 Code(

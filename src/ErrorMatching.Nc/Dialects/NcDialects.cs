@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -45,12 +46,12 @@ public static class NcDialects
     public static string Schema => Encoding.UTF8.GetString(DialectChain.Resource("dialect.schema"));
 
     /// <summary>The dialect with a name; the same object each time.</summary>
-    /// <exception cref="NcException">No dialect has this name (<see cref="NcErrorCode.UnknownDialect"/>).</exception>
+    /// <exception cref="InputException">No dialect has this name (<see cref="NcInputCodes.UnknownDialect"/>).</exception>
     public static NcDialect Named(string name) => Array.IndexOf(BuiltInNames, name) is var index and >= 0
         ? BuiltIn[index].Value
-        : throw new NcException(
-            NcErrorCode.UnknownDialect,
-            $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json.");
+        : throw new InputException(new Refusal(
+            NcInputCodes.UnknownDialect,
+            $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json."));
 
     /// <summary>Whether a text names a dialect file, not a built-in dialect: it ends in <c>.json</c>.</summary>
     public static bool IsFile(string dialect)
@@ -61,7 +62,7 @@ public static class NcDialects
 
     /// <summary>Reads the dialect in a file; files that it continues are found relative to its folder.</summary>
     /// <param name="path">The file.</param>
-    /// <exception cref="JsonDocumentException">As for <see cref="Parse"/>.</exception>
+    /// <exception cref="InputException">As for <see cref="Parse"/>.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">Reading the file is not permitted.</exception>
     public static NcDialect Read(string path) => Parse(JsonInput.Load(path, DialectChain.Limits), path);
@@ -69,7 +70,7 @@ public static class NcDialects
     /// <summary>Reads a dialect from bytes.</summary>
     /// <param name="bytes">JSON with comments and trailing commas allowed, at most 1 MiB.</param>
     /// <param name="file">Name for messages; files that it continues are found relative to its folder.</param>
-    /// <exception cref="JsonDocumentException">
+    /// <exception cref="InputException">
     /// The bytes are not JSON (as for <see cref="JsonInput.Read"/>), violate <see cref="Schema"/> (as for
     /// <see cref="JsonSchema.Check"/>), name an invalid code (<c>bad-subject</c>), state a code twice (<c>stated-twice</c>), have the
     /// name of a built-in dialect (<c>name-taken</c>), or continue a file that does not exist (<c>unknown-like</c>) or leads back

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Why a running program cannot continue, and notes on how it ran.</summary>
@@ -6,7 +8,7 @@ internal sealed class FlowReport(CallStack calls)
     private readonly List<NcNote> _notes = [];
 
     /// <summary>Why the program cannot continue; null if it can.</summary>
-    public NcRefusal? Refusal { get; private set; }
+    public Refusal? Refusal { get; private set; }
 
     public IReadOnlyList<NcNote> Notes => _notes;
 
@@ -17,15 +19,15 @@ internal sealed class FlowReport(CallStack calls)
         var main = calls.InProgram(block);
         if (ReferenceEquals(called, program))
         {
-            Refusal ??= program.BlockCount == 0 ? new(code, "", 0, message)
-                : NcRefusal.At(program, Math.Clamp(main, 0, program.BlockCount - 1), code, message);
+            Refusal ??= program.BlockCount == 0 ? new(code, message)
+                : BlockRefusal.At(program, Math.Clamp(main, 0, program.BlockCount - 1), code, message);
         }
         else
         {
             // The setter's file has the calling block; the message gives the place in the other file.
             var name = calls.Unit.Name.Length > 0 ? calls.Unit.Name : "the called program";
             var where = called.BlockCount == 0 ? "" : $", {called.NameOf(called[Math.Clamp(block, 0, called.BlockCount - 1)])}";
-            Refusal ??= NcRefusal.At(program, main, code, $"in {name}{where}: {message}");
+            Refusal ??= BlockRefusal.At(program, main, code, $"in {name}{where}: {message}");
         }
 
         return FlowAction.Stop;

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Executes the computing part of a program: determines the next block, and keeps variables and calls. Stops if a program would
@@ -56,7 +58,7 @@ internal sealed class NcFlow
     public int Depth => _calls.Depth;
 
     /// <summary>Why the program cannot continue; null if it can.</summary>
-    public NcRefusal? Refusal => _report.Refusal;
+    public Refusal? Refusal => _report.Refusal;
 
     /// <summary>Notes on how the program ran.</summary>
     public IReadOnlyList<NcNote> Notes => _report.Notes;

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>The result of interpreting a program: its motions in order, and reasons not to trust them.</summary>
@@ -17,7 +19,7 @@ public sealed class NcPath
         IReadOnlyList<(int Block, int Joint)> placeDependents,
         IReadOnlyList<NcFrame> frames,
         IReadOnlyList<NcNote> notes,
-        NcRefusal? refusal,
+        Refusal? refusal,
         Func<string, NcProgram?>? library)
     {
         Program = program;
@@ -52,7 +54,7 @@ public sealed class NcPath
 
     /// <summary>The reason why the program could not be followed to its end: a missing program, an infinite loop, a branch on a value
     /// that only the machine knows. Null if it was followed to its end.</summary>
-    public NcRefusal? Refusal { get; }
+    public Refusal? Refusal { get; }
 
     /// <summary>The state in which the run reached some of the program's blocks.</summary>
     internal IReadOnlyList<RunBorder> Borders { get; init; } = [];

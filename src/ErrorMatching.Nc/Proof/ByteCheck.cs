@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Checks that every byte is the original's, except in the values of words that had to change.</summary>
@@ -9,14 +11,14 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
     /// <summary>Number of blocks in a chunk if many differ; idle threads take the next chunk.</summary>
     private const int PartOfMany = 16_384;
 
-    public List<Task<(bool Identical, List<NcRefusal> Failures)>> Compare(int markerBlock)
+    public List<Task<(bool Identical, List<Refusal> Failures)>> Compare(int markerBlock)
     {
         var blocks = task.Before.Program.BlockCount;
         var border = markerBlock < 0 ? blocks : markerBlock;
         return [.. Compare(0, border, 0), .. Compare(border, blocks, 1)];
     }
 
-    private IEnumerable<Task<(bool Identical, List<NcRefusal> Failures)>> Compare(int from, int end, int linesBefore)
+    private IEnumerable<Task<(bool Identical, List<Refusal> Failures)>> Compare(int from, int end, int linesBefore)
     {
         var many = different.Count >= Many;
         for (var first = from; first < end;)
@@ -30,10 +32,10 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
     }
 
     // Compares blocks that are a number of lines further down in the result.
-    private (bool Identical, List<NcRefusal> Failures) ComparePart(int first, int behind, int linesBefore)
+    private (bool Identical, List<Refusal> Failures) ComparePart(int first, int behind, int linesBefore)
     {
         var compared = new BlockComparison(task.Before, task.After);
-        var failures = new List<NcRefusal>();
+        var failures = new List<Refusal>();
         var (identical, recent) = (true, 0);
         for (var i = compared.NextDifference(first, behind, linesBefore);
             i < behind;

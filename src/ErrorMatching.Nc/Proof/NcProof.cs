@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Result of comparing a displaced program with its original.</summary>
@@ -18,4 +20,4 @@ public sealed record NcProof(
     string? Marker,
     double MaxDeviationFromWantedMm,
     bool UntouchedBytesIdentical,
-    IReadOnlyList<NcRefusal> Failures);
+    IReadOnlyList<Refusal> Failures);

@@ -1,30 +1,31 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
 /// <summary>Findings of a proof: failures, motions that moved along, and the largest distance from a wished place.</summary>
 internal sealed class ProofFindings(NcPath before)
 {
-    private readonly List<NcRefusal> _failures = [];
+    private readonly List<Refusal> _failures = [];
     private readonly List<ProofNeighbor> _neighbors = [];
     private readonly Dictionary<(int Block, NeighborRole Role), int> _noted = [];
 
-    public IReadOnlyList<NcRefusal> Failures => _failures;
+    public IReadOnlyList<Refusal> Failures => _failures;
 
     public IReadOnlyList<ProofNeighbor> Neighbors => _neighbors;
 
     public double MaxDeviation { get; private set; }
 
     /// <summary>A failure at a block of the original.</summary>
-    public static NcRefusal Failure(NcPath before, int block, string what) =>
-        NcRefusal.At(before.Program, block, NcRefusalCodes.ProofFailed, what);
+    public static Refusal Failure(NcPath before, int block, string what) =>
+        BlockRefusal.At(before.Program, block, NcRefusalCodes.ProofFailed, what);
 
     public void Fail(int block, string what) => _failures.Add(Failure(before, block, what));
 
     /// <summary>A failure of the result as a whole.</summary>
-    public void Fail(string what) => _failures.Add(new(NcRefusalCodes.ProofFailed, "", 0, what));
+    public void Fail(string what) => _failures.Add(new(NcRefusalCodes.ProofFailed, what));
 
-    public void Add(NcRefusal failure) => _failures.Add(failure);
+    public void Add(Refusal failure) => _failures.Add(failure);
 
     public void Measure(int block, double deviation, double tolerance)
     {

@@ -20,7 +20,7 @@ internal static class CenterGrid
     /// <param name="was">The center words before, mm; null if there were none. They stay if they are good enough.</param>
     /// <param name="increment">Least increment, mm.</param>
     /// <returns>Center words in steps of the least increment; null for a word that stays.</returns>
-    /// <exception cref="NcException">The center is too far away for a number.</exception>
+    /// <exception cref="InputException">The center is too far away for a number.</exception>
     public static (long? First, long? Second) Choose(Point2 origin, Point2 start, Point2 end, Arc2 wanted, Vector2? was, double increment)
     {
         var exact = wanted.Center - origin;

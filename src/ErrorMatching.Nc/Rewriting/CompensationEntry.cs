@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -11,7 +12,7 @@ internal static class CompensationEntry
     private const double ShortestFraction = 0.5;
 
     /// <summary>The reason why a change would spoil an entry or exit; null if it does not.</summary>
-    public static NcRefusal? Of(PathChange change)
+    public static Refusal? Of(PathChange change)
     {
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())
@@ -90,8 +91,8 @@ internal static class CompensationEntry
         return Math.Abs(sine) < 1e-3 ? null : sine;
     }
 
-    private static NcRefusal Refuse(PathChange change, in NcMotion motion, string why) =>
-        NcRefusal.At(
+    private static Refusal Refuse(PathChange change, in NcMotion motion, string why) =>
+        BlockRefusal.At(
             change.Path.Program,
             motion.Block,
             NcRefusalCodes.CompensationEntry,

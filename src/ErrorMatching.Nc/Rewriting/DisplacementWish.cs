@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -76,7 +77,7 @@ public sealed class DisplacementWish
     /// <summary>Creates a wish to displace all cutting motions of some blocks by one distance to the left of travel (negative:
     /// right).</summary>
     /// <returns>The wish, or a refusal if the blocks have no cutting motion or have one that begins at an unknown place.</returns>
-    public static NcOutcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
+    public static Outcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
         var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
         var (first, second) = distinct.Count < Halves.Many
@@ -97,7 +98,7 @@ public sealed class DisplacementWish
     }
 
     // The wishes for some of the blocks; the list has capacity for the blocks after them too.
-    private static (List<ElementWish> Elements, NcRefusal? Refusal) WishesOf(
+    private static (List<ElementWish> Elements, Refusal? Refusal) WishesOf(
         NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
     {
         var elements = new List<ElementWish>(blocks.Count - from);
@@ -131,7 +132,7 @@ public sealed class DisplacementWish
 
     /// <summary>Creates a wish to move the end points of all motions of some blocks by one vector.</summary>
     /// <returns>The wish, or a refusal if the blocks have no motion.</returns>
-    public static NcOutcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
+    public static Outcome<DisplacementWish> EndsBy(NcPath path, IReadOnlyList<int> blocks, Vector3 by)
     {
         var motions = new List<int>(blocks.Count);
         foreach (var block in blocks)
@@ -171,11 +172,11 @@ public sealed class DisplacementWish
         return true;
     }
 
-    private static NcRefusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0
-        ? NcRefusal.At(
+    private static Refusal NoMotion(NcPath path, IReadOnlyList<int> blocks) => path.Refusal is { } stopped ? stopped : blocks.Count > 0
+        ? BlockRefusal.At(
             path.Program,
             blocks[0],
             NcRefusalCodes.NoMotion,
             "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
-        : new(NcRefusalCodes.NoMotion, "", 0, "No blocks are named.");
+        : new(NcRefusalCodes.NoMotion, "No blocks are named.");
 }

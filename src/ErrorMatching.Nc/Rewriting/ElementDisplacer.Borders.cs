@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -12,12 +13,12 @@ internal sealed partial class ElementDisplacer
     // If a named motion closes the contour, both ends are already set.
     private int Unnamed(int motion) => motion >= 0 && _named.Contains(motion) ? -1 : motion;
 
-    private NcRefusal? Borders(int first, int last, int closing, int opening) =>
+    private Refusal? Borders(int first, int last, int closing, int opening) =>
         Border(first, closing >= 0 ? closing : first - 1, first, atStart: true, closing >= 0 ? closing + 1 : -1)
             ?? Border(last, opening >= 0 ? opening : last + 1, last + 1, atStart: false, opening);
 
     // The contour closes at a joint that another element already set; it must fit this element too.
-    private NcRefusal? Suit(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    private Refusal? Suit(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         var plane = _path.Motions[element].Plane;
         var move = _change.PlaneMoveOf(otherJoint, plane);
@@ -30,7 +31,7 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private NcRefusal DoesNotClose(int element, int neighbor) => At(
+    private Refusal DoesNotClose(int element, int neighbor) => At(
         _path.Motions[element],
         NcRefusalCodes.NoIntersection,
         $"displaced as asked, the contour no longer closes with {NameOf(neighbor)}.");
@@ -41,7 +42,7 @@ internal sealed partial class ElementDisplacer
     /// <param name="joint">The joint of the element.</param>
     /// <param name="atStart">True if the joint is the element's start.</param>
     /// <param name="otherJoint">The neighbor's joint if a closed contour gives it another one; otherwise -1.</param>
-    private NcRefusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
+    private Refusal? Border(int element, int neighbor, int joint, bool atStart, int otherJoint)
     {
         if (_change.IsSet(joint))
         {
@@ -94,7 +95,7 @@ internal sealed partial class ElementDisplacer
     }
 
     // Runs after all joints of named motions are set: positioning between two of them leads from one's place to the other's.
-    private NcRefusal? CarryPositioning()
+    private Refusal? CarryPositioning()
     {
         foreach (var joint in _borders)
         {

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -31,7 +32,7 @@ internal sealed partial class ElementDisplacer
 
     // Both flanks, offset by the new radius, meet in the new center; its feet on them are the new tangent points. Joints between arcs of
     // the fillet keep their direction from the center.
-    private NcRefusal? Round(ElementWish element)
+    private Refusal? Round(ElementWish element)
     {
         if (_rounded.ContainsKey(element.Motion) || Fillet.Around(_path, element.Motion) is not { } fillet
             || !_named.Contains(fillet.First - 1) || !_named.Contains(fillet.Last + 1)

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -22,7 +23,7 @@ internal sealed partial class ElementDisplacer
             contours.LastStartingAt(_path.Motions.EndOf(last), isRun ? last : first - 1, first));
     }
 
-    private NcRefusal? CloseRings(int first, int last, int closing, int opening)
+    private Refusal? CloseRings(int first, int last, int closing, int opening)
     {
         foreach (var (start, end) in Rings.Inside(_path.Motions, first, last))
         {
@@ -39,7 +40,7 @@ internal sealed partial class ElementDisplacer
     /// <summary>Moves both ends of a ring to where its last element meets its first.</summary>
     /// <param name="first">Its first motion; earlier motions of the same run lead in.</param>
     /// <param name="last">Its last motion; later motions of the same run lead out.</param>
-    private NcRefusal? Close(int first, int last)
+    private Refusal? Close(int first, int last)
     {
         var motion = _path.Motions[first];
         if (Closing(first, last) is not { } move)
@@ -74,7 +75,7 @@ internal sealed partial class ElementDisplacer
     }
 
     // Refuses a named lead of a ring if, once displaced, it does not pass through the place where the ring closes.
-    private NcRefusal? Lead(int lead, string does, int first, int last, Vector2 move)
+    private Refusal? Lead(int lead, string does, int first, int last, Vector2 move)
     {
         if (!_named.Contains(lead) || CarrierOf(lead).Distance(_path.Motions[first].PlaneStart + move) is var miss && miss <= LeadMiss)
         {

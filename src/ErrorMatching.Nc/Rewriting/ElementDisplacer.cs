@@ -1,5 +1,6 @@
 using System.Collections;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -51,13 +52,13 @@ internal sealed partial class ElementDisplacer
     }
 
     /// <summary>Computes the new joints and centers for a wish.</summary>
-    public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
+    public static Outcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
         var displacer = new ElementDisplacer(path, wish.Elements);
         return displacer.Displace() is { } refusal ? refusal : displacer._change;
     }
 
-    private NcRefusal? Displace()
+    private Refusal? Displace()
     {
         var fillets = new List<ElementWish>();
         foreach (var element in WithNeighborFillets(_wishes))
@@ -107,7 +108,7 @@ internal sealed partial class ElementDisplacer
         return CarryPositioning() ?? FollowWithArcs() ?? CheckSense();
     }
 
-    private NcRefusal? Add(ElementWish element)
+    private Refusal? Add(ElementWish element)
     {
         var motion = _path.Motions[element.Motion];
         if (Obstacles.Of(_path, motion) is { } obstacle)
@@ -146,7 +147,7 @@ internal sealed partial class ElementDisplacer
 
     private static bool IsTangent(Vector2 before, Vector2 behind) => Math.Abs(before.Cross(behind)) < TangentSine && before.Dot(behind) > 0;
 
-    private NcRefusal? SmoothJoints(int first, int last)
+    private Refusal? SmoothJoints(int first, int last)
     {
         // NaN if a joint is not smooth.
         var moves = new Vector2[last - first];
@@ -168,7 +169,7 @@ internal sealed partial class ElementDisplacer
         return null;
     }
 
-    private NcRefusal? Corners(int first, int last)
+    private Refusal? Corners(int first, int last)
     {
         for (var joint = first + 1; joint <= last; joint++)
         {
@@ -182,7 +183,7 @@ internal sealed partial class ElementDisplacer
     }
 
     // The displacements of the joints inside a run, if smooth and not yet set. Changes nothing, so two threads can run it.
-    private NcRefusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
+    private Refusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
     {
         var begin = _path.Motions[first];
         for (var joint = from; joint < behind; joint++)
@@ -243,7 +244,7 @@ internal sealed partial class ElementDisplacer
 
     /// <summary>Moves a corner to the intersection of both displaced elements. If one of them is a short piece of a polyline that ends
     /// before the intersection, tries the next piece: the displacement cut off the pieces between, and they shrink to the corner.</summary>
-    private NcRefusal? Corner(int joint, int first, int last)
+    private Refusal? Corner(int joint, int first, int last)
     {
         var (before, behind) = (joint - 1, joint);
         var amount = Math.Max(WishOf(before).End.Length, WishOf(behind).Start.Length);
@@ -335,7 +336,7 @@ internal sealed partial class ElementDisplacer
     private static bool IsNear(Point2 point, Point2 joint, double amount) => point.DistanceTo(joint) <= (Nearby * amount) + 1e-6;
 
     // Unnamed arcs whose ends left their circle: a lead-in arc, or an arc next to a run that it does not meet.
-    private NcRefusal? FollowWithArcs()
+    private Refusal? FollowWithArcs()
     {
         var motions = _path.Motions;
         foreach (var i in _change.Affected())
@@ -367,13 +368,13 @@ internal sealed partial class ElementDisplacer
     }
 
     // No element may reverse: that is a loop in the path, and a mark on the piece.
-    private NcRefusal? CheckSense()
+    private Refusal? CheckSense()
     {
         var affected = _change.Affected();
         return Halves.Refusal(0, affected.Count, (from, behind) => CheckSense(affected, from, behind));
     }
 
-    private NcRefusal? CheckSense(List<int> affected, int from, int behind)
+    private Refusal? CheckSense(List<int> affected, int from, int behind)
     {
         var motions = _path.Motions;
         for (var k = from; k < behind; k++)
@@ -405,5 +406,5 @@ internal sealed partial class ElementDisplacer
     private Carrier CarrierOf(int motion) =>
         _rounded.TryGetValue(motion, out var fillet) ? fillet : Carrier.Displaced(_path.Motions[motion], WishOf(motion))!.Value;
 
-    private NcRefusal At(in NcMotion motion, string code, string message) => NcRefusal.At(_path.Program, motion.Block, code, message);
+    private Refusal At(in NcMotion motion, string code, string message) => BlockRefusal.At(_path.Program, motion.Block, code, message);
 }

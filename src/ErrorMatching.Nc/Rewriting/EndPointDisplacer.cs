@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -7,7 +8,7 @@ namespace ErrorMatching.Nc;
 /// other end moves.</summary>
 internal static class EndPointDisplacer
 {
-    public static NcOutcome<PathChange> Run(NcPath path, DisplacementWish wish)
+    public static Outcome<PathChange> Run(NcPath path, DisplacementWish wish)
     {
         var change = new PathChange(path);
         for (var i = 0; i < wish.EndPoints.Count; i++)
@@ -47,14 +48,14 @@ internal static class EndPointDisplacer
         return FollowWithArcs(change) is { } bad ? bad : change;
     }
 
-    private static NcRefusal? ArcThatMoves(PathChange change)
+    private static Refusal? ArcThatMoves(PathChange change)
     {
         var path = change.Path;
         foreach (var i in change.Affected())
         {
             if (path.Motions.IsArc(i) && (change.MoveOf(i) != Vector3.Zero || change.MoveOf(i + 1) != Vector3.Zero))
             {
-                return NcRefusal.At(
+                return BlockRefusal.At(
                     path.Program,
                     path.Motions[i].Block,
                     NcRefusalCodes.ArcForm,
@@ -65,7 +66,7 @@ internal static class EndPointDisplacer
         return null;
     }
 
-    private static NcRefusal? FollowWithArcs(PathChange change)
+    private static Refusal? FollowWithArcs(PathChange change)
     {
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Runs long work on independent parts on two threads.</summary>
@@ -21,7 +23,7 @@ internal static class Halves
     }
 
     /// <summary>The first refusal of work on many parts, on two threads if there are enough parts.</summary>
-    public static NcRefusal? Refusal(int from, int behind, Func<int, int, NcRefusal?> work)
+    public static Refusal? Refusal(int from, int behind, Func<int, int, Refusal?> work)
     {
         if (behind - from < Many)
         {

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -6,17 +7,17 @@ namespace ErrorMatching.Nc;
 internal static class Obstacles
 {
     /// <summary>The reason why a motion cannot be changed; null if it can.</summary>
-    public static NcRefusal? Of(NcPath path, int motion) => Of(path, path.Motions[motion]);
+    public static Refusal? Of(NcPath path, int motion) => Of(path, path.Motions[motion]);
 
     /// <summary>The same for a motion that the caller has already read.</summary>
-    public static NcRefusal? Of(NcPath path, in NcMotion motion)
+    public static Refusal? Of(NcPath path, in NcMotion motion)
     {
         var (code, why) = Reason(motion);
-        return code is null ? null : NcRefusal.At(path.Program, motion.Block, code, why!);
+        return code is null ? null : BlockRefusal.At(path.Program, motion.Block, code, why!);
     }
 
     /// <summary>The refusal of a motion whose place the program does not state.</summary>
-    public static NcRefusal UnknownPlace(NcPath path, int motion) => NcRefusal.At(
+    public static Refusal UnknownPlace(NcPath path, int motion) => BlockRefusal.At(
         path.Program,
         path.Motions[motion].Block,
         NcRefusalCodes.UnknownState,
@@ -24,14 +25,14 @@ internal static class Obstacles
 
     /// <summary>The reason why the joints of a change must not move, or null: an origin is set or a program is called at the tool's
     /// current place, or the control inserts a rounding or chamfer next to a motion that changes.</summary>
-    public static NcRefusal? Of(PathChange change)
+    public static Refusal? Of(PathChange change)
     {
         var path = change.Path;
         foreach (var (block, joint) in path.PlaceDependents)
         {
             if (change.MoveOf(joint) != default)
             {
-                return NcRefusal.At(
+                return BlockRefusal.At(
                     path.Program,
                     block,
                     NcRefusalCodes.FrameChange,
@@ -43,7 +44,7 @@ internal static class Obstacles
         return CornerOf(change);
     }
 
-    private static NcRefusal? CornerOf(PathChange change)
+    private static Refusal? CornerOf(PathChange change)
     {
         var motions = change.Path.Motions;
         foreach (var motion in change.Affected())
@@ -52,7 +53,7 @@ internal static class Obstacles
             {
                 if (IsInserted(motions, corner) && !KeepsLine(change, motion))
                 {
-                    return NcRefusal.At(
+                    return BlockRefusal.At(
                         change.Path.Program,
                         motions.BlockOf(corner),
                         NcRefusalCodes.CornerWord,

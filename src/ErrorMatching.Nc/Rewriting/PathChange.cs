@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -89,7 +90,7 @@ internal sealed class PathChange
     /// <summary>Lets an arc follow its ends. If both ends move alike, the whole arc moves. Otherwise it becomes the circle through its
     /// new ends and its old middle, moved by the mean of both ends' displacements.</summary>
     /// <returns>The reason why it cannot, or null.</returns>
-    public NcRefusal? FollowWithArc(int motion)
+    public Refusal? FollowWithArc(int motion)
     {
         var arc = Path.Motions[motion];
         var (start, end) = (PlaneMoveOf(motion, arc.Plane), PlaneMoveOf(motion + 1, arc.Plane));
@@ -119,7 +120,7 @@ internal sealed class PathChange
             }
         }
 
-        return NcRefusal.At(
+        return BlockRefusal.At(
             Path.Program,
             arc.Block,
             NcRefusalCodes.ElementFlips,

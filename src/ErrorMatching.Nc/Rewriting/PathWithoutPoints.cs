@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>A path without straight cuts of length zero, which remain when a corner cuts off a short piece, and without steps in depth at
@@ -53,7 +55,7 @@ internal sealed class PathWithoutPoints
     }
 
     /// <summary>Displaces elements. Ignores a wish for a point.</summary>
-    public NcOutcome<PathChange> Displace(DisplacementWish wish)
+    public Outcome<PathChange> Displace(DisplacementWish wish)
     {
         var elements = new List<ElementWish>(wish.Elements.Count);
         foreach (var element in wish.Elements)
@@ -66,7 +68,7 @@ internal sealed class PathWithoutPoints
         }
 
         var change = ElementDisplacer.Run(_reduced, DisplacementWish.OfElements(elements));
-        return change.IsUsable ? Restore(change.Value) : change;
+        return change.IsUsable ? Restore(change.Result) : change;
     }
 
     // Feeds along the tool axis directly between two elements.

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -25,7 +26,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
     /// (<see cref="NcRefusalCodes.PointsCoincide"/>).
     /// </returns>
     /// <exception cref="ArgumentException">There are no points.</exception>
-    public static NcOutcome<PointwiseWish> Of(NcPath path, IReadOnlyList<int> blocks, IReadOnlyList<DisplacedPoint> points)
+    public static Outcome<PointwiseWish> Of(NcPath path, IReadOnlyList<int> blocks, IReadOnlyList<DisplacedPoint> points)
     {
         if (points.Count == 0)
         {
@@ -39,12 +40,12 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
             return named.Refusal;
         }
 
-        int[] motions = [.. named.Value.Elements.Select(e => e.Motion)];
+        int[] motions = [.. named.Result.Elements.Select(e => e.Motion)];
         foreach (var motion in motions)
         {
             if (path.Motions[motion].Plane != CoordinatePlane.XY)
             {
-                return NcRefusal.At(
+                return BlockRefusal.At(
                     path.Program,
                     path.Motions[motion].Block,
                     NcRefusalCodes.PlaneChange,
@@ -61,7 +62,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
             if (feet.Count == 0)
             {
                 var nearest = tree.NearestTo(point.Place);
-                return NcRefusal.At(
+                return BlockRefusal.At(
                     path.Program,
                     path.Motions[nearest.Motion].Block,
                     NcRefusalCodes.PointOffPath,
@@ -118,7 +119,7 @@ public sealed record PointwiseWish(DisplacementWish Wish, double LargestMisfitMm
         return low;
     }
 
-    private static NcOutcome<PointwiseWish> Combine(List<WishedRun> runs, IReadOnlyList<DisplacedPoint> points)
+    private static Outcome<PointwiseWish> Combine(List<WishedRun> runs, IReadOnlyList<DisplacedPoint> points)
     {
         var elements = new List<ElementWish>();
         var (misfit, worst) = (0.0, points[0]);

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -12,7 +13,7 @@ internal static class Positioning
     /// <param name="joint">The joint.</param>
     /// <param name="isNamed">Whether a motion is named and so may begin or end elsewhere.</param>
     /// <returns>The reason why it cannot move, or null.</returns>
-    public static NcRefusal? CarryAhead(PathChange change, int joint, Func<int, bool> isNamed)
+    public static Refusal? CarryAhead(PathChange change, int joint, Func<int, bool> isNamed)
     {
         var motions = change.Path.Motions;
         while (true)
@@ -60,7 +61,7 @@ internal static class Positioning
 
     /// <summary>Moves what leads to a moved joint, back to the last motion in the plane.</summary>
     /// <returns>The reason why it cannot move, or null.</returns>
-    public static NcRefusal? CarryBack(PathChange change, int joint, Func<int, bool> isNamed)
+    public static Refusal? CarryBack(PathChange change, int joint, Func<int, bool> isNamed)
     {
         var motions = change.Path.Motions;
         var first = joint;
@@ -87,7 +88,7 @@ internal static class Positioning
     }
 
     // Between two joints that are set, one rapid leads from one place to the other, unless both moved alike.
-    private static NcRefusal? Join(PathChange change, int first, int last, int moved)
+    private static Refusal? Join(PathChange change, int first, int last, int moved)
     {
         var (from, to) = (LevelMove(change, first), LevelMove(change, last));
         if (from == to && (first < last || from == Vector3.Zero))
@@ -179,6 +180,6 @@ internal static class Positioning
         (axes & AxisSet.Y) == AxisSet.None ? 0 : by.Y,
         (axes & AxisSet.Z) == AxisSet.None ? 0 : by.Z);
 
-    private static NcRefusal Refuse(NcPath path, int motion, string code, string message) =>
-        NcRefusal.At(path.Program, path.Motions.BlockOf(motion), code, message);
+    private static Refusal Refuse(NcPath path, int motion, string code, string message) =>
+        BlockRefusal.At(path.Program, path.Motions.BlockOf(motion), code, message);
 }

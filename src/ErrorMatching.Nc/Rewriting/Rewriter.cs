@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Displaces elements or end points of a program and changes only the words that this requires.</summary>
@@ -7,7 +9,7 @@ public static class Rewriter
     /// <param name="path">The original, interpreted.</param>
     /// <param name="wish">What to displace.</param>
     /// <returns>The displaced program, not yet proved, or the reason why it cannot be displaced.</returns>
-    public static NcOutcome<Rewrite> Apply(NcPath path, DisplacementWish wish)
+    public static Outcome<Rewrite> Apply(NcPath path, DisplacementWish wish)
     {
         if (path.Refusal is { } refusal)
         {
@@ -27,8 +29,8 @@ public static class Rewriter
             return change.Refusal;
         }
 
-        return (Obstacles.Of(change.Value) ?? CompensationEntry.Of(change.Value)) is { } obstacle
+        return (Obstacles.Of(change.Result) ?? CompensationEntry.Of(change.Result)) is { } obstacle
             ? obstacle
-            : WordEditor.Run(change.Value, keepRadii: wish.Elements.Count == 0);
+            : WordEditor.Run(change.Result, keepRadii: wish.Elements.Count == 0);
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -35,7 +36,7 @@ internal sealed class WishedRun
 
     /// <summary>Sorts the points along the run.</summary>
     /// <returns>A refusal if there are none, or if two of them disagree.</returns>
-    public NcRefusal? Sort()
+    public Refusal? Sort()
     {
         _feet.Sort((a, b) => a.Along.CompareTo(b.Along));
         for (var i = 1; i < _feet.Count; i++)
@@ -108,6 +109,6 @@ internal sealed class WishedRun
         return from.Point.By + ((to.Point.By - from.Point.By) * ((along - from.Along) / (to.Along - from.Along)));
     }
 
-    private NcRefusal Refuse(int motion, string code, string message) =>
-        NcRefusal.At(_path.Program, _path.Motions[motion].Block, code, message);
+    private Refusal Refuse(int motion, string code, string message) =>
+        BlockRefusal.At(_path.Program, _path.Motions[motion].Block, code, message);
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -7,7 +8,7 @@ namespace ErrorMatching.Nc;
 /// </content>
 internal sealed partial class WordEditor
 {
-    private NcRefusal? EditRepeated(List<int> affected)
+    private Refusal? EditRepeated(List<int> affected)
     {
         var edits = new Dictionary<int, (int Place, NcPatch[] Patches)>();
         var blocks = new List<int>();
@@ -35,7 +36,7 @@ internal sealed partial class WordEditor
                 var patches = _edit.Patches.ToArray();
                 if (run > 0 && !Same(edits[block].Patches, patches))
                 {
-                    return NcRefusal.At(
+                    return BlockRefusal.At(
                         _path.Program, block, NcRefusalCodes.RunsDiffer,
                         string.Create(
                             CultureInfo.InvariantCulture,

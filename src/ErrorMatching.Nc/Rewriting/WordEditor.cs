@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -54,7 +55,7 @@ internal sealed partial class WordEditor
     /// <summary>Rewrites the words of a change.</summary>
     /// <param name="change">New joints and centers.</param>
     /// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
-    public static NcOutcome<Rewrite> Run(PathChange change, bool keepRadii)
+    public static Outcome<Rewrite> Run(PathChange change, bool keepRadii)
     {
         var affected = change.Affected();
         if (affected.Count == 0)
@@ -81,7 +82,7 @@ internal sealed partial class WordEditor
         return decimals <= _decimals && isFixed == _programIsFixed ? Result() : null;
     }
 
-    private NcOutcome<Rewrite> Run(List<int> affected)
+    private Outcome<Rewrite> Run(List<int> affected)
     {
         if ((
             !_path.Motions.FollowBlocks || RunAgain(affected)
@@ -135,7 +136,7 @@ internal sealed partial class WordEditor
     }
 
     // Each block is edited independently, so two concurrent halves give the same result as a sequential run.
-    private NcRefusal? EditMany(List<int> affected)
+    private Refusal? EditMany(List<int> affected)
     {
         var half = affected.Count / 2;
         while (half > 0 && _path.Motions.BlockOf(affected[half - 1]) == _path.Motions.BlockOf(affected[half]))
@@ -153,7 +154,7 @@ internal sealed partial class WordEditor
         return refusal;
     }
 
-    private NcRefusal? EditOnce(List<int> affected)
+    private Refusal? EditOnce(List<int> affected)
     {
         foreach (var motion in affected)
         {
@@ -173,19 +174,19 @@ internal sealed partial class WordEditor
     }
 
     // Exact decimals end at 18 digits. If a program's own number leaves no room, the edit is refused.
-    private NcRefusal? Edit(int index)
+    private Refusal? Edit(int index)
     {
         try
         {
             return EditWords(index);
         }
-        catch (NcException e) when (e.Code == NcErrorCode.NumberTooLong)
+        catch (InputException e) when (e.Code == NcRefusalCodes.NumberTooLong)
         {
-            return NcRefusal.At(_path.Program, _path.Motions[index].Block, NcRefusalCodes.NumberTooLong, e.Message);
+            return BlockRefusal.At(_path.Program, _path.Motions[index].Block, NcRefusalCodes.NumberTooLong, e.Message);
         }
     }
 
-    private NcRefusal? EditWords(int index)
+    private Refusal? EditWords(int index)
     {
         var motion = _path.Motions[index];
         _edit.Open(_path.Program[motion.Block]);
@@ -218,7 +219,7 @@ internal sealed partial class WordEditor
         }
 
         return motion.Has(MotionFlags.Inch) != _inch
-            ? NcRefusal.At(
+            ? BlockRefusal.At(
                 _path.Program,
                 motion.Block,
                 NcRefusalCodes.UnknownState,
@@ -226,7 +227,7 @@ internal sealed partial class WordEditor
             : null;
     }
 
-    private NcRefusal? SetCoordinates(int index, in NcMotion motion)
+    private Refusal? SetCoordinates(int index, in NcMotion motion)
     {
         foreach (var axis in "XYZ"u8)
         {

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -16,7 +17,7 @@ public static class BlockNames
     /// ends without a number of their own are named by their whole text (<c>/^G1\ X5\.$/</c>).</summary>
     /// <returns>The selectors, or a refusal if the blocks cannot be distinguished from others.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The blocks do not exist.</exception>
-    public static NcOutcome<string[]> Of(NcProgram program, int first, int last)
+    public static Outcome<string[]> Of(NcProgram program, int first, int last)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(first);
         ArgumentOutOfRangeException.ThrowIfLessThan(last, first);
@@ -62,10 +63,10 @@ public static class BlockNames
             return selected.Refusal;
         }
 
-        var other = selected.Value.FirstOrDefault(b => b < first || b > last, -1);
+        var other = selected.Result.FirstOrDefault(b => b < first || b > last, -1);
         return other < 0
             ? words.ToArray()
-            : NcRefusal.At(
+            : BlockRefusal.At(
                 program,
                 other,
                 NcRefusalCodes.BlockAmbiguous,
@@ -94,8 +95,8 @@ public static class BlockNames
         return [.. named.Where(n => numbered[n.Number].Count == 1).Select(n => n.Block)];
     }
 
-    private static NcRefusal Refuse(NcProgram program, int block) =>
-        NcRefusal.At(
+    private static Refusal Refuse(NcProgram program, int block) =>
+        BlockRefusal.At(
             program,
             block,
             NcRefusalCodes.BlockNotFound,

@@ -2,6 +2,7 @@ using System.Collections;
 using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -36,8 +37,8 @@ public sealed class BlockSelector
     public string Text { get; }
 
     /// <summary>Reads a selector.</summary>
-    /// <exception cref="NcException">It is not a number, a range or a valid expression
-    /// (<see cref="NcErrorCode.BadSelector"/>).</exception>
+    /// <exception cref="InputException">It is not a number, a range or a valid expression
+    /// (<see cref="NcInputCodes.BadSelector"/>).</exception>
     public static BlockSelector Parse(string text)
     {
         if (text.Length > 2 && text[0] == '/' && text[^1] == '/')
@@ -50,7 +51,7 @@ public sealed class BlockSelector
     }
 
     /// <summary>All blocks that any of the selectors names: positions in ascending order, each once.</summary>
-    public static NcOutcome<int[]> Select(NcProgram program, IReadOnlyList<BlockSelector> selectors)
+    public static Outcome<int[]> Select(NcProgram program, IReadOnlyList<BlockSelector> selectors)
     {
         var wanted = new Dictionary<NcNumber, List<int>>();
         foreach (var selector in selectors)
@@ -149,10 +150,10 @@ public sealed class BlockSelector
         var valid = tokens.MoveNext() && (token = tokens.Current) is { Kind: NcTokenKind.Word, Letter: (byte)'N' } && !tokens.MoveNext();
         return valid
             ? token.Number.Trim()
-            : throw new NcException(
-                NcErrorCode.BadSelector,
+            : throw new InputException(new Refusal(
+                NcInputCodes.BadSelector,
                 $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130) or an expression between slashes "
-                    + $"(/^N8[0-9]{{3}}/).");
+                    + $"(/^N8[0-9]{{3}}/)."));
     }
 
     private static Regex Compile(string expression)
@@ -172,12 +173,12 @@ public sealed class BlockSelector
             throw Bad(expression, e.Message);
         }
 
-        static NcException Bad(string shown, string why) => new(
-            NcErrorCode.BadSelector,
-            $"\"/{shown}/\" cannot be used; expected a regular expression without look-around and back references: {why}");
+        static InputException Bad(string shown, string why) => new(new Refusal(
+            NcInputCodes.BadSelector,
+            $"\"/{shown}/\" cannot be used; expected a regular expression without look-around and back references: {why}"));
     }
 
-    private NcRefusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, BitArray chosen)
+    private Refusal? Collect(NcProgram program, Dictionary<NcNumber, List<int>> wanted, BitArray chosen)
     {
         if (_pattern is not null)
         {
@@ -197,7 +198,7 @@ public sealed class BlockSelector
 
         if (to < from)
         {
-            return NcRefusal.At(
+            return BlockRefusal.At(
                 program,
                 to,
                 NcRefusalCodes.BlockNotFound,
@@ -213,7 +214,7 @@ public sealed class BlockSelector
         return null;
     }
 
-    private NcRefusal? CollectByPattern(NcProgram program, Regex expression, BitArray chosen)
+    private Refusal? CollectByPattern(NcProgram program, Regex expression, BitArray chosen)
     {
         var any = false;
         for (var i = 0; i < program.BlockCount; i++)
@@ -225,10 +226,10 @@ public sealed class BlockSelector
             }
         }
 
-        return any ? null : new(NcRefusalCodes.BlockNotFound, "", 0, $"The expression {Text} matches no block of the program.");
+        return any ? null : new(NcRefusalCodes.BlockNotFound, $"The expression {Text} matches no block of the program.");
     }
 
-    private static NcRefusal? Single(NcProgram program, Dictionary<NcNumber, List<int>> wanted, NcNumber number, out int block)
+    private static Refusal? Single(NcProgram program, Dictionary<NcNumber, List<int>> wanted, NcNumber number, out int block)
     {
         var found = wanted[number];
         block = found.Count > 0 ? found[0] : -1;
@@ -237,10 +238,9 @@ public sealed class BlockSelector
             1 => null,
             0 => new(
                 NcRefusalCodes.BlockNotFound,
-                Show(number),
-                0,
-                $"No block of the program is numbered {Show(number)}. Check the number, or name the block by an expression."),
-            _ => NcRefusal.At(
+                $"No block of the program is numbered {Show(number)}. Check the number, or name the block by an expression.",
+                new() { Block = Show(number) }),
+            _ => BlockRefusal.At(
                 program,
                 found[1],
                 NcRefusalCodes.BlockAmbiguous,

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -16,19 +17,19 @@ public readonly record struct NcNumber(long Digits, int Decimals)
     public double Value => Decimals == 0 ? Digits : Digits / (double)Powers[Decimals];
 
     /// <summary>The decimal with a number of decimals that is nearest to a double; halves round away from zero.</summary>
-    /// <exception cref="NcException">The value does not fit into 18 digits, or is not finite.</exception>
+    /// <exception cref="InputException">The value does not fit into 18 digits, or is not finite.</exception>
     public static NcNumber Round(double value, int decimals)
     {
         var scaled = Math.Round(value * Powers[decimals], MidpointRounding.AwayFromZero);
         return Math.Abs(scaled) < 9e17
             ? new((long)scaled, decimals)
-            : throw new NcException(
-                NcErrorCode.NumberTooLong,
-                $"The value {value.ToString("R", CultureInfo.InvariantCulture)} does not fit into {MaxDigits} digits.");
+            : throw new InputException(new Refusal(
+                NcRefusalCodes.NumberTooLong,
+                $"The value {value.ToString("R", CultureInfo.InvariantCulture)} does not fit into {MaxDigits} digits."));
     }
 
     /// <summary>The same value with at least the given number of decimals.</summary>
-    /// <exception cref="NcException">The value does not fit into 18 digits.</exception>
+    /// <exception cref="InputException">The value does not fit into 18 digits.</exception>
     public NcNumber WithDecimals(int decimals)
     {
         if (decimals <= Decimals)
@@ -39,7 +40,7 @@ public readonly record struct NcNumber(long Digits, int Decimals)
         var factor = Powers[decimals - Decimals];
         return Math.Abs(Digits) <= 900_000_000_000_000_000 / factor
             ? new(Digits * factor, decimals)
-            : throw new NcException(NcErrorCode.NumberTooLong, $"The number {this} has no room for {decimals} decimals.");
+            : throw new InputException(new Refusal(NcRefusalCodes.NumberTooLong, $"The number {this} has no room for {decimals} decimals."));
     }
 
     /// <summary>The same value without trailing zeros.</summary>

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -67,12 +68,13 @@ public sealed class NcProgram
     /// <summary>Finds the blocks of a program. The bytes are not copied: do not change them afterwards.</summary>
     /// <param name="bytes">The program's bytes.</param>
     /// <param name="syntax">Its syntax; <see cref="NcDialect.Syntax"/> of its dialect.</param>
-    /// <exception cref="NcException">The program is larger than <see cref="MaxBytes"/>.</exception>
+    /// <exception cref="InputException">The program is larger than <see cref="MaxBytes"/>.</exception>
     public static NcProgram Read(ReadOnlyMemory<byte> bytes, NcSyntax syntax = NcSyntax.Iso)
     {
         if (bytes.Length > MaxBytes)
         {
-            throw new NcException(NcErrorCode.ProgramTooLarge, $"The program has {bytes.Length} bytes; at most {MaxBytes} are read.");
+            throw new InputException(
+                new Refusal(NcInputCodes.ProgramTooLarge, $"The program has {bytes.Length} bytes; at most {MaxBytes} are read."));
         }
 
         // The two halves of a long program are searched concurrently; a block begins after any line feed.

@@ -74,7 +74,7 @@ public sealed class WishFile
     /// <summary>Reads a document.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">It is not JSON, does not follow this schema, or names a motion twice
+    /// <exception cref="InputException">It is not JSON, does not follow this schema, or names a motion twice
     /// (<c>motion-twice</c>).</exception>
     public static WishFile Read(ReadOnlySpan<byte> bytes, string file) => WishReader.Read(bytes, file);
 
@@ -84,7 +84,7 @@ public sealed class WishFile
     /// <summary>Checks whether this wish belongs to a program, and if so, whether the program fits it.</summary>
     /// <param name="before">The program, interpreted in the wish's dialect.</param>
     /// <param name="file">Name of the wish's file for messages.</param>
-    /// <exception cref="JsonDocumentException">
+    /// <exception cref="InputException">
     /// A motion is not in the program, or is in another line or block (<c>no-such-motion</c>); it is not a cut that can be displaced as
     /// an element (<c>no-element</c>); or the increment is coarser than the dialect's (<c>increment-too-coarse</c>).
     /// </exception>

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -15,7 +16,7 @@ internal static class WishReader
         var root = JsonInput.Read(bytes, file, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes, MaxValues = WishFile.MaxBytes });
         if (Schema.Value.Check(root) is { Count: > 0 } problems)
         {
-            throw new JsonDocumentException(file, problems);
+            throw new InputException(file, problems);
         }
 
         var ends = root.Find("endPoints");
@@ -35,10 +36,10 @@ internal static class WishReader
     }
 
     /// <summary>Checks a wish against its program.</summary>
-    /// <exception cref="JsonDocumentException">It names something that the program does not have.</exception>
+    /// <exception cref="InputException">It names something that the program does not have.</exception>
     public static void CheckAgainst(WishFile wish, NcPath before, string file)
     {
-        var problems = new List<JsonProblem>();
+        var problems = new List<Refusal>();
         var coarsest = Math.Max(Math.Pow(10, -before.Dialect.MetricDecimals), 25.4 * Math.Pow(10, -before.Dialect.InchDecimals));
         if (!(wish.LeastIncrementMm <= coarsest * 1.000001))
         {
@@ -65,7 +66,7 @@ internal static class WishReader
 
         if (problems.Count > 0)
         {
-            throw new JsonDocumentException(file, problems);
+            throw new InputException(file, problems);
         }
     }
 
@@ -97,7 +98,7 @@ internal static class WishReader
 
     private static void RefuseTwins(WishedMotion[] motions, string file)
     {
-        var problems = new List<JsonProblem>();
+        var problems = new List<Refusal>();
         for (var i = 1; i < motions.Length; i++)
         {
             if (motions[i].Motion == motions[i - 1].Motion)
@@ -108,7 +109,7 @@ internal static class WishReader
 
         if (problems.Count > 0)
         {
-            throw new JsonDocumentException(file, problems);
+            throw new InputException(file, problems);
         }
     }
 
@@ -134,11 +135,11 @@ internal static class WishReader
 
     private static Vector3 ToVector3(JsonItem list) => new(list.Items[0].Number, list.Items[1].Number, list.Items[2].Number);
 
-    private static JsonProblem At(WishedMotion named, string code, string found, string expected) =>
-        named.Source is { } source ? JsonProblem.At(source, code, found, expected) : Problem(code, "$", found, expected);
+    private static Refusal At(WishedMotion named, string code, string found, string expected) =>
+        named.Source is { } source ? JsonRefusal.At(source, code, found, expected) : Problem(code, "$", found, expected);
 
-    private static JsonProblem Problem(string code, string path, string found, string expected) =>
-        new(code, path, new(1, 1), found, expected, $"found {found}; expected {expected}");
+    private static Refusal Problem(string code, string path, string found, string expected) =>
+        Refusal.Of(code, found, expected, new() { Line = 1, Column = 1, Path = path });
 
     private static string Number(IFormattable value) => value.ToString(null, CultureInfo.InvariantCulture);
 

@@ -1,12 +1,13 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Reporting;
 
 /// <summary>Reads an object of a stored report: the counterpart of <see cref="ReportWriter"/>. Members that it does not ask for are
 /// ignored, so that a report with more of them can be read.</summary>
-/// <remarks>A member that is missing or wrong is a <see cref="JsonDocumentException"/> with its path, line and column. Members that older
+/// <remarks>A member that is missing or wrong is a <see cref="InputException"/> with its path, line and column. Members that older
 /// reports lack are read as optional ones.</remarks>
 public sealed class ReportReader
 {
@@ -27,7 +28,7 @@ public sealed class ReportReader
     /// <summary>Reads a document.</summary>
     /// <param name="json">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="JsonDocumentException">It is not JSON, or not an object.</exception>
+    /// <exception cref="InputException">It is not JSON, or not an object.</exception>
     public static ReportReader Document(ReadOnlySpan<byte> json, string file = "report.json")
     {
         var reader = new ReportReader(JsonInput.Read(json, file, Limits), file);
@@ -38,7 +39,7 @@ public sealed class ReportReader
     /// <param name="name">The member.</param>
     /// <param name="code">A stable code.</param>
     /// <param name="expected">What is expected instead.</param>
-    public JsonDocumentException Refusal(string name, string code, string expected) => Refusal(_item.Find(name) ?? _item, code, expected);
+    public InputException Refusal(string name, string code, string expected) => Refusal(_item.Find(name) ?? _item, code, expected);
 
     /// <summary>Reads an object.</summary>
     public ReportReader Object(string name) => new(Member(name, JsonItemKind.Object, "an object"), _file);
@@ -172,8 +173,7 @@ public sealed class ReportReader
 
     private JsonItem Member(string name, JsonItemKind kind, string expected) =>
         _item.Find(name) is not { } member
-            ? throw new JsonDocumentException(
-                _file, [JsonProblem.At(_item, "missing-key", $"no key \"{name}\"", $"the key \"{name}\"")])
+            ? throw new InputException(_file, [JsonRefusal.At(_item, "missing-key", $"no key \"{name}\"", $"the key \"{name}\"")])
             : Checked(member, kind, expected);
 
     private IEnumerable<T> Each<T>(string name, JsonItemKind kind, string expected, Func<JsonItem, T> read) =>
@@ -186,6 +186,6 @@ public sealed class ReportReader
         ? (int)item.Number
         : throw Refusal(item, "wrong-type", "a count");
 
-    private JsonDocumentException Refusal(JsonItem item, string code, string expected) =>
-        new(_file, [JsonProblem.At(item, code, item.ToString(), expected)]);
+    private InputException Refusal(JsonItem item, string code, string expected) =>
+        new(_file, [JsonRefusal.At(item, code, item.ToString(), expected)]);
 }

@@ -1,3 +1,4 @@
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;

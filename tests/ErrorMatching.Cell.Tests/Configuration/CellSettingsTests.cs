@@ -106,7 +106,7 @@ public sealed class CellSettingsTests : IDisposable
                 "7:15 unused-gauge $.gauges[1].name",
                 "11:91 unused-slot $.machines[0].slots[1].name",
                 "12:134 plain-ftp $.machines[1].transport.tls"],
-            _cell.Read(text).Warnings.Select(w => $"{w.Line}:{w.Column} {w.Code} {w.Path}"));
+            _cell.Read(text).Warnings.Select(w => $"{w.Place.Line}:{w.Place.Column} {w.Code} {w.Place.Path}"));
     }
 
     [Fact]

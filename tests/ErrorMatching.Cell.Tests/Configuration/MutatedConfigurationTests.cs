@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -32,10 +33,11 @@ public sealed class MutatedConfigurationTests
                 Assert.NotEmpty(cell.Read(text).Gauges);
                 read++;
             }
-            catch (JsonDocumentException e)
+            catch (InputException e)
             {
-                Assert.NotEmpty(e.Problems);
-                Assert.All(e.Problems, p => Assert.True(p.Line >= 1 && p.Column >= 1 && p.Path.StartsWith('$') && p.Message.Length > 0));
+                Assert.NotEmpty(e.Refusals);
+                Assert.All(e.Refusals, p => Assert.True(
+                    p.Place is { Line: >= 1, Column: >= 1, Path: ['$', ..] } && p.Message.Length > 0));
                 refused++;
             }
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(1000).WithReplay(2026, 11));
@@ -69,9 +71,9 @@ public sealed class MutatedConfigurationTests
                 {
                     _ = cell.Read(text);
                 }
-                catch (JsonDocumentException e)
+                catch (InputException e)
                 {
-                    Assert.NotEmpty(e.Problems);
+                    Assert.NotEmpty(e.Refusals);
                 }
             }
         }

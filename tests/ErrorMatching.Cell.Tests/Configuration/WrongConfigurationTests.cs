@@ -1,4 +1,5 @@
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -298,7 +299,7 @@ public sealed class WrongConfigurationTests : IDisposable
     public void Each_wrong_thing_is_named_by_path_and_line(string right, string wrong, int line, string path, string code, string words)
     {
         var problem = Assert.Single(Problems(CellFolder.With(right, wrong)));
-        Assert.Equal((code, path, line), (problem.Code, problem.Path, problem.Line));
+        Assert.Equal((code, path, line), (problem.Code, problem.Place.Path, problem.Place.Line));
         Assert.Contains(words, problem.Message, StringComparison.Ordinal);
     }
 
@@ -320,7 +321,7 @@ public sealed class WrongConfigurationTests : IDisposable
             .Replace("\"gain\": 1.0", "\"gain\": 5", StringComparison.Ordinal));
         var problems = Problems(CellFolder.Right);
         Assert.Equal(
-            [("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)], problems.Select(p => (p.Code, p.Path, p.Line)));
+            [("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)], problems.Select(p => (p.Code, p.Place.Path, p.Place.Line)));
         Assert.StartsWith($"in {job}, line 3, column 21, $.knid: ", problems[0].Message, StringComparison.Ordinal);
         Assert.Contains("$.compensation.gain: ", problems[1].Message, StringComparison.Ordinal);
     }
@@ -330,8 +331,8 @@ public sealed class WrongConfigurationTests : IDisposable
     {
         var problems = Problems(CellFolder.With("\"incoming\": \"incoming\"", "\"incoming\": \"jobs\""));
         Assert.All(problems, p => Assert.Equal("input-taken", p.Code));
-        Assert.Contains(problems, p => p.Path == "$.jobs[0].job" && p.Message.Contains("theoretical.csv", StringComparison.Ordinal));
-        Assert.Contains(problems, p => p.Path == "$.jobs[2].job" && p.Message.Contains("part.csv", StringComparison.Ordinal));
+        Assert.Contains(problems, p => p.Place.Path == "$.jobs[0].job" && p.Message.Contains("theoretical.csv", StringComparison.Ordinal));
+        Assert.Contains(problems, p => p.Place.Path == "$.jobs[2].job" && p.Message.Contains("part.csv", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -341,7 +342,7 @@ public sealed class WrongConfigurationTests : IDisposable
             CellFolder.With("\"folder\": \"machine\"", "\"folder\": \"jobs\"")
                 .Replace("\"O3001.NC\"", "\"counterpart.nc\"", StringComparison.Ordinal)
                 .Replace("\"O2002.NC\"", "\"COUNTERPART.NC\"", StringComparison.Ordinal));
-        Assert.Equal(["$.jobs[0].job", "$.jobs[1].job", "$.jobs[2].job"], problems.Select(p => p.Path));
+        Assert.Equal(["$.jobs[0].job", "$.jobs[1].job", "$.jobs[2].job"], problems.Select(p => p.Place.Path));
         Assert.All(problems, p => Assert.Equal("original-at-machine", p.Code));
     }
 
@@ -350,7 +351,7 @@ public sealed class WrongConfigurationTests : IDisposable
     {
         var problem = Assert.Single(Problems(
             CellFolder.With("\"sumLimitMm\": 0.6", "\"gain\": 0.5").Replace(", \"sumLimitMm\": 0.5", "", StringComparison.Ordinal)));
-        Assert.Equal(("sum-limit-missing", "$.jobs[1].accumulates", 21), (problem.Code, problem.Path, problem.Line));
+        Assert.Equal(("sum-limit-missing", "$.jobs[1].accumulates", 21), (problem.Code, problem.Place.Path, problem.Place.Line));
     }
 
     [Fact]
@@ -361,19 +362,19 @@ public sealed class WrongConfigurationTests : IDisposable
                 "\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\"]",
                 "\"name\": \"cover\", \"job\": \"jobs/ruled.json\", \"gauges\": [\"cmm\", \"probe\"]")
             .Replace(", \"column\": { \"name\": \"serial\", \"pattern\": \"^(?<serial>C[0-9]+)$\" }", "", StringComparison.Ordinal)));
-        Assert.Equal(("log-for-mating", "$.jobs[2].gauges[1]", 23), (problem.Code, problem.Path, problem.Line));
+        Assert.Equal(("log-for-mating", "$.jobs[2].gauges[1]", 23), (problem.Code, problem.Place.Path, problem.Place.Line));
     }
 
     [Fact]
     public void A_dialects_file_that_is_missing_or_wrong_is_named()
     {
         var missing = Problems(CellFolder.With("\"dialect\": \"siemens-840d\"", "\"dialect\": \"mill.json\""));
-        Assert.Contains(missing, p => (p.Code, p.Path) == ("dialect-missing", "$.machines[1].dialect"));
+        Assert.Contains(missing, p => (p.Code, p.Place.Path) == ("dialect-missing", "$.machines[1].dialect"));
         _cell.Write("mill.json", "{ \"like\": \"siemens-840d\" }");
         Assert.Contains(
             Problems(CellFolder.With("\"dialect\": \"siemens-840d\"", "\"dialect\": \"mill.json\"")),
-            p => p is { Code: "missing-key", Path: "$.machines[1].dialect" });
+            p => p is { Code: "missing-key", Place.Path: "$.machines[1].dialect" });
     }
 
-    private IReadOnlyList<JsonProblem> Problems(string text) => Assert.Throws<JsonDocumentException>(() => _cell.Read(text)).Problems;
+    private IReadOnlyList<Refusal> Problems(string text) => Assert.Throws<InputException>(() => _cell.Read(text)).Refusals;
 }

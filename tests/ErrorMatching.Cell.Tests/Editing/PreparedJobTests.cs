@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>A job is changed while corrections wait that were made with it as it was:

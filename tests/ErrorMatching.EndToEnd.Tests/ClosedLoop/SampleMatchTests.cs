@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
@@ -126,7 +127,7 @@ public sealed class SampleMatchTests
         return outcome.Result;
     }
 
-    private static MatchOutcome Outcome(string sample, Func<byte[], byte[]> part)
+    private static Outcome<MatchResult> Outcome(string sample, Func<byte[], byte[]> part)
     {
         var job = MatingJob.Read(Repository.PathTo("samples", sample, "job.json"));
         var program = job.PathOf(job.Counterpart.Program);

@@ -16,19 +16,20 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, string[]> Below = new(StringComparer.Ordinal)
     {
         ["Geometry"] = [],
-        ["Json"] = [],
-        ["Measurement"] = ["Geometry", "Json"],
-        ["Nc"] = ["Geometry", "Json"],
-        ["Reporting"] = ["Geometry", "Json"],
-        ["Mating"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
-        ["Freeform"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting"],
-        ["Jobs"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
-        ["Cell"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs"],
-        ["Console"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
+        ["Refusals"] = [],
+        ["Json"] = ["Refusals"],
+        ["Measurement"] = ["Geometry", "Json", "Refusals"],
+        ["Nc"] = ["Geometry", "Json", "Refusals"],
+        ["Reporting"] = ["Geometry", "Json", "Refusals"],
+        ["Mating"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting"],
+        ["Freeform"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting"],
+        ["Jobs"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],
+        ["Cell"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs"],
+        ["Console"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
 
         // The station: what it shows is apart from what draws it, and neither knows the console.
         ["Hmi.Cairo"] = [],
-        ["Hmi"] = ["Geometry", "Json", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
+        ["Hmi"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
         ["Hmi.Desktop"] = ["Hmi", "Hmi.Cairo"],
     };
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -81,10 +82,10 @@ public sealed class CompensatorTests
         var piece = new MeasuredDesign(PaperDesign.One);
         Assert.Equal(
             "same-measurement",
-            Assert.Throws<FreeformException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
+            Assert.Throws<InputException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
         Assert.Equal(
             "same-measurement",
-            Assert.Throws<FreeformException>(() => SurfaceEvaluation.Of(
+            Assert.Throws<InputException>(() => SurfaceEvaluation.Of(
                 piece.Job, piece.Surface, [piece.With(Tilted), piece.With(Tilted, "copy.csv")])).Code);
     }
 

@@ -2,6 +2,7 @@ using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -40,7 +41,7 @@ internal sealed class MeasuredDesign
             []);
     }
 
-    public CompensationOutcome Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));
+    public Outcome<CompensationResult> Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));
 
     /// <summary>Largest distance of a surface from the nominal one moved by -gain error, at the same parameters.</summary>
     public double Off(SplineSurface surface, Func<double, double, double> error, double gain = 1)

@@ -81,7 +81,7 @@ public sealed class SurfaceDisplacerTests
     {
         var (program, dialect) = (Encoding.ASCII.GetBytes(text), NcDialects.Named(control));
         var result = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Value!;
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Result!;
         var marker =
             $"{opens}ERRORMATCH MEASUREMENT={Measurement.ToUpperInvariant()} BASE={Convert.ToHexString(SHA256.HashData(program))}{closes}";
         Assert.Equal(marker, Lines(result.Program.Bytes)[line]);
@@ -97,7 +97,7 @@ public sealed class SurfaceDisplacerTests
         {
             var refusal = SurfaceDisplacer.Displace(
                 Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64)).Refusal!;
-            Assert.Equal((Marker.AlreadyCompensated, line + 1), (refusal.Code, refusal.Line));
+            Assert.Equal((Marker.AlreadyCompensated, line + 1), (refusal.Code, refusal.Place.Line));
             Assert.Contains("Begin from the original program", refusal.Message, StringComparison.Ordinal);
         }
     }
@@ -117,7 +117,7 @@ public sealed class SurfaceDisplacerTests
         var program = "; FINISHING\nG17 G90 G710\nG54\nS10000 M3\nG0 Z20\nX0 Y10\nG1 Z3 F500\nX75\nG0 Z20\nM30\n"u8.ToArray();
         var refusal = SurfaceDisplacer.Displace(
             Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement).Refusal!;
-        Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Line));
+        Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Place.Line));
         Assert.Contains("G710", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("fanuc", refusal.Message, StringComparison.Ordinal);
     }
@@ -186,7 +186,7 @@ public sealed class SurfaceDisplacerTests
     {
         var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip, Measurement);
         Assert.True(result.IsUsable, result.Refusal?.Message);
-        return result.Value;
+        return result.Result;
     }
 
     private static string[] Lines(ReadOnlyMemory<byte> bytes) => Encoding.ASCII.GetString(bytes.Span).Split('\n');

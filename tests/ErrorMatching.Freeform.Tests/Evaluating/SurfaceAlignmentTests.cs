@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -30,7 +31,7 @@ public sealed class SurfaceAlignmentTests
     public void A_point_that_no_normal_leads_to_is_refused_by_its_number()
     {
         var point = PlanOf(PaperDesign.Two).First();
-        var e = Assert.Throws<FreeformException>(() => SurfaceErrors.Of(PaperDesign.Two, [(point, new(1e300, 0, 0))], 0, "m.csv"));
+        var e = Assert.Throws<InputException>(() => SurfaceErrors.Of(PaperDesign.Two, [(point, new(1e300, 0, 0))], 0, "m.csv"));
 
         Assert.Equal(("no-foot", "m.csv"), (e.Code, e.File));
         Assert.Contains($"point {point.Number} ", e.Message, StringComparison.Ordinal);

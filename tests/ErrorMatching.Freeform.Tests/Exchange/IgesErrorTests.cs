@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -177,8 +178,8 @@ public sealed class IgesErrorTests
 
     private static void Refused(byte[] file, string code, int? line, string found, string expected)
     {
-        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(file, "hand.igs", entity: null, outsideIsUp: true));
-        Assert.Equal((code, "hand.igs", line), (error.Code, error.File, error.Line));
+        var error = Assert.Throws<InputException>(() => SurfaceReader.Read(file, "hand.igs", entity: null, outsideIsUp: true));
+        Assert.Equal((code, "hand.igs", line), (error.Code, error.File, error.Place.Line));
         Assert.Contains(found, error.Problem, StringComparison.Ordinal);
         Assert.Contains(expected, error.Problem, StringComparison.Ordinal);
         Assert.StartsWith(line is null ? "hand.igs: " : $"hand.igs, line {line}", error.Message, StringComparison.Ordinal);

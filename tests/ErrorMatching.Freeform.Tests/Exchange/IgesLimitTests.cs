@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -99,7 +100,7 @@ public sealed class IgesLimitTests
         var open = file.Add(106, "106,2,4,0.,0.,0.,60.,0.,0.,60.,40.,0.,0.,40.,0.", form: 12, dependent: true);
         var boundary = file.Add(142, $"142,0,{surface},0,{open},2", dependent: true);
         file.Add(144, $"144,{surface},1,0,{boundary}");
-        var error = Assert.Throws<FreeformException>(() => file.Read());
+        var error = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("open-loop", error.Code);
         Assert.Contains("gap of 40 mm at (0, 40, 0)", error.Problem, StringComparison.Ordinal);
     }
@@ -112,7 +113,7 @@ public sealed class IgesLimitTests
         var high = file.Add(100, "100,2.,30.,20.,40.,20.,40.,20.", dependent: true);
         var boundary = file.Add(142, $"142,0,{surface},0,{high},2", dependent: true);
         file.Add(144, $"144,{surface},1,0,{boundary}");
-        var error = Assert.Throws<FreeformException>(() => file.Read());
+        var error = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("limit-off-surface", error.Code);
         Assert.Contains("2 mm away from it at (40, 20, 2)", error.Problem, StringComparison.Ordinal);
     }

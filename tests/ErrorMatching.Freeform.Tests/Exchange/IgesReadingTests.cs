@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -39,7 +40,7 @@ public sealed class IgesReadingTests
     {
         var file = new IgesText($"1H,,1H;,4HTEST,4HTEST,4HTEST,4HTEST,32,38,6,308,15,4HTEST,{unit},1,0.01;");
         file.Add(128, IgesText.Flat(3, 2));
-        Assert.Equal("bad-unit", Assert.Throws<FreeformException>(() => file.Read()).Code);
+        Assert.Equal("bad-unit", Assert.Throws<InputException>(() => file.Read()).Code);
     }
 
     [Fact]
@@ -125,8 +126,8 @@ public sealed class IgesReadingTests
         Assert.Equal(2, Width(file.Read("UPPER SHELL")));
         Assert.Equal(3, Width(file.Read("3")));
         Assert.Equal("3", file.Read("3").Name);
-        Assert.Equal("no-such-surface", Assert.Throws<FreeformException>(() => file.Read("4")).Code);
-        var several = Assert.Throws<FreeformException>(() => file.Read());
+        Assert.Equal("no-such-surface", Assert.Throws<InputException>(() => file.Read("4")).Code);
+        var several = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("several-surfaces", several.Code);
         Assert.Contains(
             "1 \"BASE\" (x 0 to 1, y 0 to 1, z 0 to 0), 2 \"UPPER SHELL\" (x 0 to 2, y 0 to 1, z 0 to 0), 3 (x 0 to 3",
@@ -140,10 +141,10 @@ public sealed class IgesReadingTests
         var file = new IgesText();
         file.Add(110, "110,0.,0.,0.,1.,0.,0.");
         file.Add(190, "190,1,1,1");
-        var error = Assert.Throws<FreeformException>(() => file.Read());
+        var error = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("not-read", error.Code);
         Assert.Contains("entity 190 at D3", error.Problem, StringComparison.Ordinal);
-        Assert.Equal(6, error.Line);
+        Assert.Equal(6, error.Place.Line);
     }
 
     [Fact]
@@ -151,7 +152,7 @@ public sealed class IgesReadingTests
     {
         var file = new IgesText();
         file.Add(110, "110,0.,0.,0.,1.,0.,0.");
-        var error = Assert.Throws<FreeformException>(() => file.Read());
+        var error = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("no-surface", error.Code);
         Assert.Contains("110 (1, first at D1)", error.Problem, StringComparison.Ordinal);
     }
@@ -161,10 +162,10 @@ public sealed class IgesReadingTests
     {
         var file = new IgesText();
         file.Add(128, IgesText.Flat(3, 2).Replace("3,2,0,", "3,x2,0,", StringComparison.Ordinal));
-        var error = Assert.Throws<FreeformException>(() => file.Read());
+        var error = Assert.Throws<InputException>(() => file.Read());
         Assert.Equal("bad-number", error.Code);
         Assert.Contains("entity 128 at D1", error.Problem, StringComparison.Ordinal);
-        Assert.Equal(7, error.Line);
+        Assert.Equal(7, error.Place.Line);
     }
 
     [Fact]
@@ -174,10 +175,10 @@ public sealed class IgesReadingTests
         file.Add(128, IgesText.Flat(3, 2));
         var lines = Encoding.Latin1.GetString(file.Bytes()).Split('\n').ToList();
         lines.RemoveAt(5);
-        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(
+        var error = Assert.Throws<InputException>(() => SurfaceReader.Read(
             Encoding.Latin1.GetBytes(string.Join('\n', lines)), "a.igs", null, outsideIsUp: true));
         Assert.Equal("bad-record", error.Code);
-        Assert.Equal(6, error.Line);
+        Assert.Equal(6, error.Place.Line);
     }
 
     [Fact]

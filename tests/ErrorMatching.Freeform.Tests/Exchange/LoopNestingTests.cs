@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -45,7 +46,7 @@ public sealed class LoopNestingTests
         {
             var turned = loops.Select(Loop).Select(l => (IReadOnlyList<Point2>)[.. l.Skip(first), .. l.Take(first)]).ToList();
             turned.Reverse();
-            var error = Assert.Throws<FreeformException>(() => Limits(turned));
+            var error = Assert.Throws<InputException>(() => Limits(turned));
             Assert.Equal("bad-loop", error.Code);
             Assert.Contains(why, error.Problem, StringComparison.Ordinal);
         }
@@ -54,7 +55,7 @@ public sealed class LoopNestingTests
     [Fact]
     public void A_limit_that_leaves_the_outer_one_is_told_by_places_on_either_side_of_it()
     {
-        var error = Assert.Throws<FreeformException>(() => Limits([Circle(30, 20, 10, 400), Circle(38, 20, 6, 400)]));
+        var error = Assert.Throws<InputException>(() => Limits([Circle(30, 20, 10, 400), Circle(38, 20, 6, 400)]));
         Assert.Equal((true, true), (Far("through (", " inside"), !Far("and through (", " outside")));
 
         // The place that is said to be inside of the one is outside of the other.
@@ -103,7 +104,7 @@ public sealed class LoopNestingTests
     {
         var outer = Wave(19.9, 100_000);
         Assert.Equal(2, Limits([outer, Wave(19, 99_000)]).Loops.Count);
-        Assert.Equal("bad-loop", Assert.Throws<FreeformException>(() => Limits([outer, Circle(49, 20, 3, 90_000)])).Code);
+        Assert.Equal("bad-loop", Assert.Throws<InputException>(() => Limits([outer, Circle(49, 20, 3, 90_000)])).Code);
         Assert.Equal(
             2501,
             Limits(
@@ -126,7 +127,7 @@ public sealed class LoopNestingTests
         }
 
         comb.Add(new(30, 1));
-        Assert.Equal("too-large", Assert.Throws<FreeformException>(() => Limits([comb])).Code);
+        Assert.Equal("too-large", Assert.Throws<InputException>(() => Limits([comb])).Code);
     }
 
     [Fact]
@@ -139,8 +140,8 @@ public sealed class LoopNestingTests
         var hole = file.Add(
             142, $"142,0,{surface},0,{file.Add(100, "100,0.,38.,20.,44.,20.,44.,20.", dependent: true)},2", dependent: true);
         var trimmed = file.Add(144, $"144,{surface},1,1,{outer},{hole}");
-        var error = Assert.Throws<FreeformException>(() => file.Read());
-        Assert.Equal(("bad-loop", trimmed + 3), (error.Code, error.Line));
+        var error = Assert.Throws<InputException>(() => file.Read());
+        Assert.Equal(("bad-loop", trimmed + 3), (error.Code, error.Place.Line));
         Assert.StartsWith($"entity 144 at D{trimmed}: the limits cross each other", error.Problem, StringComparison.Ordinal);
     }
 
@@ -157,14 +158,14 @@ public sealed class LoopNestingTests
             #131=AXIS2_PLACEMENT_3D('',#201,$,$);
             {StepByHand.Points(201, "0.,0.,0.", "60.,0.,0.", "60.,40.,0.", "0.,40.,0.", "50.,10.,0.", "70.,10.,0.", "70.,20.,0.", "50.,20.,0.")}
             """);
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(file));
-        Assert.Equal(("bad-loop", 11), (error.Code, error.Line));
+        var error = Assert.Throws<InputException>(() => StepByHand.Read(file));
+        Assert.Equal(("bad-loop", 11), (error.Code, error.Place.Line));
         Assert.Contains("#100 ADVANCED_FACE: the limits cross each other", error.Problem, StringComparison.Ordinal);
     }
 
     private static SurfaceRegion Limits(IReadOnlyList<IReadOnlyList<Point2>> loops) => RegionLimits.Of(Flat, loops, Fail);
 
-    private static FreeformException Fail(string code, string problem) => new(code, "a.igs", problem);
+    private static InputException Fail(string code, string problem) => InputException.At(code, "a.igs", problem);
 
     private static IReadOnlyList<Point2> Loop(string text) =>
         [.. text.Split(' ').Select(n => double.Parse(n, CultureInfo.InvariantCulture)).Chunk(2).Select(p => new Point2(p[0], p[1]))];

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -31,7 +32,7 @@ public sealed class SeamTests
     [MemberData(nameof(Kinds))]
     public void A_limit_across_the_seam_is_refused(string kind)
     {
-        var error = Assert.Throws<FreeformException>(() => Patch(kind, 150, 30));
+        var error = Assert.Throws<InputException>(() => Patch(kind, 150, 30));
         Assert.Equal("bad-loop", error.Code);
         Assert.Contains("cross the line where the surface closes on itself", error.Problem, StringComparison.Ordinal);
     }
@@ -41,7 +42,7 @@ public sealed class SeamTests
     public void A_limit_round_the_surface_is_refused(string kind)
     {
         var file = new IgesText();
-        var error = Assert.Throws<FreeformException>(() => Limited(file, kind, [Arc(file, 20, 90, 90)]));
+        var error = Assert.Throws<InputException>(() => Limited(file, kind, [Arc(file, 20, 90, 90)]));
         Assert.Equal("bad-loop", error.Code);
         Assert.Contains("passes (0, 20, 15) again from the other side", error.Problem, StringComparison.Ordinal);
     }

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -183,8 +184,8 @@ public sealed class StepErrorTests
 
     private static void Refused(byte[] file, string code, int? line, string found, string expected)
     {
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(file));
-        Assert.Equal((code, "hand.stp", line), (error.Code, error.File, error.Line));
+        var error = Assert.Throws<InputException>(() => StepByHand.Read(file));
+        Assert.Equal((code, "hand.stp", line), (error.Code, error.File, error.Place.Line));
         Assert.Contains(found, error.Problem, StringComparison.Ordinal);
         Assert.Contains(expected, error.Problem, StringComparison.Ordinal);
     }

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -43,9 +44,9 @@ public sealed class StepReadingTests
     [InlineData("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.METRE.))", "bad-value", 9)]
     public void A_file_without_a_unit_of_length_is_refused(string unit, string code, int line)
     {
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", Flat, unit)));
+        var error = Assert.Throws<InputException>(() => StepByHand.Read(StepByHand.File("#100", Flat, unit)));
         Assert.Equal(code, error.Code);
-        Assert.Equal(line, error.Line);
+        Assert.Equal(line, error.Place.Line);
     }
 
     [Fact]
@@ -141,8 +142,8 @@ public sealed class StepReadingTests
         Assert.Equal(3, StepByHand.Read(file, "TOP").Spline.PointAt(1, 1).X);
         Assert.Equal(4, StepByHand.Read(file, "2").Spline.PointAt(1, 1).X);
         Assert.Equal("2", StepByHand.Read(file, "2").Name);
-        Assert.Equal("several-surfaces", Assert.Throws<FreeformException>(() => StepByHand.Read(file)).Code);
-        Assert.Equal("no-such-surface", Assert.Throws<FreeformException>(() => StepByHand.Read(file, "BOTTOM")).Code);
+        Assert.Equal("several-surfaces", Assert.Throws<InputException>(() => StepByHand.Read(file)).Code);
+        Assert.Equal("no-such-surface", Assert.Throws<InputException>(() => StepByHand.Read(file, "BOTTOM")).Code);
     }
 
     [Theory]
@@ -173,12 +174,12 @@ public sealed class StepReadingTests
             file = Encoding.Latin1.GetBytes(Encoding.Latin1.GetString(file).Split("ENDSEC;\nEND")[0]);
         }
 
-        var error = Assert.Throws<FreeformException>(() => StepByHand.Read(file));
+        var error = Assert.Throws<InputException>(() => StepByHand.Read(file));
         Assert.Equal(code, error.Code);
         Assert.Contains(said, error.Problem, StringComparison.Ordinal);
         Assert.Equal(
             instance.Contains("twice", StringComparison.Ordinal) || instance.Contains('\n', StringComparison.Ordinal) ? 16 : 15,
-            error.Line);
+            error.Place.Line);
     }
 
     [Fact]
@@ -190,7 +191,7 @@ public sealed class StepReadingTests
             #401=AXIS2_PLACEMENT_3D('',#101,$,$);
             #402=AXIS2_PLACEMENT_3D('',#104,$,$);
             """;
-        Assert.Equal("assembly", Assert.Throws<FreeformException>(() => StepByHand.Read(StepByHand.File("#100", data))).Code);
+        Assert.Equal("assembly", Assert.Throws<InputException>(() => StepByHand.Read(StepByHand.File("#100", data))).Code);
         Assert.Equal("TOP", StepByHand.Read(StepByHand.File("#100", data.Replace("#104,$", "#101,$", StringComparison.Ordinal))).Name);
     }
 }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -24,7 +25,7 @@ public sealed class SurfaceSideTests
             new(0, 0, 0), new(0, 50, 0), new(40, 0, 0), new(40, 50, 0), new(40, 0, 40), new(40, 50, 40), new(0, 0, 40), new(0, 50, 40)];
         var surface = new PartSurface(
             "TUBE", new(KnotVector.Clamped(3, [0, 1]), KnotVector.Clamped(1, [0, 1]), poles), SurfaceRegion.Whole, 1);
-        var error = Assert.Throws<FreeformException>(() => SurfaceReader.Read(IgesWriter.Write(surface), "a.igs", null, outsideIsUp: true));
+        var error = Assert.Throws<InputException>(() => SurfaceReader.Read(IgesWriter.Write(surface), "a.igs", null, outsideIsUp: true));
         Assert.Equal("folded-surface", error.Code);
         Assert.Matches(@"up at \(.*, .*, .*\) and down at \(.*\)", error.Problem);
     }
@@ -47,7 +48,7 @@ public sealed class SurfaceSideTests
         var surface = new PartSurface("WALL", new(knots, knots, poles), SurfaceRegion.Whole, 1);
         Assert.Equal(
             "upright-surface",
-            Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
+            Assert.Throws<InputException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
     }
 
     [Fact]
@@ -58,6 +59,6 @@ public sealed class SurfaceSideTests
         var surface = new PartSurface("MOON", new(knots, knots, poles), SurfaceRegion.Whole, 1);
         Assert.Equal(
             "implausible",
-            Assert.Throws<FreeformException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
+            Assert.Throws<InputException>(() => SurfaceReader.Read(StepWriter.Write(surface), "a.stp", null, outsideIsUp: true)).Code);
     }
 }

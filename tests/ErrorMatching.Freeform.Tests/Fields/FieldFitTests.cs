@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform.Tests;
 
 public sealed class FieldFitTests
@@ -157,13 +159,13 @@ public sealed class FieldFitTests
     [Fact]
     public void Samples_that_are_none_are_refused()
     {
-        Assert.Equal("no-samples", Assert.Throws<FreeformException>(() => FieldFit.Fit([])).Code);
-        var many = Assert.Throws<FreeformException>(() => FieldFit.Fit(new ErrorSample[FieldFit.MostSamples + 1]));
+        Assert.Equal("no-samples", Assert.Throws<InputException>(() => FieldFit.Fit([])).Code);
+        var many = Assert.Throws<InputException>(() => FieldFit.Fit(new ErrorSample[FieldFit.MostSamples + 1]));
         Assert.Equal("too-many-samples", many.Code);
         Assert.Contains("200001 measured points; at most 200000", many.Problem, StringComparison.Ordinal);
         var samples = TrueShape.MachineError.Samples();
         samples[3] = samples[3] with { ErrorMm = double.PositiveInfinity };
-        var refused = Assert.Throws<FreeformException>(() => FieldFit.Fit(samples));
+        var refused = Assert.Throws<InputException>(() => FieldFit.Fit(samples));
         Assert.Equal("not-finite", refused.Code);
         Assert.Contains("point 4", refused.Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentOutOfRangeException>(() => FieldFit.Fit(TrueShape.MachineError.Samples(), -1));

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform.Tests;
 
 public sealed class RepeatedMeasurementTests
@@ -55,10 +57,10 @@ public sealed class RepeatedMeasurementTests
     [Fact]
     public void Doubled_missing_and_infinite_points_are_refused_with_their_place()
     {
-        var doubled = Assert.Throws<FreeformException>(() => RepeatedMeasurement.Of([[Sample(1, 0)], [Sample(3, 0), Sample(3, 1)]]));
+        var doubled = Assert.Throws<InputException>(() => RepeatedMeasurement.Of([[Sample(1, 0)], [Sample(3, 0), Sample(3, 1)]]));
         Assert.Equal(("doubled-point", "measurement 2"), (doubled.Code, doubled.File));
-        Assert.Equal("no-samples", Assert.Throws<FreeformException>(() => RepeatedMeasurement.Of([])).Code);
-        Assert.Equal("not-finite", Assert.Throws<FreeformException>(() => RepeatedMeasurement.Of([[Sample(1, double.NaN)]])).Code);
+        Assert.Equal("no-samples", Assert.Throws<InputException>(() => RepeatedMeasurement.Of([])).Code);
+        Assert.Equal("not-finite", Assert.Throws<InputException>(() => RepeatedMeasurement.Of([[Sample(1, double.NaN)]])).Code);
     }
 
     private static ErrorSample Sample(int point, double error) => new(point, point, 0, 0, 0, new(0, 0, 0), new(0, 0, 1), error);

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -46,8 +47,8 @@ public sealed class GridReaderTests
     [InlineData("i,j,x,y,z\n0,0,0,0,\"1\n", "unclosed-quote", 2, 5)]
     public void What_is_no_grid_is_named_by_line_and_column(string text, string code, int line, int column)
     {
-        var error = Assert.Throws<MeasurementException>(() => Read(text));
-        Assert.Equal((code, "grid.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+        var error = Assert.Throws<InputException>(() => Read(text));
+        Assert.Equal((code, "grid.csv", line, column), (error.Code, error.File, error.Place.Line, error.Place.Column));
         Assert.StartsWith($"grid.csv, line {line}, column {column}: found ", error.Message, StringComparison.Ordinal);
     }
 
@@ -55,7 +56,7 @@ public sealed class GridReaderTests
     public void A_missing_point_is_called_by_its_numbers()
         => Assert.Contains(
             "found no point i = 2 on the curve j = 0, but i = 3",
-            Assert.Throws<MeasurementException>(() => Read(Good + "3,0,9,9,9\n")).Message,
+            Assert.Throws<InputException>(() => Read(Good + "3,0,9,9,9\n")).Message,
             StringComparison.Ordinal);
 
     [Fact]
@@ -67,8 +68,8 @@ public sealed class GridReaderTests
             text.Append("1,1,1,1,1\n");
         }
 
-        var error = Assert.Throws<MeasurementException>(() => Read(text.ToString()));
-        Assert.Equal(("too-many-points", GridReader.MaxPoints + 2), (error.Code, error.Line));
+        var error = Assert.Throws<InputException>(() => Read(text.ToString()));
+        Assert.Equal(("too-many-points", GridReader.MaxPoints + 2), (error.Code, error.Place.Line));
     }
 
     private static PointGrid Read(string text) => GridReader.Read(Encoding.UTF8.GetBytes(text), "grid.csv");

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -66,9 +67,9 @@ public sealed class FreeformJobTests
     {
         Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
         var problem = Assert.Single(
-            Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+            Assert.Throws<InputException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Refusals);
 
-        Assert.Equal((code, path, expected), (problem.Code, problem.Path, problem.Expected));
+        Assert.Equal((code, path, expected), (problem.Code, problem.Place.Path, problem.Expected));
         Assert.Contains(text.Split(' ')[1], problem.Found, StringComparison.Ordinal);
     }
 
@@ -90,9 +91,9 @@ public sealed class FreeformJobTests
     {
         Assert.Contains(old, FreeformTemplate.Text, StringComparison.Ordinal);
         var problem = Assert.Single(
-            Assert.Throws<JsonDocumentException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Problems);
+            Assert.Throws<InputException>(() => Parse(FreeformTemplate.Text.Replace(old, text, StringComparison.Ordinal))).Refusals);
 
-        Assert.Equal((code, path), (problem.Code, problem.Path));
+        Assert.Equal((code, path), (problem.Code, problem.Place.Path));
     }
 
     private static FreeformJob Parse(string text) => FreeformJob.Parse(Encoding.UTF8.GetBytes(text), "job.json");

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -120,7 +121,7 @@ public sealed class MeasuredSurfaceReaderTests
                 $"{p.Number},{Plan.CenterOf(p).X:R},{Plan.CenterOf(p).Y:R},{Plan.CenterOf(p).Z:R}\n")));
         var measured = Read(text, Plan.Measuring with { ReportsStylusCenter = true });
         Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-9));
-        Assert.Contains("stylus-center", Assert.Throws<FreeformException>(() => Read(text)).Message, StringComparison.Ordinal);
+        Assert.Contains("stylus-center", Assert.Throws<InputException>(() => Read(text)).Message, StringComparison.Ordinal);
     }
 
     // The fourth point of the plan, by its number, and where it is not in the grid.
@@ -270,9 +271,9 @@ public sealed class MeasuredSurfaceReaderTests
     [InlineData("point,x,y,z\n\u00ff", "invalid-encoding", null, null, "bytes that are no UTF-8 text", "expected UTF-8")]
     public void What_is_no_measurement_is_refused(string text, string code, int? line, int? column, string found, string expected)
     {
-        var error = Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+        var error = Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(
             Encoding.Latin1.GetBytes(text), "measured.csv", Plan, Plan.Measuring));
-        Assert.Equal((code, "measured.csv", line, column), (error.Code, error.File, error.Line, error.Column));
+        Assert.Equal((code, "measured.csv", line, column), (error.Code, error.File, error.Place.Line, error.Place.Column));
         Assert.Contains(found, error.Message, StringComparison.Ordinal);
         Assert.Contains(expected, error.Message, StringComparison.Ordinal);
     }
@@ -281,7 +282,7 @@ public sealed class MeasuredSurfaceReaderTests
     public void A_file_larger_than_any_measurement_is_refused() =>
         Assert.Equal(
             "file-too-large",
-            Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+            Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(
                 new byte[MeasuredSurfaceReader.MaxBytes + 1], "measured.csv", Plan, Plan.Measuring)).Code);
 
     [Theory]
@@ -325,12 +326,7 @@ public sealed class MeasuredSurfaceReaderTests
         {
             return MeasuredSurfaceReader.Read(bytes, "any", Plan, Plan.Measuring).Points.Count == Plan.Points.Count;
         }
-        catch (FreeformException e)
-        {
-            Assert.NotEmpty(e.Problem);
-            return false;
-        }
-        catch (MeasurementException e)
+        catch (InputException e)
         {
             Assert.NotEmpty(e.Problem);
             return false;
@@ -353,8 +349,8 @@ public sealed class MeasuredSurfaceReaderTests
 
     private static void Refused(string text, string code, int? line, string reason)
     {
-        var error = Assert.Throws<FreeformException>(() => Read(text));
-        Assert.Equal((code, "measured.csv", line), (error.Code, error.File, error.Line));
+        var error = Assert.Throws<InputException>(() => Read(text));
+        Assert.Equal((code, "measured.csv", line), (error.Code, error.File, error.Place.Line));
         Assert.Contains(reason, error.Message, StringComparison.Ordinal);
     }
 }

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -72,7 +73,7 @@ public sealed class ProbingMergeTests
         foreach (var template in new[] { "fanuc", "fanuc-p98xx" })
         {
             var error = Record.Exception(() => Programs.Of(template).MergeAfter(Encoding.ASCII.GetBytes(semi), "semi.nc"));
-            Assert.True(error is FreeformException { Code: "not-mergeable" }, $"{template}: {mode} {error?.Message}");
+            Assert.True(error is InputException { Code: "not-mergeable" }, $"{template}: {mode} {error?.Message}");
         }
     }
 
@@ -80,7 +81,7 @@ public sealed class ProbingMergeTests
     [Fact]
     public void A_program_for_another_control_is_refused_by_its_block_and_both_are_named()
     {
-        var error = Assert.Throws<FreeformException>(
+        var error = Assert.Throws<InputException>(
             () => Programs.Of("linuxcnc").MergeAfter(
                 "; semi-finishing\nG54 G17 G90\nG710\nG0 X0 Y0 Z30\nM30\n"u8.ToArray(), "semi.nc", "siemens-840d"));
         Assert.Equal(("not-mergeable", "semi.nc"), (error.Code, error.File));
@@ -96,7 +97,7 @@ public sealed class ProbingMergeTests
     [InlineData("G54 G90\nG0 X0 Y0 Z30\nTRANS X10\nG0 X5\nM30\n", "leaves a rotation, a shift")]
     public void A_program_that_probing_cannot_follow_is_refused(string semi, string reason)
     {
-        var error = Assert.Throws<FreeformException>(() => Programs.Of("siemens-840d").MergeAfter(Encoding.UTF8.GetBytes(semi), "semi.nc"));
+        var error = Assert.Throws<InputException>(() => Programs.Of("siemens-840d").MergeAfter(Encoding.UTF8.GetBytes(semi), "semi.nc"));
         Assert.Equal(("not-mergeable", "semi.nc"), (error.Code, error.File));
         Assert.Contains(reason, error.Message, StringComparison.Ordinal);
     }

@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -128,7 +129,7 @@ public sealed class ProbingProgramTests
             }
         };
         var template = ProbingTemplate.Parse(Encoding.UTF8.GetBytes($"@body\nG0 Z{{{place}}}\nM30\n"), "own.txt");
-        var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(plan, "", NcDialects.FanucMill, template));
+        var error = Assert.Throws<InputException>(() => ProbingProgram.Of(plan, "", NcDialects.FanucMill, template));
         Assert.Equal(("rounds-to-zero", "own.txt"), (error.Code, error.File));
         Assert.Contains($"measuring.{key} would be written as 0", error.Problem, StringComparison.Ordinal);
     }
@@ -137,7 +138,7 @@ public sealed class ProbingProgramTests
     public void A_template_whose_program_cannot_be_followed_is_refused()
     {
         var template = ProbingTemplate.Parse("@body\nG0 Z{clearance.z}\nWHILE[#5061LT1]DO1\nEND1\nM30\n"u8, "own.txt");
-        var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(Programs.Plan(), "", NcDialects.FanucMill, template));
+        var error = Assert.Throws<InputException>(() => ProbingProgram.Of(Programs.Plan(), "", NcDialects.FanucMill, template));
         Assert.Equal(("bad-template", "own.txt"), (error.Code, error.File));
     }
 
@@ -145,7 +146,7 @@ public sealed class ProbingProgramTests
     public void A_template_with_words_that_the_dialect_does_not_know_is_refused_with_the_block()
     {
         var template = ProbingTemplate.Parse("@body\n@each point\nTOUCH({center.x})\n@next\nM30\n"u8, "own.txt");
-        var error = Assert.Throws<FreeformException>(() => ProbingProgram.Of(Programs.Plan(), "", NcDialects.Siemens840D, template));
+        var error = Assert.Throws<InputException>(() => ProbingProgram.Of(Programs.Plan(), "", NcDialects.Siemens840D, template));
         Assert.Contains("TOUCH(", error.Message, StringComparison.Ordinal);
     }
 

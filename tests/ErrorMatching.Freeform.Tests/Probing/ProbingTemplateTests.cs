@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -22,8 +23,8 @@ public sealed class ProbingTemplateTests
     [InlineData("@head\nG0\n", 2, "no section @body")]
     public void An_error_is_named_by_its_line(string text, int line, string reason)
     {
-        var error = Assert.Throws<FreeformException>(() => ProbingTemplate.Parse(Encoding.UTF8.GetBytes(text), "own.txt"));
-        Assert.Equal(("bad-template", "own.txt", line), (error.Code, error.File, error.Line));
+        var error = Assert.Throws<InputException>(() => ProbingTemplate.Parse(Encoding.UTF8.GetBytes(text), "own.txt"));
+        Assert.Equal(("bad-template", "own.txt", line), (error.Code, error.File, error.Place.Line));
         Assert.Contains(reason, error.Message, StringComparison.Ordinal);
     }
 
@@ -39,7 +40,7 @@ public sealed class ProbingTemplateTests
     [Fact]
     public void A_dialect_without_a_template_is_refused_with_those_that_there_are()
     {
-        var error = Assert.Throws<FreeformException>(() => ProbingTemplate.Named("delta-nc300"));
+        var error = Assert.Throws<InputException>(() => ProbingTemplate.Named("delta-nc300"));
         Assert.Equal("unknown-template", error.Code);
         Assert.Contains("fanuc-p98xx", error.Message, StringComparison.Ordinal);
     }
@@ -54,7 +55,7 @@ public sealed class ProbingTemplateTests
             Assert.Equal(name, ProbingTemplate.For(own).File);
         }
 
-        Assert.Throws<FreeformException>(() => ProbingTemplate.For(NcDialects.DeltaNc300));
+        Assert.Throws<InputException>(() => ProbingTemplate.For(NcDialects.DeltaNc300));
     }
 
     [Fact]

@@ -1,7 +1,7 @@
 using System.Text;
 using System.Text.Json.Nodes;
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 using ErrorMatching.Testing;
 using FsCheck;
@@ -28,12 +28,12 @@ public sealed class StoredSurfaceTests
             {
                 read += CompensationDocument.Read(ReportReader.Document(json))?.Findings.Predicted is null ? 0 : 1;
             }
-            catch (JsonDocumentException e)
+            catch (InputException e)
             {
-                Assert.StartsWith("$", Assert.Single(e.Problems).Path, StringComparison.Ordinal);
+                Assert.StartsWith("$", Assert.Single(e.Refusals).Place.Path, StringComparison.Ordinal);
                 named++;
             }
-            catch (Exception e) when (e is not JsonDocumentException)
+            catch (Exception e) when (e is not InputException)
             {
                 Assert.Fail($"{path}: {e}");
             }
@@ -58,9 +58,9 @@ public sealed class StoredSurfaceTests
         var owner = new[] { json, json["structure"]!, json["compensation"]!, json["map"]!, json["points"]![0]!, json["toolpath"]! }
             .Last(o => o.AsObject().ContainsKey(member));
         owner[member] = JsonNode.Parse(now);
-        var e = Assert.Throws<JsonDocumentException>(
+        var e = Assert.Throws<InputException>(
             () => CompensationDocument.Read(ReportReader.Document(Encoding.UTF8.GetBytes(json.ToJsonString()))));
-        Assert.Equal((code, path), Assert.Single(e.Problems) is var problem ? (problem.Code, problem.Path) : default);
+        Assert.Equal((code, path), Assert.Single(e.Refusals) is var problem ? (problem.Code, problem.Place.Path) : default);
     }
 
     [Fact]

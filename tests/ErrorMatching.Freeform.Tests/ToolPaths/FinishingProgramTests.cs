@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -132,7 +133,7 @@ public sealed class FinishingProgramTests
     {
         var toolpath = Plans.Passes(0.05, 0.01);
         var job = Plans.Job(toolpath, "linuxcnc") with { Tool = new(6, 2, speed, feed) };
-        var error = Assert.Throws<FreeformException>(() => FinishingProgram.Write(
+        var error = Assert.Throws<InputException>(() => FinishingProgram.Write(
             Plans.Path(Shapes.Plane(10, 1), toolpath), job, NcDialects.LinuxCnc));
         Assert.Equal(("rounds-to-zero", "job.json", problem), (error.Code, error.File, error.Problem));
     }

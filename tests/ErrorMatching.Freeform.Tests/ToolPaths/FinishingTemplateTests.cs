@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -39,8 +40,8 @@ public sealed class FinishingTemplateTests
     [InlineData("@head\n@if tool\nM6\n", 2, "@endif behind it")]
     public void An_error_is_named_by_its_line(string text, int line, string reason)
     {
-        var error = Assert.Throws<FreeformException>(() => FinishingTemplate.Parse(Encoding.UTF8.GetBytes(text), "own.txt"));
-        Assert.Equal(("bad-template", "own.txt", line), (error.Code, error.File, error.Line));
+        var error = Assert.Throws<InputException>(() => FinishingTemplate.Parse(Encoding.UTF8.GetBytes(text), "own.txt"));
+        Assert.Equal(("bad-template", "own.txt", line), (error.Code, error.File, error.Place.Line));
         Assert.Contains(reason, error.Message, StringComparison.Ordinal);
     }
 
@@ -108,8 +109,8 @@ public sealed class FinishingTemplateTests
               "measuring": { "curves": 7, "pointsPerCurve": 10, "stylusDiameterMm": 6, "dialect": "siemens-840d" },
               "toolpath": { "dialect": "siemens-840d", "tool": { {{tool}} } } }
             """;
-        var error = Assert.Throws<JsonDocumentException>(() => FreeformJob.Parse(Encoding.UTF8.GetBytes(text), "job.json"));
-        Assert.StartsWith(path, Assert.Single(error.Problems).Path, StringComparison.Ordinal);
+        var error = Assert.Throws<InputException>(() => FreeformJob.Parse(Encoding.UTF8.GetBytes(text), "job.json"));
+        Assert.StartsWith(path, Assert.Single(error.Refusals).Place.Path, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -121,8 +122,8 @@ public sealed class FinishingTemplateTests
             FinishingTemplate.Names,
             n => Assert.Equal(
                 FinishingTemplate.Named(n).About, FinishingTemplate.Parse(Encoding.UTF8.GetBytes(FinishingTemplate.TextOf(n)), "x").About));
-        Assert.Equal("unknown-template", Assert.Throws<FreeformException>(() => FinishingTemplate.Named("heidenhain")).Code);
-        var large = Assert.Throws<FreeformException>(() => FinishingTemplate.Parse(new byte[ProgramTemplate.MaxBytes + 1], "own.txt"));
+        Assert.Equal("unknown-template", Assert.Throws<InputException>(() => FinishingTemplate.Named("heidenhain")).Code);
+        var large = Assert.Throws<InputException>(() => FinishingTemplate.Parse(new byte[ProgramTemplate.MaxBytes + 1], "own.txt"));
         Assert.Equal("bad-template", large.Code);
     }
 
@@ -140,7 +141,7 @@ public sealed class FinishingTemplateTests
 
     private static string Refused(FinishingTemplate template, ToolCall tool)
     {
-        var error = Assert.Throws<FreeformException>(() => Written(template, tool));
+        var error = Assert.Throws<InputException>(() => Written(template, tool));
         Assert.Equal(("bad-template", template.File), (error.Code, error.File));
         return error.Problem;
     }

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;

@@ -1,4 +1,5 @@
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -161,8 +162,8 @@ public sealed class MatingDraftCheckTests
         Assert.Equal((field, field is null ? null : "limit-implausible"), (problem?.Field, problem?.Code));
         if (problem is not null)
         {
-            var said = Assert.Throws<JobException>(() => MatingJob.Parse(MatingDraftFiles.Job(draft), File));
-            Assert.Equal(said.Problems.Single().Message, problem.Message);
+            var said = Assert.Throws<InputException>(() => MatingJob.Parse(MatingDraftFiles.Job(draft), File));
+            Assert.Equal(said.Refusals.Single().Message, problem.Message);
         }
     }
 

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -87,10 +88,10 @@ public sealed class BlockRunTests
                 File.ReadAllText(shop["job.json"]).Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": 10", StringComparison.Ordinal)),
             CancellationToken.None).Result!;
         Assert.Equal(["boundary-not-found", "boundary-not-found", "boundary-not-found"], found.Refusals.Select(r => r.Code));
-        Assert.All(found.Refusals, r => Assert.Equal(shop["counterpart.nc"], r.File));
+        Assert.All(found.Refusals, r => Assert.Equal(shop["counterpart.nc"], r.Place.File));
 
         // Point 2 is 3.000 mm from the path of N120, which stands in line 19.
-        Assert.Equal((19, "N120"), (found.Refusals[0].Line, found.Refusals[0].Block));
+        Assert.Equal((19, "N120"), (found.Refusals[0].Place.Line, found.Refusals[0].Place.Block));
         Assert.Contains("expected 5 mm, one tool radius (within 0.5 mm)", found.Refusals[0].Message, StringComparison.Ordinal);
         Assert.All(found.Features, f => Assert.Empty(f.Blocks));
         Assert.False(found.IsInJob(0));
@@ -108,7 +109,7 @@ public sealed class BlockRunTests
                 "N120 X-34.995 Y59.757", "X-34.995 Y59.757\nX-34.995 Y59.757", StringComparison.Ordinal));
         var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
-        Assert.Equal(("block-ambiguous", 20), (refusal.Code, refusal.Line));
+        Assert.Equal(("block-ambiguous", 20), (refusal.Code, refusal.Place.Line));
         Assert.StartsWith("L1: ", refusal.Message, StringComparison.Ordinal);
         Assert.Equal([0, 1, 1], found.Features.Select(f => f.Blocks.Count));
     }
@@ -128,7 +129,7 @@ public sealed class BlockRunTests
               "counterpart": { "program": "counterpart.nc", "dialect": "fanuc", "toolDiameterMm": 6 } }
             """);
         var refusal = Assert.Single(BlockRun.Of(job, CancellationToken.None).Result!.Refusals);
-        Assert.Equal(("boundary-not-found", "N100", 7), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal(("boundary-not-found", "N100", 7), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.Contains("by a jump or a call", refusal.Message, StringComparison.Ordinal);
     }
 
@@ -172,7 +173,7 @@ public sealed class BlockRunTests
         var text = Encoding.UTF8.GetString(found.JobAt(shop["job.json"]));
         var wide = shop.File("wide.json", text.Replace("\"N50\"", "\"N50..N60\"", StringComparison.Ordinal));
         var refusal = Assert.Single(MatingRun.Of(new(wide), new(), CancellationToken.None).Refusals);
-        Assert.Equal(("no-intersection", "N70"), (refusal.Code, refusal.Block));
+        Assert.Equal(("no-intersection", "N70"), (refusal.Code, refusal.Place.Block));
         Assert.Contains("Where the arc N60 rounds a corner, do not name it", refusal.Message, StringComparison.Ordinal);
     }
 
@@ -183,7 +184,7 @@ public sealed class BlockRunTests
         using var beyond = Corner(Round, "point,x_mm,y_mm\n1,0,0\n2,47.660,-3.572\n3,50,-15\n4,50,-50\n");
         var found = BlockRun.Of(beyond["job.json"], CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
-        Assert.Equal(("point-on-corner", "N60", 5), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal(("point-on-corner", "N60", 5), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.StartsWith("L1, N60: the point 2 lies at this arc, a rounded corner", refusal.Message, StringComparison.Ordinal);
         Assert.Empty(found.Features[0].Blocks);
 
@@ -206,7 +207,7 @@ public sealed class BlockRunTests
         var job = shop.File("one.json", text.Replace("[\"1\", \"2\"]", "[\"1..4\"]", StringComparison.Ordinal));
         var found = BlockRun.Of(job, CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
-        Assert.Equal(("point-off-path", "N50"), (refusal.Code, refusal.Block));
+        Assert.Equal(("point-off-path", "N50"), (refusal.Code, refusal.Place.Block));
         Assert.EndsWith("A match refuses N50: name the blocks yourself.", refusal.Message, StringComparison.Ordinal);
         Assert.Empty(Assert.Single(found.Features).Blocks);
     }
@@ -219,7 +220,7 @@ public sealed class BlockRunTests
             shop["counterpart.nc"], File.ReadAllText(shop["counterpart.nc"]).Replace("N90 Z2.", "N90 M98 P4711", StringComparison.Ordinal));
         var outcome = BlockRun.Of(shop["job.json"], CancellationToken.None);
         Assert.Null(outcome.Result);
-        Assert.Equal(shop["counterpart.nc"], Assert.Single(outcome.Refusals).File);
+        Assert.Equal(shop["counterpart.nc"], Assert.Single(outcome.Refusals).Place.File);
     }
 
     [Fact]
@@ -230,7 +231,7 @@ public sealed class BlockRunTests
             shop["theoretical.csv"], File.ReadAllText(shop["theoretical.csv"]).Replace("\n2,", "\n22,", StringComparison.Ordinal));
         Assert.Equal(
             "missing-point",
-            Assert.Throws<Measurement.MeasurementException>(() => BlockRun.Of(shop["job.json"], CancellationToken.None)).Code);
+            Assert.Throws<InputException>(() => BlockRun.Of(shop["job.json"], CancellationToken.None)).Code);
     }
 
     private static TemporaryFolder Corner(string cut, string theoretical)

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -79,9 +80,9 @@ public sealed class MatingRunTests
         // In feedback it is needed: what is wrong stands in line 20 of the job, from column 17 on.
         var feedback = folder.File(
             "feedback.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
-        var item = Assert.Single(ErrorItems.OfInput(Assert.Throws<InputException>(() => Run(feedback, new())))!);
+        var item = Assert.Single(Assert.Throws<InputException>(() => Run(feedback, new())).Refusals);
         Assert.Equal(
-            ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.File, item.Line, item.Column, item.Path));
+            ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.Place.File, item.Place.Line, item.Place.Column, item.Place.Path));
         Assert.Contains(
             $"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
         Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));
@@ -107,8 +108,8 @@ public sealed class MatingRunTests
             new(Job), new() { Program = new("counterpart.nc", matched.Program) }, TestContext.Current.CancellationToken);
         Assert.Null(again.Result);
         var refusal = Assert.Single(again.Refusals);
-        Assert.Equal(("already-compensated", "counterpart.nc"), (refusal.Code, refusal.File));
-        Assert.NotNull(refusal.Block);
+        Assert.Equal(("already-compensated", "counterpart.nc"), (refusal.Code, refusal.Place.File));
+        Assert.NotNull(refusal.Place.Block);
     }
 
     [Fact]
@@ -119,7 +120,7 @@ public sealed class MatingRunTests
             "\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
         var job = MatingJob.Parse(System.Text.Encoding.UTF8.GetBytes(text), Job);
         var points = "point,x_mm,y_mm\n" + string.Concat(job.NeededPoints.Select(p => p + ",-36,40\n"));
-        var e = Assert.Throws<PointsException>(() => MatingRun.Of(
+        var e = Assert.Throws<InputException>(() => MatingRun.Of(
             new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
         Assert.Equal("part.csv", e.File);
         Assert.StartsWith("part.csv: ", e.Message, StringComparison.Ordinal);

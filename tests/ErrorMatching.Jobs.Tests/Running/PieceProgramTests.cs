@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -36,7 +37,7 @@ public sealed class PieceProgramTests : IDisposable
         var compensated = Compensated();
         var outcome = Run(inJob ? ", \"cutBy\": \"compensated.nc\"" : "", After, inJob ? null : compensated);
         var refusal = Assert.Single(outcome.Refusals);
-        Assert.Equal((Code, compensated, 1), (refusal.Code, refusal.File, refusal.Line));
+        Assert.Equal((Code, compensated, 1), (refusal.Code, refusal.Place.File, refusal.Place.Line));
         Assert.Contains(
             "Measure a piece that the nominal program cut (errormatch surface toolpath", refusal.Message, StringComparison.Ordinal);
 
@@ -72,7 +73,7 @@ public sealed class PieceProgramTests : IDisposable
         Directory.CreateDirectory(_folder["out"]);
         File.Copy(Compensated(), _folder["out/finishing.nc"]);
         var refusal = Assert.Single(Run("", After, null, "out").Refusals);
-        Assert.Equal((Code, _folder["out/finishing.nc"], 1), (refusal.Code, refusal.File, refusal.Line));
+        Assert.Equal((Code, _folder["out/finishing.nc"], 1), (refusal.Code, refusal.Place.File, refusal.Place.Line));
         Assert.Contains("--cut-by", refusal.Message, StringComparison.Ordinal);
 
         // Where somebody says that another one did, a piece that still has its stock, or the same measurement again, it is none.
@@ -100,7 +101,7 @@ public sealed class PieceProgramTests : IDisposable
         File.WriteAllBytes(_folder["out/cam.nc"], displaced.Program.ToArray());
         var refused = SurfaceRun.Displace(
             new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["out"] }, cam, Cancellation);
-        Assert.Equal((Code, _folder["out/cam.nc"]), (Assert.Single(refused.Refusals).Code, refused.Refusals[0].File));
+        Assert.Equal((Code, _folder["out/cam.nc"]), (Assert.Single(refused.Refusals).Code, refused.Refusals[0].Place.File));
         Assert.NotNull(
             SurfaceRun.Displace(
                 new(Job("", "finishing")), new() { Measured = [new(After)], Folder = _folder["other"] }, cam, Cancellation).Result);
@@ -134,7 +135,7 @@ public sealed class PieceProgramTests : IDisposable
 
         var probed = _folder.File("probe.log", log.Append("END\n").ToString());
         var refusal = Assert.Single(SurfaceRun.Compensate(files, new() { Measured = [new(probed)] }, Cancellation).Refusals);
-        Assert.Equal((Code, probed), (refusal.Code, refusal.File));
+        Assert.Equal((Code, probed), (refusal.Code, refusal.Place.File));
 
         // Behind a nominal one the log has no such line.
         var nominal = Encoding.ASCII.GetString(compensated.Span)
@@ -154,7 +155,7 @@ public sealed class PieceProgramTests : IDisposable
         return _folder["compensated.nc"];
     }
 
-    private RunOutcome<FinishedSurface> Run(
+    private Outcome<FinishedSurface> Run(
         string measuring, string measured, string? cutBy, string? folder = null, string after = "finishing") =>
         SurfaceRun.Compensate(
         new(Job(measuring, after)),

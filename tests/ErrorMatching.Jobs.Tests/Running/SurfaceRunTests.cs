@@ -96,7 +96,7 @@ public sealed class SurfaceRunTests
         var refusal = Assert.Single(
             SurfaceRun.Displace(
                 new(Job), new() { Measured = [Measured] }, new("again.nc", program), TestContext.Current.CancellationToken).Refusals);
-        Assert.Equal((Marker.AlreadyCompensated, "again.nc", 1), (refusal.Code, refusal.File, refusal.Line));
+        Assert.Equal((Marker.AlreadyCompensated, "again.nc", 1), (refusal.Code, refusal.Place.File, refusal.Place.Line));
         Assert.Contains("line 1: the program carries a marker", refusal.Message, StringComparison.Ordinal);
     }
 
@@ -119,7 +119,7 @@ public sealed class SurfaceRunTests
         var program = Repository.PathTo("samples", "figure-nine", "original.nc");
         var outcome = SurfaceRun.Displace(new(Job), new() { Measured = [Measured] }, new(program), TestContext.Current.CancellationToken);
         Assert.Null(outcome.Result);
-        Assert.Equal(program, Assert.Single(outcome.Refusals).File);
+        Assert.Equal(program, Assert.Single(outcome.Refusals).Place.File);
     }
 
     private static string Sha256(string file) => Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file)));

@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -39,7 +40,7 @@ public sealed class MeasuredPointTests
         var check = OriginCheck.Of(new("O", 0.01), At(1, 1, 0), At(1, 1.02, 0));
 
         Assert.False(check.Holds);
-        Assert.Equal(("origin-off", "O"), (check.Refusal!.Code, check.Refusal.Point));
+        Assert.Equal(("origin-off", "O"), (check.Refusal!.Code, check.Refusal.Place.Point));
         Assert.Contains("0.020 mm off, more than the 0.01 mm allowed", check.Refusal.Message, StringComparison.Ordinal);
     }
 
@@ -63,8 +64,8 @@ public sealed class MeasuredPointTests
         var flat = new LabelledPoint("1", new(1, 2, 0), false, 7);
 
         Assert.Null(ProjectedPoint.Of(flat, CoordinatePlane.XY, "part.csv").StandsOutMm(new("1", default, 3)));
-        var e = Assert.Throws<MeasurementException>(() => ProjectedPoint.Of(flat, CoordinatePlane.ZX, "part.csv"));
-        Assert.Equal(("missing-coordinate", "part.csv", 7), (e.Code, e.File, e.Line));
+        var e = Assert.Throws<InputException>(() => ProjectedPoint.Of(flat, CoordinatePlane.ZX, "part.csv"));
+        Assert.Equal(("missing-coordinate", "part.csv", 7), (e.Code, e.File, e.Place.Line));
     }
 
     private static LabelledPoint At(double x, double y, double z) => new("O", new(x, y, z), HasZ: true, 1);

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -100,7 +101,7 @@ public sealed class JobCheckTests
     {
         Assert.Contains(found, SampleJob.Text, StringComparison.Ordinal);
         var text = Encoding.UTF8.GetBytes(SampleJob.Text.Replace(found, instead, StringComparison.Ordinal));
-        Assert.Throws<JobException>(() => MatingJob.Parse(text, "job.json"));
+        Assert.Throws<InputException>(() => MatingJob.Parse(text, "job.json"));
         var job = MatingJob.ParseWithoutBlocks(text, "job.json");
         Assert.Empty(Assert.Single(job.Features, f => f.Blocks.Count == 0).Blocks);
         Assert.Equal(["1", "2"], job.Features[0].Points);
@@ -110,8 +111,8 @@ public sealed class JobCheckTests
             SampleJob.Text.Replace(found, instead, StringComparison.Ordinal).Replace("[-0.04, 0.06]", "[0.06]", StringComparison.Ordinal));
         Assert.Equal(
             ("too-few-items", "$.features[1].toleranceMm"),
-            Assert.Single(Assert.Throws<JobException>(() => MatingJob.ParseWithoutBlocks(wrong, "job.json")).Problems) is var p
-                ? (p.Code, p.Path)
+            Assert.Single(Assert.Throws<InputException>(() => MatingJob.ParseWithoutBlocks(wrong, "job.json")).Refusals) is var p
+                ? (p.Code, p.Place.Path)
                 : default);
     }
 
@@ -199,12 +200,12 @@ public sealed class JobCheckTests
     [Fact]
     public void A_refusal_names_file_line_column_path_and_what_to_do()
     {
-        var e = Assert.Throws<JobException>(() => SampleJob.With(("\"dialect\"", "\"dialekt\"")));
+        var e = Assert.Throws<InputException>(() => SampleJob.With(("\"dialect\"", "\"dialekt\"")));
 
         Assert.Equal("folder/job.json", e.File);
         Assert.Equal(
-            "folder/job.json:11:18 $.counterpart: found no key \"dialect\"; expected the key \"dialect\"\nfolder/job.json:12:34 "
-                + "$.counterpart.dialekt: the key \"dialekt\" is not known here; did you mean \"dialect\"?",
+            "folder/job.json, line 11, column 18, $.counterpart: found no key \"dialect\"; expected the key \"dialect\".\n"
+                + "folder/job.json, line 12, column 34, $.counterpart.dialekt: the key \"dialekt\" is not known here; did you mean \"dialect\"?",
             e.Message);
     }
 
@@ -222,9 +223,9 @@ public sealed class JobCheckTests
             {
                 read += MatingJob.Parse(bytes, "job.json").Features.Count > 0 ? 1 : 0;
             }
-            catch (JobException e)
+            catch (InputException e)
             {
-                Assert.NotEmpty(e.Problems);
+                Assert.NotEmpty(e.Refusals);
             }
         }
 
@@ -233,9 +234,9 @@ public sealed class JobCheckTests
 
     private static void Refuses(string found, string instead, string[] codesAndPaths)
     {
-        var e = Assert.Throws<JobException>(() => SampleJob.With((found, instead)));
+        var e = Assert.Throws<InputException>(() => SampleJob.With((found, instead)));
 
-        Assert.Equal(codesAndPaths, e.Problems.SelectMany(p => new[] { p.Code, p.Path }));
-        Assert.All(e.Problems, p => Assert.True(p.Line > 1 && p.Found.Length > 0 && p.Expected.Length > 0));
+        Assert.Equal(codesAndPaths, e.Refusals.SelectMany(p => new[] { p.Code, p.Place.Path }));
+        Assert.All(e.Refusals, p => Assert.True(p.Place.Line > 1 && p.Found.Length > 0 && p.Expected.Length > 0));
     }
 }

@@ -2,6 +2,7 @@ using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -140,9 +141,9 @@ public sealed class MatingJobTests
     [Fact]
     public void A_job_that_is_no_json_is_refused_by_place()
     {
-        var e = Assert.Throws<JobException>(() => MatingJob.Parse("{ \"kind\": mating }"u8, "x"));
+        var e = Assert.Throws<InputException>(() => MatingJob.Parse("{ \"kind\": mating }"u8, "x"));
 
-        Assert.Equal(("not-json", 1, 11), (e.Problems[0].Code, e.Problems[0].Line, e.Problems[0].Column));
+        Assert.Equal(("not-json", 1, 11), (e.Refusals[0].Code, e.Refusals[0].Place.Line, e.Refusals[0].Place.Column));
     }
 
     [Fact]

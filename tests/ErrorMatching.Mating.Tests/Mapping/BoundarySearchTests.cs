@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Mating.Tests;
@@ -124,7 +125,7 @@ public sealed class BoundarySearchTests
             "2",
             "A, N50: of all cuts this is the nearest, and the point 2 lies 3.700 mm from the path; expected 3 mm, one tool radius "
                 + "(within 0.5 mm). Check the frame, the tool diameter and the points, or name the blocks yourself.");
-        Assert.Equal(3.7, Refused(Programs.ToolBelow, 6, new(5, 0), new(45, 0.7)).DistanceMm!.Value, 9);
+        Assert.Equal("3.700 mm", Refused(Programs.ToolBelow, 6, new(5, 0), new(45, 0.7)).Found);
         Says(
             Refused(Programs.ToolBelow, null, new(5, 0), new(45, 2)),
             "boundary-not-found",
@@ -192,14 +193,14 @@ public sealed class BoundarySearchTests
             Refused(Programs.ToolBelow, 6, new Point2(5, 0)),
             "boundary-not-found",
             null,
-            0,
+            null,
             null,
             "A: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.");
         Says(
             Refused("N10 G21 G90 G17\nN20 M30\n", 6, new(5, 0), new(45, 0)),
             "boundary-not-found",
             null,
-            0,
+            null,
             null,
             "A: the program cuts nothing in the plane XY of which it says where. Check the program and the plane.");
 
@@ -214,11 +215,11 @@ public sealed class BoundarySearchTests
             "B, N50: from here on it leads past the points of B and of A, so it cannot be told whose blocks these are. Check the points "
                 + "of both, or name the blocks yourself.");
 
-        static void Says(MatingRefusal refusal, string code, string? block, int line, string? point, string message)
+        static void Says(Refusal refusal, string code, string? block, int? line, string? point, string message)
         {
             Assert.Equal(message, refusal.Message);
-            Assert.Equal((code, block, line, point), (refusal.Code, refusal.Block, refusal.Line, refusal.Point));
-            Assert.StartsWith(refusal.Feature!, message, StringComparison.Ordinal);
+            Assert.Equal((code, block, line, point), (refusal.Code, refusal.Place.Block, refusal.Place.Line, refusal.Place.Point));
+            Assert.StartsWith(refusal.Place.Feature!, message, StringComparison.Ordinal);
         }
     }
 
@@ -231,7 +232,7 @@ public sealed class BoundarySearchTests
         return [.. Assert.Single(BoundarySearch.Find(path, [Sought("A", points)], tool, 0.5)).Passes.Select(p => Named(path, p))];
     }
 
-    private static MatingRefusal Refused(string program, double? tool, params Point2[] points)
+    private static Refusal Refused(string program, double? tool, params Point2[] points)
     {
         var found = Assert.Single(BoundarySearch.Find(Interpreted(program), [Sought("A", points)], tool, 0.5));
         Assert.Empty(found.Passes);

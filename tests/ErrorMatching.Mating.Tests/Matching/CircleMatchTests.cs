@@ -178,7 +178,7 @@ public sealed class CircleMatchTests
 
     private static Arc2[] Arcs(Nc.NcPath path, string blocks) =>
         [
-            .. Nc.BlockSelector.Select(path.Program, [Nc.BlockSelector.Parse(blocks)]).Value!
+            .. Nc.BlockSelector.Select(path.Program, [Nc.BlockSelector.Parse(blocks)]).Result!
                 .SelectMany(b => path.MotionsOf(b).ToArray())
                 .Select(m => path.Motions[m].Arc)];
 

@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -57,7 +58,7 @@ internal sealed record MatchCase(string Program)
         "counterpart.nc",
         Encoding.Latin1.GetBytes(Program));
 
-    public MatchOutcome Outcome => Matcher.Match(Input);
+    public Outcome<MatchResult> Outcome => Matcher.Match(Input);
 
     /// <summary>The match; it must not be refused, and its proof must hold.</summary>
     public MatchResult Match()
@@ -70,7 +71,7 @@ internal sealed record MatchCase(string Program)
     }
 
     /// <summary>The only refusal; no program may come with it.</summary>
-    public MatingRefusal Refusal()
+    public Refusal Refusal()
     {
         var outcome = Outcome;
         Assert.Null(outcome.Result);

@@ -1,4 +1,5 @@
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -15,10 +16,10 @@ public sealed class MistakenUnitTests
     public void A_limit_beyond_the_one_that_stops_the_job_is_no_job(string toleranceMm, string compensation, string expected)
     {
         var problems = Problems(Limited(toleranceMm) with { Compensation = $"{{ {compensation} }}" });
-        Assert.Equal(expected, string.Join('|', problems.Select(p => $"{p.Path} {p.Found}")));
+        Assert.Equal(expected, string.Join('|', problems.Select(p => $"{p.Place.Path} {p.Found}")));
         Assert.All(problems, p => Assert.Equal("limit-implausible", p.Code));
         Assert.All(problems, p => Assert.Contains("(\"limitMm\"). um? ", p.Message, StringComparison.Ordinal));
-        Assert.All(problems, p => Assert.True(p.Line > 1 && p.Column > 1));
+        Assert.All(problems, p => Assert.True(p.Place.Line > 1 && p.Place.Column > 1));
     }
 
     [Theory]
@@ -32,7 +33,7 @@ public sealed class MistakenUnitTests
             """;
         var problems = Problems(Limited($"\"{source}\"") with { More = Chain });
         Assert.Equal(count, problems.Count);
-        Assert.Equal(("limit-implausible", "$.features[0].toleranceMm"), (problems[0].Code, problems[0].Path));
+        Assert.Equal(("limit-implausible", "$.features[0].toleranceMm"), (problems[0].Code, problems[0].Place.Path));
         Assert.Contains("of which a has -20 to 30", problems[0].Message, StringComparison.Ordinal);
         Assert.NotNull(
             (
@@ -50,21 +51,21 @@ public sealed class MistakenUnitTests
     public void A_gauge_that_can_tell_no_deviation_from_noise_is_no_job(string uncertainty, string from, bool isRefused)
     {
         var match = Off with { Gauge = $"\"uncertaintyMm\": {uncertainty}", Compensation = $$"""{ "from": "{{from}}" }""" };
-        Assert.Equal(isRefused ? ["uncertainty-implausible $.gauge.uncertaintyMm"] : [], Problems(match).Select(p => $"{p.Code} {p.Path}"));
+        Assert.Equal(isRefused ? ["uncertainty-implausible $.gauge.uncertaintyMm"] : [], Problems(match).Select(p => $"{p.Code} {p.Place.Path}"));
     }
 
     [Fact]
     public void Deviations_of_more_than_a_centimeter_are_no_deviations()
     {
         var problems = Problems(Off with { Compensation = """{ "limitMm": 1000 }""" });
-        Assert.Equal(["too-large $.compensation.limitMm"], problems.Select(p => $"{p.Code} {p.Path}"));
+        Assert.Equal(["too-large $.compensation.limitMm"], problems.Select(p => $"{p.Code} {p.Place.Path}"));
     }
 
     [Fact]
     public void An_origin_may_be_no_further_off_than_the_points_behind_it()
     {
         var match = Off with { More = """ "originCheck": { "point": "1", "limitMm": 10 }, """ };
-        Assert.Equal(["limit-implausible $.originCheck.limitMm"], Problems(match).Select(p => $"{p.Code} {p.Path}"));
+        Assert.Equal(["limit-implausible $.originCheck.limitMm"], Problems(match).Select(p => $"{p.Code} {p.Place.Path}"));
         Assert.Empty(Problems(match with { More = match.More + """ "alignment": { "kind": "best-fit" }, """ }));
     }
 
@@ -72,7 +73,7 @@ public sealed class MistakenUnitTests
     public void Limits_more_than_a_hundred_times_as_wide_as_what_the_part_is_off_are_asked_about()
     {
         var refusal = (Limited("[-9.5, 9.5]") with { Compensation = """{ "limitMm": 10 }""" }).Refusal();
-        Assert.Equal(("limit-implausible", "L1", "$.features[0].toleranceMm"), (refusal.Code, refusal.Feature, refusal.Path));
+        Assert.Equal(("limit-implausible", "L1", "$.features[0].toleranceMm"), (refusal.Code, refusal.Place.Feature, refusal.Place.Path));
         Assert.True(refusal.Place is { Line: > 1, Column: > 1 });
         Assert.Contains(
             "allow 9.5 mm, and no point of it is more than 0.0900 mm off: are they in um", refusal.Message, StringComparison.Ordinal);
@@ -133,16 +134,16 @@ public sealed class MistakenUnitTests
     private static MatchCase Limited(string toleranceMm) =>
         Off with { Features = [MatchCase.Line("L1", "N50", "1", "2", $"\"toleranceMm\": {toleranceMm}")] };
 
-    private static IReadOnlyList<Json.JsonProblem> Problems(MatchCase match)
+    private static IReadOnlyList<Refusal> Problems(MatchCase match)
     {
         try
         {
             _ = match.Job;
             return [];
         }
-        catch (JobException e)
+        catch (InputException e)
         {
-            return e.Problems;
+            return e.Refusals;
         }
     }
 }

@@ -101,14 +101,14 @@ public sealed class RefusalMatchTests
 
     [Fact]
     public void A_number_that_names_no_block_is_refused() =>
-        Refused(Good with { Features = [MatchCase.Line("L1", "N999", "1", "2")] }, NcRefusalCodes.BlockNotFound, "L1", null, "N999", 0);
+        Refused(Good with { Features = [MatchCase.Line("L1", "N999", "1", "2")] }, NcRefusalCodes.BlockNotFound, "L1", null, "N999", null);
 
     [Fact]
     public void A_number_that_names_several_blocks_is_refused()
     {
         var refusal = (Good with { Program = Programs.ToolBelow.Replace("N60", "N50", StringComparison.Ordinal) }).Refusal();
 
-        Assert.Equal((NcRefusalCodes.BlockAmbiguous, "L1"), (refusal.Code, refusal.Feature));
+        Assert.Equal((NcRefusalCodes.BlockAmbiguous, "L1"), (refusal.Code, refusal.Place.Feature));
     }
 
     [Theory]
@@ -126,7 +126,7 @@ public sealed class RefusalMatchTests
         Assert.Null(match.Outcome.Result);
         Assert.Equal(
             [(Decider.ImplausibleDeviation, "L1", "1"), (Decider.ImplausibleDeviation, "L1", "2")],
-            match.Outcome.Refusals.Select(r => (r.Code, r.Feature!, r.Point!)));
+            match.Outcome.Refusals.Select(r => (r.Code, r.Place.Feature!, r.Place.Point!)));
         Assert.NotNull((match with { Part = "1 10 1; 2 40 1" }).Outcome.Result);
         Assert.NotNull((match with { Compensation = """{ "limitMm": 1.3 }""" }).Outcome.Result);
     }
@@ -145,7 +145,7 @@ public sealed class RefusalMatchTests
             More = """ "originCheck": { "point": "O", "limitMm": 0.01 }, """,
         };
 
-        Refused(match, OriginCheck.OriginOff, null, "O", null, 0, "0.050 mm off");
+        Refused(match, OriginCheck.OriginOff, null, "O", null, null, "0.050 mm off");
     }
 
     [Fact]
@@ -160,7 +160,7 @@ public sealed class RefusalMatchTests
                     MatchCase.Line("L2", "N60", "3", "4", """ "toleranceMm": [0, 0], "plane": "ZX" """)],
                 More = """ "alignment": { "kind": "best-fit" }, """,
             },
-            AlignedMeasurement.AlignmentNeedsOnePlane, null, null, null, 0);
+            AlignedMeasurement.AlignmentNeedsOnePlane, null, null, null, null);
 
     [Theory]
     [InlineData("N50 X50.", "N50 X#101", NcRefusalCodes.Expression, "N50", 7)]
@@ -175,8 +175,8 @@ public sealed class RefusalMatchTests
         Assert.Contains(found, Programs.ToolBelow, StringComparison.Ordinal);
         var refusal = (Good with { Program = Programs.ToolBelow.Replace(found, instead, StringComparison.Ordinal) }).Refusal();
 
-        Assert.Equal((code, block, line), (refusal.Code, refusal.Block, refusal.Line));
-        Assert.Equal(block == "N50" ? "L1" : null, refusal.Feature);
+        Assert.Equal((code, block, line), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
+        Assert.Equal(block == "N50" ? "L1" : null, refusal.Place.Feature);
     }
 
     [Fact]
@@ -191,13 +191,14 @@ public sealed class RefusalMatchTests
             Features = [MatchCase.Line("L1", "N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4")],
         }).Refusal();
 
-        Assert.Equal((NcRefusalCodes.NoIntersection, "L2", "N60", 4), (refusal.Code, refusal.Feature, refusal.Block, refusal.Line));
+        Assert.Equal((NcRefusalCodes.NoIntersection, "L2", "N60", 4), (refusal.Code, refusal.Place.Feature, refusal.Place.Block, refusal.Place.Line));
     }
 
-    private static void Refused(MatchCase match, string code, string? feature, string? point, string? block, int line, string says = "")
+    private static void Refused(MatchCase match, string code, string? feature, string? point, string? block, int? line, string says = "")
     {
         var refusal = match.Refusal();
-        Assert.Equal((code, feature, point, block, line), (refusal.Code, refusal.Feature, refusal.Point, refusal.Block, refusal.Line));
+        var place = refusal.Place;
+        Assert.Equal((code, feature, point, block, line), (refusal.Code, place.Feature, place.Point, place.Block, place.Line));
         Assert.Contains(says, refusal.Message, StringComparison.Ordinal);
     }
 }

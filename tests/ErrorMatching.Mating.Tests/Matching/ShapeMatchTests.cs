@@ -161,7 +161,7 @@ public sealed class ShapeMatchTests
         };
 
         var refusal = match.Refusal();
-        Assert.Equal(("implausible-course", "N50", 4), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal(("implausible-course", "N50", 4), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.Contains("1.955 mm, more than the 1 mm", refusal.Message, StringComparison.Ordinal);
     }
 

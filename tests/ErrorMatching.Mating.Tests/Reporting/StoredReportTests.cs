@@ -1,8 +1,8 @@
 using System.Text;
 using System.Text.Json.Nodes;
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 using ErrorMatching.Testing;
 using FsCheck;
@@ -40,12 +40,12 @@ public sealed class StoredReportTests
                 _ = (report.Prediction.Outside, report.Outside, report.MissesOf(report.Prediction), report.OnCorners);
                 read++;
             }
-            catch (JsonDocumentException e)
+            catch (InputException e)
             {
-                Assert.StartsWith("$", Assert.Single(e.Problems).Path, StringComparison.Ordinal);
+                Assert.StartsWith("$", Assert.Single(e.Refusals).Place.Path, StringComparison.Ordinal);
                 named++;
             }
-            catch (Exception e) when (e is not JsonDocumentException)
+            catch (Exception e) when (e is not InputException)
             {
                 Assert.Fail($"{path}: {e}");
             }
@@ -66,12 +66,12 @@ public sealed class StoredReportTests
                 _ = (report.Result.Outside, report.Result.WorstAfter, report.Result.RmsImprovementPercent);
                 read++;
             }
-            catch (JsonDocumentException e)
+            catch (InputException e)
             {
-                Assert.StartsWith("$", Assert.Single(e.Problems).Path, StringComparison.Ordinal);
+                Assert.StartsWith("$", Assert.Single(e.Refusals).Place.Path, StringComparison.Ordinal);
                 named++;
             }
-            catch (Exception e) when (e is not JsonDocumentException)
+            catch (Exception e) when (e is not InputException)
             {
                 Assert.Fail($"{path}: {e}");
             }
@@ -95,13 +95,13 @@ public sealed class StoredReportTests
         var text = Encoding.UTF8.GetString(MatchReportJson.Write(HandMadeReport.Report)).Replace("\r", "", StringComparison.Ordinal);
         var at = text.IndexOf(was, StringComparison.Ordinal);
         Assert.True(at >= 0, text);
-        var e = Assert.Throws<JsonDocumentException>(() => MatchReportJson.Read(
+        var e = Assert.Throws<InputException>(() => MatchReportJson.Read(
             ReportReader.Document(Encoding.UTF8.GetBytes(text[..at] + now + text[(at + was.Length)..]))));
-        var problem = Assert.Single(e.Problems);
-        Assert.Equal((code, path, "report.json"), (problem.Code, problem.Path, e.File));
+        var problem = Assert.Single(e.Refusals);
+        Assert.Equal((code, path, "report.json"), (problem.Code, problem.Place.Path, e.File));
         var member = text[..at].Count(c => c == '\n') + 1;
-        Assert.InRange(problem.Line, member - (code is "missing-key" or "too-few-items" or "reversed-tolerance" ? 1 : 0), member);
-        Assert.True(problem.Column > 1);
+        Assert.InRange(problem.Place.Line!.Value, member - (code is "missing-key" or "too-few-items" or "reversed-tolerance" ? 1 : 0), member);
+        Assert.True(problem.Place.Column > 1);
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public sealed class CornerWordTests
         var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N20"), new(1, 0.5, 0)));
         var refusal = Bench.Refused(Rewriter.Apply(path, wish));
 
-        Assert.Equal((NcRefusalCodes.CornerWord, "N10", 3), (refusal.Code, refusal.Block, refusal.Line));
+        Assert.Equal((NcRefusalCodes.CornerWord, "N10", 3), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
     }
 
     [Theory]

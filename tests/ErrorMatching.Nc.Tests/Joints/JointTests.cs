@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Nc.Tests;
@@ -91,7 +92,7 @@ public sealed class JointTests
         Assert.False(Prover.Check(path, NcProgram.Read(Encoding.ASCII.GetBytes(bad)), wish, 0.001).Holds);
     }
 
-    private static NcOutcome<DisplacementWish> SecondEnd(NcPath path) =>
+    private static Outcome<DisplacementWish> SecondEnd(NcPath path) =>
         DisplacementWish.EndsBy(path, Bench.Blocks(path, "N2"), new(0.1, 0.2, 0));
 
     private static string Program(string name) =>
@@ -102,14 +103,14 @@ public sealed class JointTests
         $"G21 G90 G17 G54\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z-1. F100\nN2 X10. Y0.\n{between}\nN3 G1 X20. Y10.\nG0 Z50.\nM30\n";
 
     // The line of N2 by 0.1 to the left, or that of N3 by as much at its start and half of it at its end.
-    private static NcOutcome<DisplacementWish> Moved(NcPath path, string named)
+    private static Outcome<DisplacementWish> Moved(NcPath path, string named)
     {
         var motion = path.MotionOf(Bench.Blocks(path, named)[0]);
         var end = named == "N2" ? 0.1 : 0.05;
         return DisplacementWish.OfElements([new(motion, new(0, 0.1), new(0, (0.1 + end) / 2), new(0, end))]);
     }
 
-    private static IEnumerable<string> ChangedLines(string text, Func<NcPath, NcOutcome<DisplacementWish>> wished)
+    private static IEnumerable<string> ChangedLines(string text, Func<NcPath, Outcome<DisplacementWish>> wished)
     {
         var (was, now) = (text.Split('\n'), Bench.Displaced(Bench.Read(text, NcDialects.Named("fanuc")), wished).Split('\n'));
         Assert.Equal(was.Length, now.Length);

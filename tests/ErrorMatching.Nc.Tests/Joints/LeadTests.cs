@@ -26,7 +26,7 @@ public sealed class LeadTests
         {
             var both = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N2..N8"), left));
             var refusal = Bench.Refused(Rewriter.Apply(path, both));
-            Assert.Equal((NcRefusalCodes.NoIntersection, "N2", 4), (refusal.Code, refusal.Block, refusal.Line));
+            Assert.Equal((NcRefusalCodes.NoIntersection, "N2", 4), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
             Assert.Contains("N3 to N8 alone", refusal.Message, StringComparison.Ordinal);
 
             // And so it is: the square of 10 to 40 and 10 to 50, travelled clockwise, grows to the left; the lead-in ends at its corner.
@@ -76,7 +76,7 @@ public sealed class LeadTests
     public void A_full_circle_about_another_center_is_not_proved(string was, string now)
     {
         var path = Bench.Read("G21 G90 G17\nG0 X10. Y0.\nG1 Z-1. F100\nN2 G3 X10. Y0. I-10. J0.\nG0 Z5.\n");
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N2"), 0.02).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, "N2"), 0.02).Result!;
         var good = Bench.Text(Bench.Rewritten(path, wish).Program);
         Assert.Contains("I-9.98 J0.", good, StringComparison.Ordinal);
         Assert.False(Prover.Check(path, NcProgram.FromText(good.Replace(was, now, StringComparison.Ordinal)), wish, 0.001).Holds);
@@ -85,13 +85,13 @@ public sealed class LeadTests
     // Inward is where the ring gets smaller.
     private static void Check(NcPath path, string ring, string named, double inward, double left, bool mayMiss)
     {
-        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, named), left).Value!;
+        var wish = DisplacementWish.Normal(path, Bench.Blocks(path, named), left).Result!;
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
             Assert.True(mayMiss, rewrite.Refusal.Message);
             Assert.Equal(NcRefusalCodes.NoIntersection, rewrite.Refusal.Code);
-            Assert.Contains(rewrite.Refusal.Block, (string[])["N1", "N9"]);
+            Assert.Contains(rewrite.Refusal.Place.Block, (string[])["N1", "N9"]);
             Assert.Contains("alone is named", rewrite.Refusal.Message, StringComparison.Ordinal);
             return;
         }

@@ -42,22 +42,22 @@ public sealed class RandomProgramTests
             return wish.Refusal.Code;
         }
 
-        var rewrite = Rewriter.Apply(path, wish.Value);
+        var rewrite = Rewriter.Apply(path, wish.Result);
         if (!rewrite.IsUsable)
         {
             return rewrite.Refusal.Code;
         }
 
-        var proof = Prover.Check(path, rewrite.Value.Program, wish.Value, rewrite.Value.LeastIncrementMm);
-        var wrong = proof.Failures.Select(f => f.ToString()).Concat(MovedElsewhere(path, rewrite.Value.Program, wish.Value)).ToArray();
+        var proof = Prover.Check(path, rewrite.Result.Program, wish.Result, rewrite.Result.LeastIncrementMm);
+        var wrong = proof.Failures.Select(f => f.ToString()).Concat(MovedElsewhere(path, rewrite.Result.Program, wish.Result)).ToArray();
         if (wrong.Length == 0)
         {
             return "proved";
         }
 
         var blocks = string.Join(",", named.Select(b => path.Program.NameOf(path.Program[b])));
-        var how = string.Create(CultureInfo.InvariantCulture, $"{(isNormal ? "--normal" : "--by")} {d},{wish.Value.By.Y}");
-        var sides = SideBySide(random.Text, Bench.Text(rewrite.Value.Program));
+        var how = string.Create(CultureInfo.InvariantCulture, $"{(isNormal ? "--normal" : "--by")} {d},{wish.Result.By.Y}");
+        var sides = SideBySide(random.Text, Bench.Text(rewrite.Result.Program));
         failures.Add($"seed {seed}, {random.Dialect.Name}, {blocks} {how}:\n{string.Join("\n", wrong)}\n{sides}");
         return "failed";
     }

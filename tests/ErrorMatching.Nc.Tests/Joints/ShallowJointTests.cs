@@ -63,7 +63,7 @@ public sealed class ShallowJointTests
             var path = Bench.Read(new ShallowJoint(before, behind, degrees, 4).Text);
             foreach (var (named, left) in ((string, double)[])[("N10", 0.02), ("N10", -0.02), ("N20", 0.02), ("N20", -0.02)])
             {
-                Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, named), left).Value!);
+                Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, named), left).Result!);
             }
         }
     }
@@ -71,7 +71,7 @@ public sealed class ShallowJointTests
     private static void Check(ShallowJoint joint, double left)
     {
         var path = Bench.Read(joint.Text);
-        var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N20"), left).Value!);
+        var rewrite = Bench.Rewritten(path, DisplacementWish.Normal(path, Bench.Blocks(path, "N10..N20"), left).Result!);
         var now = NcInterpreter.Run(rewrite.Program, path.Dialect);
         var (a, b, place) = (Bench.MotionOf(path, "N10"), Bench.MotionOf(path, "N20"), Bench.MotionOf(now, "N10").PlaneEnd);
         var (rounding, missA, missB) = (1.1 * rewrite.LeastIncrementMm, Mismatch(a), Mismatch(b));

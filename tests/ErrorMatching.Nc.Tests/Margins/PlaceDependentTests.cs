@@ -16,7 +16,7 @@ public sealed class PlaceDependentTests
         var proof = Verdict.OnEnds(before, after, "N10", new(0, 0.001, 0));
 
         Assert.Equal(!isFound, proof.Holds);
-        Assert.Equal(isFound ? [4] : [], proof.Failures.Select(f => f.Line));
+        Assert.Equal(isFound ? [4] : [], proof.Failures.Select(f => f.Place.Line));
     }
 
     // Behind the origin the line begins at the same numbers as before, so only the place before it shows that it moved.
@@ -28,6 +28,6 @@ public sealed class PlaceDependentTests
             .Replace("G0 X0. Y0. Z0.", "G0 X0. Y0.001 Z0.", StringComparison.Ordinal);
 
         var failure = Assert.Single(Verdict.OnElements(Last, after, ("N10", 0.001)).Failures);
-        Assert.Equal(4, failure.Line);
+        Assert.Equal(4, failure.Place.Line);
     }
 }

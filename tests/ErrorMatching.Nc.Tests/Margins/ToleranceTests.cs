@@ -25,7 +25,7 @@ public sealed class ToleranceTests
         const string After = "G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X10. Y0.1 F100.001\nN20 X20. Y0.\nN30 Y5.\nG0 Z5.\n";
 
         var failures = Verdict.OnElements(Before, After, ("N10", 0.1)).Failures;
-        Assert.Equal([3, 4, 5], failures.Select(f => f.Line).Where(line => line < 6));
+        Assert.Equal([3, 4, 5], failures.Select(f => f.Place.Line).Where(line => line < 6));
         Assert.All(failures, f => Assert.Contains("feed", f.Message, StringComparison.Ordinal));
     }
 }

@@ -74,9 +74,9 @@ public sealed class HostileInputTests
             var wish = isNormal
                 ? DisplacementWish.Normal(path, blocks, d)
                 : DisplacementWish.EndsBy(path, blocks, new Vector3(d, -d, isLevel ? 0 : d / 2));
-            return (wish, Rewrite: wish.IsUsable ? Rewriter.Apply(path, wish.Value) : null);
+            return (wish, Rewrite: wish.IsUsable ? Rewriter.Apply(path, wish.Result) : null);
         });
-        if (wish.Value is not { } wanted || rewrite is not { IsUsable: true, Value: { } result })
+        if (wish.Result is not { } wanted || rewrite is not { IsUsable: true, Result: { } result })
         {
             return;
         }
@@ -94,12 +94,12 @@ public sealed class HostileInputTests
     private static int[] Blocks(NcProgram program, Mutator draw)
     {
         if (draw.Below(4) == 0
-            && BlockSelector.Select(program, [BlockSelector.Parse("/[XY]-?[0-9]/")]) is { IsUsable: true, Value: var chosen })
+            && BlockSelector.Select(program, [BlockSelector.Parse("/[XY]-?[0-9]/")]) is { IsUsable: true, Result: var chosen })
         {
             return chosen;
         }
 
-        if (draw.Below(4) == 0 && BlockSelector.Select(program, [BlockSelector.Parse("N10..N30")]) is { IsUsable: true, Value: var named })
+        if (draw.Below(4) == 0 && BlockSelector.Select(program, [BlockSelector.Parse("N10..N30")]) is { IsUsable: true, Result: var named })
         {
             return named;
         }

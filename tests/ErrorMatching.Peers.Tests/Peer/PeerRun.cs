@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>What the peer made of a program.</summary>

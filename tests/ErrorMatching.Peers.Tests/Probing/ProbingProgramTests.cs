@@ -2,6 +2,7 @@ using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -51,7 +52,7 @@ public sealed class ProbingProgramTests
         Assert.All(measured.Points, p => Assert.True((p.Contact - (p.Planned.Position + (p.Planned.Normal * (0.2 - 2)))).Length < 1e-3));
         Assert.Equal(
             "far-off-point",
-            Assert.Throws<FreeformException>(() => MeasuredSurfaceReader.Read(
+            Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(
                 log, "errormatch-probe.log", program.Plan, program.Plan.Measuring)).Code);
     }
 

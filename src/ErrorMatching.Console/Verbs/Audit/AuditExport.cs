@@ -19,7 +19,7 @@ internal sealed class AuditExport : CellVerb
             "errormatch audit export samples/cell/cell.json --out out/audit.csv") =>
             Options.Add(_out);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));

@@ -20,7 +20,7 @@ internal sealed class AuditTakeOver : CellVerb
                 + "that on record.",
             "errormatch audit take-over samples/cell/cell.json --reason new-disk") => Options.Add(_reason);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);

@@ -10,7 +10,7 @@ internal sealed class AuditVerify()
         "Looks whether any entry of the audit trail was changed, removed, inserted or reordered.",
         "errormatch audit verify samples/cell/cell.json")
 {
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));

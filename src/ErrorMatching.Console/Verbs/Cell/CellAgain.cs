@@ -13,7 +13,7 @@ internal sealed class CellAgain() : CellDecisionVerb(
 {
     protected override Act Act => Act.Reject;
 
-    protected override Outcome Decide(
+    protected override VerbResult Decide(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer(
             "again",

@@ -11,7 +11,7 @@ internal sealed class CellApprove() : CellDecisionVerb(
 {
     protected override Act Act => Act.Approve;
 
-    protected override Outcome Decide(
+    protected override VerbResult Decide(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer(
             "approve",

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -16,7 +17,7 @@ internal sealed class CellBackup : CellVerb
             "errormatch cell backup samples/cell/cell.json out/cell-backup.db") =>
             Arguments.Add(_file);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithExistingStore(settings, store =>
     {
         var file = arguments.GetRequiredValue(_file);
@@ -24,7 +25,7 @@ internal sealed class CellBackup : CellVerb
         {
             return new Failure(
                 ExitCode.WrongInput,
-                new ErrorItem("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.") { File = file });
+                new Refusal("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.", new() { File = file }));
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);

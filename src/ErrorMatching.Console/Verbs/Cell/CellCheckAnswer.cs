@@ -39,9 +39,9 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         {
             json.WriteString("code", w.Code);
             json.WriteString("message", w.Message);
-            json.WriteNumber("line", w.Line);
-            json.WriteNumber("column", w.Column);
-            json.WriteString("path", w.Path);
+            json.WriteNumber("line", w.Place.Line ?? 1);
+            json.WriteNumber("column", w.Place.Column ?? 1);
+            json.WriteString("path", w.Place.Path);
         });
         if (Failure is { } failure)
         {
@@ -83,7 +83,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
 
         foreach (var warning in settings.Warnings)
         {
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"Warning: line {warning.Line}, {warning.Path}: {warning.Message}."));
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"Warning: line {warning.Place.Line}, {warning.Place.Path}: {warning.Message}"));
         }
     }
 

@@ -10,7 +10,7 @@ internal sealed class CellCheckVerb() : CellVerb(
         + "lets the cell in, whether each job could start. Nothing is taken or sent, and at machines nothing is changed.",
     "errormatch cell check samples/cell/cell.json")
 {
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
         return new CellCheckAnswer(settings, CellCheck.OfAsync(settings, cancellation).GetAwaiter().GetResult());

@@ -28,7 +28,7 @@ internal abstract class CellDecisionVerb : SigningVerb
         Options.Add(_reason);
     }
 
-    protected sealed override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+    protected sealed override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithExistingStore(settings, store =>
     {
         var users = new UserBook(store, TimeProvider.System);
@@ -42,6 +42,6 @@ internal abstract class CellDecisionVerb : SigningVerb
     protected abstract Act Act { get; }
 
     /// <summary>Carries out the decision.</summary>
-    protected abstract Outcome Decide(
+    protected abstract VerbResult Decide(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation);
 }

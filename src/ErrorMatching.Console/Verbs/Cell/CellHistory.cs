@@ -63,7 +63,7 @@ internal sealed class CellHistory : CellVerb
         });
     }
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithStoreToRead(settings, store => new CellHistoryAnswer(store.Search(new()
         {
             Serial = arguments.GetValue(_serial),

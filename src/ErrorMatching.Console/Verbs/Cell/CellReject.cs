@@ -11,7 +11,7 @@ internal sealed class CellReject() : CellDecisionVerb(
 {
     protected override Act Act => Act.Reject;
 
-    protected override Outcome Decide(
+    protected override VerbResult Decide(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer("reject", new CorrectionDecisions(store).Reject(id, by, reason!), "is rejected");
 }

@@ -11,7 +11,7 @@ internal sealed class CellRelease() : CellDecisionVerb(
 {
     protected override Act Act => Act.Release;
 
-    protected override Outcome Decide(CellSettings settings, CellStore store, long id, string by, string? reason,
+    protected override VerbResult Decide(CellSettings settings, CellStore store, long id, string by, string? reason,
         CancellationToken cancellation)
     {
         var secrets = new MachineSecrets(store, settings.KeysFolder);

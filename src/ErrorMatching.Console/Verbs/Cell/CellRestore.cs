@@ -15,7 +15,7 @@ internal sealed class CellRestore : CellVerb
             "errormatch cell restore samples/cell/cell.json out/cell-backup.db") =>
             Arguments.Add(_file);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
         var by = SystemUser.Name(Environment.GetEnvironmentVariable);

@@ -12,7 +12,7 @@ internal sealed class CellRevert() : CellDecisionVerb(
 {
     protected override Act Act => Act.Revert;
 
-    protected override Outcome Decide(
+    protected override VerbResult Decide(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation)
     {
         var secrets = new MachineSecrets(store, settings.KeysFolder);

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 using Serilog;
 using Serilog.Core;
 
@@ -16,7 +17,7 @@ internal sealed class CellRun() : CellVerb(
 {
     private static readonly TimeSpan Reconnect = TimeSpan.FromSeconds(5);
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
         var log = CellLog.Open(settings.LogFolder);
@@ -43,11 +44,11 @@ internal sealed class CellRun() : CellVerb(
         }
     }
 
-    private static Outcome Run(CellSettings settings, Logger log, CancellationToken cancellation)
+    private static VerbResult Run(CellSettings settings, Logger log, CancellationToken cancellation)
     {
         foreach (var warning in settings.Warnings)
         {
-            log.Warning("{File}: {Path}: {Warning}", settings.File, warning.Path, warning.Message);
+            log.Warning("{File}: {Path}: {Warning}", settings.File, warning.Place.Path, warning.Message);
         }
 
         try
@@ -61,7 +62,7 @@ internal sealed class CellRun() : CellVerb(
         }
     }
 
-    private static async Task<Outcome> RunAsync(CellSettings settings, ILogger log, CancellationToken cancellation)
+    private static async Task<VerbResult> RunAsync(CellSettings settings, ILogger log, CancellationToken cancellation)
     {
         var clock = TimeProvider.System;
         var since = clock.GetUtcNow();
@@ -72,7 +73,7 @@ internal sealed class CellRun() : CellVerb(
         {
             return new Failure(
                 ExitCode.Outside,
-                new ErrorItem(
+                new Refusal(
                     "cell-runs-already",
                     $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
         }

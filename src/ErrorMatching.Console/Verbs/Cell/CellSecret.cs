@@ -24,7 +24,7 @@ internal sealed class CellSecret : SigningVerb
         Options.Add(_remove);
     }
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         var machine = arguments.GetRequiredValue(_machine);
         var isRemoved = arguments.GetValue(_remove);

@@ -24,7 +24,7 @@ internal sealed class CellShow : CellVerb
         Options.Add(_out);
     }
 
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithStoreToRead(settings, store => Show(settings, store, arguments, cancellation));
 
     private CellShowAnswer Show(CellSettings settings, CellStore store, ParseResult arguments, CancellationToken cancellation)

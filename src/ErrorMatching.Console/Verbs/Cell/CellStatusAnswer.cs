@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -13,7 +14,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
     public override string Schema => "errormatch/cell-status/1";
 
     public override Failure? Failure =>
-        status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new ErrorItem(p.Code, p.Message))]);
+        status.IsHealthy ? null : new(ExitCode.Outside, [.. Problems().Select(p => new Refusal(p.Code, p.Message))]);
 
     public override void WriteJson(Utf8JsonWriter json)
     {

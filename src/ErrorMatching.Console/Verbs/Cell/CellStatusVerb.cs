@@ -9,6 +9,6 @@ internal sealed class CellStatusVerb() : CellVerb(
     "Says how a cell is, what waits, and what to do next. Ends with 0 if it is well, with 3 if something needs help.",
     "errormatch cell status samples/cell/cell.json")
 {
-    protected override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
         WithStoreToRead(settings, store => new CellStatusAnswer(settings, CellStatus.Of(settings, store, TimeProvider.System)));
 }

@@ -13,7 +13,7 @@ internal abstract class CellVerb : Verb
     protected CellVerb(string name, string description, string example)
         : base(name, description, example) => Arguments.Add(_config);
 
-    public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         try
         {
@@ -42,11 +42,11 @@ internal abstract class CellVerb : Verb
     }
 
     /// <summary>Does the work for a cell.</summary>
-    protected abstract Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation);
+    protected abstract VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation);
 
     /// <summary>Works with the cell's store, which is created if it does not exist. Every entry of the audit trail is sealed with the
     /// cell's key.</summary>
-    protected static Outcome WithStore(CellSettings settings, Func<CellStore, Outcome> work)
+    protected static VerbResult WithStore(CellSettings settings, Func<CellStore, VerbResult> work)
     {
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);
 
@@ -60,14 +60,14 @@ internal abstract class CellVerb : Verb
     }
 
     /// <summary>Reads the cell's store, which must exist and may be on a read-only disk.</summary>
-    protected static Outcome WithStoreToRead(CellSettings settings, Func<CellStore, Outcome> work)
+    protected static VerbResult WithStoreToRead(CellSettings settings, Func<CellStore, VerbResult> work)
     {
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         return Remembered(settings, store, work);
     }
 
-    private static Outcome Remembered(CellSettings settings, CellStore store, Func<CellStore, Outcome> work)
+    private static VerbResult Remembered(CellSettings settings, CellStore store, Func<CellStore, VerbResult> work)
     {
         var outcome = work(store);
         try
@@ -83,7 +83,7 @@ internal abstract class CellVerb : Verb
     }
 
     /// <summary>Works with the cell's store, which must exist.</summary>
-    protected static Outcome WithExistingStore(CellSettings settings, Func<CellStore, Outcome> work)
+    protected static VerbResult WithExistingStore(CellSettings settings, Func<CellStore, VerbResult> work)
     {
         DemandStore(settings);
         return WithStore(settings, work);

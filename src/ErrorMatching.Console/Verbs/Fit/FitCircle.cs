@@ -15,5 +15,5 @@ internal sealed class FitCircle : FitVerb
     {
     }
 
-    protected override Outcome Fit(NumberTable table, ParseResult arguments) => new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
+    protected override VerbResult Fit(NumberTable table, ParseResult arguments) => new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
 }

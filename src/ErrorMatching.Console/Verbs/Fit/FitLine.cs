@@ -24,7 +24,7 @@ internal sealed class FitLine : FitVerb
         Options.Add(_method);
     }
 
-    protected override Outcome Fit(NumberTable table, ParseResult arguments)
+    protected override VerbResult Fit(NumberTable table, ParseResult arguments)
     {
         var method = arguments.GetRequiredValue(_method);
         var points = PointsOf(table);

@@ -34,7 +34,7 @@ internal sealed class FitPolynomial : FitVerb
         Demand(_ridge, text => RidgeOf(text) is not null, "auto or a number that is not negative");
     }
 
-    protected override Outcome Fit(NumberTable table, ParseResult arguments)
+    protected override VerbResult Fit(NumberTable table, ParseResult arguments)
     {
         var (degree, ridge) = (arguments.GetRequiredValue(_degree), arguments.GetRequiredValue(_ridge));
         var options = new PolynomialFitOptions

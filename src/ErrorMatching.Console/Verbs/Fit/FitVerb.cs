@@ -16,7 +16,7 @@ internal abstract class FitVerb : Verb
     protected FitVerb(string name, string description, string example)
         : base(name, description, example) => Arguments.Add(_points);
 
-    public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_points);
         var table = NumberTable.Read(file, "x", "y");
@@ -35,7 +35,7 @@ internal abstract class FitVerb : Verb
     /// <param name="table">The columns <c>x</c> and <c>y</c>.</param>
     /// <param name="arguments">What the user typed.</param>
     /// <exception cref="GeometryException">The points do not determine the fit.</exception>
-    protected abstract Outcome Fit(NumberTable table, ParseResult arguments);
+    protected abstract VerbResult Fit(NumberTable table, ParseResult arguments);
 
     /// <summary>The points of a table as doubles.</summary>
     protected static IReadOnlyList<Point2> PointsOf(NumberTable table) =>

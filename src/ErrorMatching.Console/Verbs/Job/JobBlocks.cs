@@ -20,7 +20,7 @@ internal sealed class JobBlocks : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var outcome = BlockRun.Of(arguments.GetRequiredValue(_job), cancellation);
         if (outcome.Result is not { } found)

@@ -2,6 +2,7 @@ using System.CommandLine;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -17,7 +18,7 @@ internal sealed class JobCheck : Verb
             "errormatch job check samples/complex-mating/job.json") =>
             Arguments.Add(_job);
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_job);
         if (InputFile.KindOfJob(file) == JobKind.Freeform)
@@ -37,19 +38,19 @@ internal sealed class JobCheck : Verb
 
     private static FreeformCheckAnswer Freeform(FreeformFiles files)
     {
-        var problems = new List<JsonProblem>();
+        var problems = new List<Refusal>();
         foreach (var read in new Action[] { () => files.Template(files.MeasuringDialect()), () => files.ToolpathDialect() })
         {
             try
             {
                 read();
             }
-            catch (JsonDocumentException e) when (e.File == files.Job.File)
+            catch (InputException e) when (e.File == files.Job.File)
             {
-                problems.AddRange(e.Problems);
+                problems.AddRange(e.Refusals);
             }
         }
 
-        return problems.Count == 0 ? new(files.Job) : throw new JsonDocumentException(files.Job.File, problems);
+        return problems.Count == 0 ? new(files.Job) : throw new InputException(files.Job.File, problems);
     }
 }

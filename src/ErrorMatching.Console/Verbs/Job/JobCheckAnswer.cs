@@ -3,13 +3,14 @@ using System.Text.Json;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
 /// <summary>The content of a valid job.</summary>
 internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
 {
-    private readonly IReadOnlyList<ErrorItem> _warnings = MissingMeasured.ItemOf(job) is { } measured ? [measured] : [];
+    private readonly IReadOnlyList<Refusal> _warnings = MissingMeasured.ItemOf(job) is { } measured ? [measured] : [];
 
     public override string Schema => "errormatch/job-check/1";
 
@@ -69,7 +70,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         new NamedFiles(Files).WriteText(page);
         foreach (var warning in _warnings)
         {
-            page.Line("Warning: " + warning.Message);
+            page.Line("Warning: " + warning.Sentence);
         }
     }
 

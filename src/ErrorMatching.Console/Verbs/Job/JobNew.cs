@@ -21,7 +21,7 @@ internal sealed class JobNew : Verb
         Arguments.Add(_file);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_file);
         var kind = arguments.GetRequiredValue(_kind);

@@ -15,7 +15,7 @@ internal sealed class JobSchema : Verb
         : base("schema", "Prints the JSON Schema of jobs, or of a cell: every key with its meaning.", "errormatch job schema mating") =>
             Arguments.Add(_kind);
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation) =>
         new JobSchemaAnswer(SchemaOf(arguments.GetRequiredValue(_kind)));
 
     private static string SchemaOf(string kind) => kind switch

@@ -32,7 +32,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_wish);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
         var files = new JobFiles(arguments.GetRequiredValue(_job));

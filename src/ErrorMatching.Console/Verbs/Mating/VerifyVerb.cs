@@ -34,7 +34,7 @@ internal sealed class VerifyVerb : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var (theoretical, part) = (files.Theoretical(), files.Part(GivenFile.At(arguments.GetValue(_part))));

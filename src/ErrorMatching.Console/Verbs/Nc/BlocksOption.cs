@@ -1,5 +1,6 @@
 using System.CommandLine;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -17,7 +18,7 @@ internal sealed class BlocksOption : Option<string[]>
     }
 
     /// <summary>The positions of the named blocks, in ascending order.</summary>
-    /// <exception cref="NcException">A selector cannot be read.</exception>
-    public NcOutcome<int[]> Select(ParseResult arguments, NcProgram program) =>
+    /// <exception cref="InputException">A selector cannot be read.</exception>
+    public Outcome<int[]> Select(ParseResult arguments, NcProgram program) =>
         BlockSelector.Select(program, [.. arguments.GetRequiredValue(this).Select(BlockSelector.Parse)]);
 }

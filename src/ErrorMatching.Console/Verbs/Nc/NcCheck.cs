@@ -16,6 +16,6 @@ internal sealed class NcCheck : NcVerb
 
     protected override bool ShowsWhatIsWrong => true;
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
         new NcCheckAnswer(file, path, NcCensus.Of(path.Program));
 }

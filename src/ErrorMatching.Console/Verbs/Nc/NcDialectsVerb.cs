@@ -32,7 +32,7 @@ internal sealed class NcDialectsVerb : Verb
         });
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation) =>
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation) =>
         arguments.GetValue(_schema) ? new NcDialectSchemaAnswer()
         : arguments.GetValue(_dialect) is { } dialect ? new NcDialectAnswer(InputFile.Dialect(dialect))
         : new NcDialectsAnswer(NcDialects.All);

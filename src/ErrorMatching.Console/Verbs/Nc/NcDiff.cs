@@ -27,7 +27,7 @@ internal sealed class NcDiff : Verb
         Options.Add(_html);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, dialect) = (
             arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));

@@ -3,6 +3,7 @@ using System.Globalization;
 using ErrorMatching.Jobs;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -52,7 +53,7 @@ internal sealed class NcDisplace : NcVerb
         });
     }
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
     {
         var blocks = _blocks.Select(arguments, path.Program);
         if (!blocks.IsUsable)
@@ -61,27 +62,27 @@ internal sealed class NcDisplace : NcVerb
         }
 
         double? misfit = null;
-        NcOutcome<DisplacementWish> wish;
+        Outcome<DisplacementWish> wish;
         if (arguments.GetValue(_by) is { } by)
         {
             var vector = Numbers(by)!;
-            wish = DisplacementWish.EndsBy(path, blocks.Value, new(vector[0], vector[1], vector.Length > 2 ? vector[2] : 0));
+            wish = DisplacementWish.EndsBy(path, blocks.Result, new(vector[0], vector[1], vector.Length > 2 ? vector[2] : 0));
         }
         else if (arguments.GetValue(_normal) is { } normal)
         {
-            wish = DisplacementWish.Normal(path, blocks.Value, Numbers(normal)![0]);
+            wish = DisplacementWish.Normal(path, blocks.Result, Numbers(normal)![0]);
         }
         else
         {
-            var pointwise = PointwiseWish.Of(path, blocks.Value, Points(arguments.GetRequiredValue(_along)));
-            misfit = pointwise.Value?.LargestMisfitMm;
-            wish = pointwise.IsUsable ? pointwise.Value.Wish : pointwise.Refusal;
+            var pointwise = PointwiseWish.Of(path, blocks.Result, Points(arguments.GetRequiredValue(_along)));
+            misfit = pointwise.Result?.LargestMisfitMm;
+            wish = pointwise.IsUsable ? pointwise.Result.Wish : pointwise.Refusal;
         }
 
-        return wish.IsUsable ? Displace(file, path, wish.Value, misfit, arguments, cancellation) : FailureOf.Refused(file, wish.Refusal);
+        return wish.IsUsable ? Displace(file, path, wish.Result, misfit, arguments, cancellation) : FailureOf.Refused(file, wish.Refusal);
     }
 
-    private Outcome Displace(
+    private VerbResult Displace(
         string file, NcPath path, DisplacementWish wish, double? misfit, ParseResult arguments, CancellationToken cancellation)
     {
         var rewrite = Rewriter.Apply(path, wish);
@@ -96,7 +97,7 @@ internal sealed class NcDisplace : NcVerb
 
         // The program is written to disk during the proof, and gets its name if the proof succeeds. A missing folder is created only then.
         var proving = Task.Run(
-            () => Prover.Check(path, rewrite.Value.Program, wish, rewrite.Value.LeastIncrementMm), CancellationToken.None);
+            () => Prover.Check(path, rewrite.Result.Program, wish, rewrite.Result.LeastIncrementMm), CancellationToken.None);
         if (!Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
         {
             proving.Wait(CancellationToken.None);
@@ -107,8 +108,8 @@ internal sealed class NcDisplace : NcVerb
             try
             {
                 _wish.WriteWith(
-                    [(output, rewrite.Value.Program.Bytes)],
-                    () => WishFile.Of(path, wish, rewrite.Value.LeastIncrementMm),
+                    [(output, rewrite.Result.Program.Bytes)],
+                    () => WishFile.Of(path, wish, rewrite.Result.LeastIncrementMm),
                     arguments,
                     inputs,
                     () => Proof().Holds,
@@ -121,7 +122,7 @@ internal sealed class NcDisplace : NcVerb
         }
 
         return Proof() is { Holds: true } proof
-            ? new NcDisplaceAnswer(file, output, path, rewrite.Value, proof, misfit)
+            ? new NcDisplaceAnswer(file, output, path, rewrite.Result, proof, misfit)
             : FailureOf.Refused(file, Proof().Failures);
 
         NcProof Proof() => proving.GetAwaiter().GetResult();

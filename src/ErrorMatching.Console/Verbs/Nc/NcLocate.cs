@@ -15,9 +15,9 @@ internal sealed class NcLocate : NcVerb
             "errormatch nc locate samples/complex-mating/counterpart.nc --blocks N120 N130..N160") =>
             Options.Add(_blocks);
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
+    protected override VerbResult Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation)
     {
         var blocks = _blocks.Select(arguments, path.Program);
-        return blocks.IsUsable ? new NcLocateAnswer(file, path, blocks.Value) : FailureOf.Refused(file, blocks.Refusal);
+        return blocks.IsUsable ? new NcLocateAnswer(file, path, blocks.Result) : FailureOf.Refused(file, blocks.Refusal);
     }
 }

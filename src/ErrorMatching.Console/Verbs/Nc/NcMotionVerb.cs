@@ -14,6 +14,6 @@ internal sealed class NcMotionVerb : NcVerb
     {
     }
 
-    protected override Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
+    protected override VerbResult Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation) =>
         new NcMotionAnswer(file, path);
 }

@@ -34,7 +34,7 @@ internal sealed class NcProve : Verb
         Options.Add(_dialect);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var (before, after, file) = (
             arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));

@@ -42,9 +42,8 @@ internal abstract class NcVerb : Verb
     }
 
     /// <summary>Reads and interprets a program.</summary>
-    /// <exception cref="InputException">A file cannot be opened.</exception>
-    /// <exception cref="NcException">The dialect is unknown, or the program is too large.</exception>
-    /// <exception cref="Json.JsonDocumentException">The dialect's file cannot be used.</exception>
+    /// <exception cref="InputException">A file cannot be opened. The dialect is unknown, or the program is too large. The dialect's
+    /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, CancellationToken cancellation)
     {
@@ -54,7 +53,7 @@ internal abstract class NcVerb : Verb
         return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
     }
 
-    public sealed override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
         var path = Interpret(file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), cancellation);
@@ -72,5 +71,5 @@ internal abstract class NcVerb : Verb
     /// <param name="path">The interpreted program.</param>
     /// <param name="arguments">What the user typed.</param>
     /// <param name="cancellation">Set by Ctrl+C.</param>
-    protected abstract Outcome Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation);
+    protected abstract VerbResult Run(string file, NcPath path, ParseResult arguments, CancellationToken cancellation);
 }

@@ -28,7 +28,7 @@ internal sealed class SurfaceCompensate : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));

@@ -30,7 +30,7 @@ internal sealed class SurfaceDisplace : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);

@@ -53,7 +53,7 @@ internal sealed class SurfaceEvaluate : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var surface = files.Surface();

@@ -40,7 +40,7 @@ internal sealed class SurfaceFit : Verb
         Demand(_method, name => FitMethod.Named(name) is not null, string.Join(", ", FitMethod.All));
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_points);
         var grid = GridReader.Read(file);

@@ -20,7 +20,7 @@ internal sealed class SurfacePlan : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());

@@ -29,7 +29,7 @@ internal sealed class SurfaceToolpath : Verb
         Options.Add(_out);
     }
 
-    public override Outcome Run(ParseResult arguments, CancellationToken cancellation)
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var job = files.Job;

@@ -17,7 +17,7 @@ internal sealed class UserAdd : UserVerb
 
     protected override bool MayBeFirst => true;
 
-    protected override Outcome Run(UserBook users, string name, ParseResult arguments)
+    protected override VerbResult Run(UserBook users, string name, ParseResult arguments)
     {
         var role = _role.Of(arguments);
         if (!users.IsEmpty)

@@ -10,6 +10,6 @@ internal sealed class UserDisable()
         "Keeps a user from signing in. An administrator signs.",
         "errormatch user disable samples/cell/cell.json ben --user anna")
 {
-    protected override Outcome Run(UserBook users, string name, ParseResult arguments) =>
+    protected override VerbResult Run(UserBook users, string name, ParseResult arguments) =>
         Answer(users.Disable(Sign(users, arguments), name), u => $"{u.Name} may not sign in any more.");
 }

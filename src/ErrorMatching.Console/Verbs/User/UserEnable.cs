@@ -10,6 +10,6 @@ internal sealed class UserEnable()
         "Lets a user sign in again, and unlocks the name. An administrator signs.",
         "errormatch user enable samples/cell/cell.json ben --user anna")
 {
-    protected override Outcome Run(UserBook users, string name, ParseResult arguments) =>
+    protected override VerbResult Run(UserBook users, string name, ParseResult arguments) =>
         Answer(users.Enable(Sign(users, arguments), name), u => $"{u.Name} may sign in.");
 }

@@ -10,7 +10,7 @@ internal sealed class UserPassword() : UserVerb(
     "errormatch user password samples/cell/cell.json anna --user anna",
     "the password of who signs, then the new one")
 {
-    protected override Outcome Run(UserBook users, string name, ParseResult arguments)
+    protected override VerbResult Run(UserBook users, string name, ParseResult arguments)
     {
         var by = Sign(users, arguments);
         return Answer(users.SetPassword(by, name, AskNew($"new password of {name}", arguments)), u => $"{u.Name} has a new password.");

@@ -15,6 +15,6 @@ internal sealed class UserRole : UserVerb
             "errormatch user role samples/cell/cell.json ben --role setter --user anna") =>
             Options.Add(_role);
 
-    protected override Outcome Run(UserBook users, string name, ParseResult arguments) =>
+    protected override VerbResult Run(UserBook users, string name, ParseResult arguments) =>
         Answer(users.SetRole(Sign(users, arguments), name, _role.Of(arguments)), u => $"{u.Name} is {RoleOption.Word(u.Role)} now.");
 }

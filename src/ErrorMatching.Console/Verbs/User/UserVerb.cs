@@ -12,7 +12,7 @@ internal abstract class UserVerb : SigningVerb
     protected UserVerb(string name, string description, string example, string lines = "the password of who signs")
         : base(name, description, example, lines) => Arguments.Add(_name);
 
-    protected sealed override Outcome Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
+    protected sealed override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         if (!MayBeFirst)
         {
@@ -26,7 +26,7 @@ internal abstract class UserVerb : SigningVerb
     protected virtual bool MayBeFirst => false;
 
     /// <summary>Changes the user.</summary>
-    protected abstract Outcome Run(UserBook users, string name, ParseResult arguments);
+    protected abstract VerbResult Run(UserBook users, string name, ParseResult arguments);
 
     /// <summary>The answer for a changed user.</summary>
     protected UserAnswer Answer(User user, Func<User, string> sentence) => new($"errormatch/user-{Name}/1", user, sentence(user));

@@ -21,7 +21,7 @@ internal sealed class IgesCurves(IgesFile file)
     public IEnumerable<SplineCurve> OfParameters(IgesEntity entity) => Read(entity, IgesTransform.Identity, 1, 0);
 
     /// <summary>Returns the only curve of an entity, in space.</summary>
-    /// <exception cref="FreeformException">The entity is a chain of curves, or not a supported curve.</exception>
+    /// <exception cref="InputException">The entity is a chain of curves, or not a supported curve.</exception>
     public SplineCurve One(IgesEntity entity, IgesTransform outer) => InSpace(entity, outer).ToList() is [var only]
         ? only
         : throw file.Fail("not-read", $"{entity} joins several curves; one is expected of which a surface is made", entity.Line);

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -20,7 +21,7 @@ internal sealed record IgesEntity(
     /// <summary>Reads the entry from two records (IGES 5.3, section 2.2.4.4).</summary>
     /// <param name="sections">The file.</param>
     /// <param name="record">Number of the first of the two records, from 0.</param>
-    /// <exception cref="FreeformException">A field is not a number.</exception>
+    /// <exception cref="InputException">A field is not a number.</exception>
     public static IgesEntity Read(IgesSections sections, int record)
     {
         int Number(int row, int field) => NumberIn(sections, record + row, field);
@@ -45,7 +46,7 @@ internal sealed record IgesEntity(
         var number = 0;
         return text.IsEmpty || int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out number)
             ? number
-            : throw new FreeformException(
+            : throw InputException.At(
                 "bad-number",
                 sections.File,
                 $"{ExchangeLimits.Quote(text.ToString())} in field {field + 1} of the directory; a whole number is expected",

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -11,7 +12,7 @@ internal sealed class IgesFile
     private long _budget;
 
     /// <summary>Reads the global section and the directory.</summary>
-    /// <exception cref="FreeformException">The file is not a fixed-form IGES file, or it is broken.</exception>
+    /// <exception cref="InputException">The file is not a fixed-form IGES file, or it is broken.</exception>
     public IgesFile(ReadOnlySpan<byte> bytes, string file)
     {
         _sections = new(bytes, file);
@@ -79,7 +80,7 @@ internal sealed class IgesFile
                 entity.Line);
         }
 
-        FreeformException At(int at, string problem) =>
+        InputException At(int at, string problem) =>
             Fail("bad-record", $"{entity}: {problem}", _sections.ParameterLine(entity.FirstParameter - 1 + (at / 64)));
         var reader = new IgesTokens(r => Record(entity, r), _delimiters.Delimiter, _delimiters.Terminator, At);
         var tokens = reader.Split(mustEnd: true);
@@ -94,7 +95,7 @@ internal sealed class IgesFile
         return parameters;
     }
 
-    public FreeformException Fail(string code, string problem, int? line = null) => new(code, Name, problem, line);
+    public InputException Fail(string code, string problem, int? line = null) => InputException.At(code, Name, problem, line);
 
     // Records of different entities may overlap in a broken file. Their total must not exceed the size of the file.
     private ReadOnlyMemory<char>? Record(IgesEntity entity, int record)
@@ -129,7 +130,7 @@ internal sealed class IgesFile
                 _sections.GlobalLine(0));
         }
 
-        FreeformException At(int at, string problem) => Fail("bad-record", $"global section: {problem}", _sections.GlobalLine(at / 72));
+        InputException At(int at, string problem) => Fail("bad-record", $"global section: {problem}", _sections.GlobalLine(at / 72));
         var reader = new IgesTokens(_sections.Global, delimiter, terminator, At);
         var tokens = reader.Split(mustEnd: false);
         var text = reader.Text;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -99,11 +100,11 @@ internal sealed class IgesParameters(IgesSections sections, IgesEntity entity, R
     }
 
     /// <summary>Creates an error at the last parameter read.</summary>
-    public FreeformException Fail(string code, string problem)
+    public InputException Fail(string code, string problem)
     {
         var at = tokens.Count == 0 ? 0 : tokens[Math.Clamp(_next - 1, 0, tokens.Count - 1)].Start;
         var record = Math.Clamp(entity.FirstParameter - 1 + (at / 64), 0, sections.ParameterCount - 1);
-        return new(code, sections.File, $"{entity}: {problem}", sections.ParameterLine(record));
+        return InputException.At(code, sections.File, $"{entity}: {problem}", sections.ParameterLine(record));
     }
 
     private ReadOnlySpan<char> Take(string name)

@@ -9,7 +9,7 @@ internal static class IgesPlacedParts
     /// <summary>Refuses a displaced surface.</summary>
     /// <param name="file">The file.</param>
     /// <param name="surface">The surface that was chosen.</param>
-    /// <exception cref="FreeformException">The surface is displaced, or an entity that could displace it is broken.</exception>
+    /// <exception cref="InputException">The surface is displaced, or an entity that could displace it is broken.</exception>
     public static void ThrowIfMoved(IgesFile file, IgesEntity surface)
     {
         var definitions = file.Entities.Where(e => e.Type == 308 && Members(file, e).Contains(surface.Sequence))

@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 internal static class IgesPlane
 {
     /// <summary>Returns the plane in millimeters.</summary>
-    /// <exception cref="FreeformException">It has no normal.</exception>
+    /// <exception cref="InputException">It has no normal.</exception>
     public static PlanePatch Read(IgesFile file, IgesEntity entity, IgesTransform outer)
     {
         var map = outer.After(IgesTransform.Of(file, entity));

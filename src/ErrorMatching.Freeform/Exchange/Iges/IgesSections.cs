@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -16,7 +17,7 @@ internal sealed class IgesSections
     private readonly List<(int Offset, int Line)> _parameters = [];
 
     /// <summary>Sorts the records of a file.</summary>
-    /// <exception cref="FreeformException">A line is not an IGES record, or records are missing.</exception>
+    /// <exception cref="InputException">A line is not an IGES record, or records are missing.</exception>
     public IgesSections(ReadOnlySpan<byte> bytes, string file)
     {
         File = file;
@@ -135,5 +136,5 @@ internal sealed class IgesSections
         section.Add((start, line));
     }
 
-    private FreeformException Fail(string code, string problem, int line) => new(code, File, problem, line);
+    private InputException Fail(string code, string problem, int line) => InputException.At(code, File, problem, line);
 }

@@ -9,7 +9,7 @@ internal static class IgesSplineSurface
     /// <param name="file">The file.</param>
     /// <param name="entity">An entity of type 128.</param>
     /// <param name="outer">Transform of the parent entity.</param>
-    /// <exception cref="FreeformException">The entity is broken.</exception>
+    /// <exception cref="InputException">The entity is broken.</exception>
     public static SplineSurface Read(IgesFile file, IgesEntity entity, IgesTransform outer)
     {
         var map = outer.After(IgesTransform.Of(file, entity));

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -11,7 +12,7 @@ internal sealed class IgesSurfaces
     private readonly IReadOnlyList<IgesEntity> _candidates;
 
     /// <summary>Finds the surfaces of a file.</summary>
-    /// <exception cref="FreeformException">There are no surfaces.</exception>
+    /// <exception cref="InputException">There are no surfaces.</exception>
     public IgesSurfaces(IgesFile file)
     {
         (_file, _curves) = (file, new(file));
@@ -24,7 +25,7 @@ internal sealed class IgesSurfaces
 
     /// <summary>Reads a surface by name or number.</summary>
     /// <param name="entity">Name or number from 1; null for the only one.</param>
-    /// <exception cref="FreeformException">The surface does not exist, is broken, or is of an unsupported kind.</exception>
+    /// <exception cref="InputException">The surface does not exist, is broken, or is of an unsupported kind.</exception>
     public ReadSurface Read(string? entity)
     {
         var names = _candidates.Select(c => IgesName.Of(_file, c)).ToList();
@@ -130,7 +131,7 @@ internal sealed class IgesSurfaces
                 entity.Line),
     };
 
-    private Func<string, string, FreeformException> Failing(IgesEntity entity) =>
+    private Func<string, string, InputException> Failing(IgesEntity entity) =>
         (code, problem) => _file.Fail(code, $"{entity}: {problem}", entity.Line);
 
     private static void Pointers(IgesParameters parameters, int count, List<int> pointers)
@@ -150,7 +151,7 @@ internal sealed class IgesSurfaces
         _ => false,
     };
 
-    private FreeformException None()
+    private InputException None()
     {
         var found = _file.Entities.GroupBy(e => e.Type)
             .OrderBy(g => g.Key)

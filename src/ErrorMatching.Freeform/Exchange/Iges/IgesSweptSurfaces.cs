@@ -10,7 +10,7 @@ internal sealed class IgesSweptSurfaces(IgesFile file, IgesCurves curves)
     /// <summary>Reads the surface of an entity in millimeters.</summary>
     /// <param name="entity">An entity of type 118, 120 or 122.</param>
     /// <param name="outer">Transform of the parent entity.</param>
-    /// <exception cref="FreeformException">The entity is broken, or not exactly a B-spline.</exception>
+    /// <exception cref="InputException">The entity is broken, or not exactly a B-spline.</exception>
     public SplineSurface Read(IgesEntity entity, IgesTransform outer)
     {
         var map = outer.After(IgesTransform.Of(file, entity));

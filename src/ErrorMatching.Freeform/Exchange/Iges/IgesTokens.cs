@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -9,7 +10,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="terminator">Delimiter after the last parameter.</param>
 /// <param name="fail">Creates the error for a place in the text.</param>
 internal sealed class IgesTokens(
-    Func<int, ReadOnlyMemory<char>?> records, char delimiter, char terminator, Func<int, string, FreeformException> fail)
+    Func<int, ReadOnlyMemory<char>?> records, char delimiter, char terminator, Func<int, string, InputException> fail)
 {
     private char[] _text = new char[64];
     private int _length;

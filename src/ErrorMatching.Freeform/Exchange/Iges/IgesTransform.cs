@@ -12,7 +12,7 @@ internal sealed record IgesTransform(Vector3 X, Vector3 Y, Vector3 Z, Vector3 Sh
     public static IgesTransform Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), Vector3.Zero);
 
     /// <summary>Returns the map of an entity's directory entry, combined with the maps that it refers to.</summary>
-    /// <exception cref="FreeformException">A matrix is broken, or the references are circular.</exception>
+    /// <exception cref="InputException">A matrix is broken, or the references are circular.</exception>
     public static IgesTransform Of(IgesFile file, IgesEntity entity)
     {
         var result = Identity;

@@ -4,7 +4,7 @@ namespace ErrorMatching.Freeform;
 internal static class StepAssembly
 {
     /// <summary>Throws if the file places a part away from where it was modeled.</summary>
-    /// <exception cref="FreeformException">A part is moved.</exception>
+    /// <exception cref="InputException">A part is moved.</exception>
     public static void ThrowIfMoved(StepFile file)
     {
         foreach (var instance in file.Where(

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -14,7 +15,7 @@ internal static class StepCurves
     /// <param name="from">Start of the part.</param>
     /// <param name="to">End of the part; equal to the start for a closed curve.</param>
     /// <param name="scale">Millimeters per unit.</param>
-    /// <exception cref="FreeformException">The curve is broken or not supported.</exception>
+    /// <exception cref="InputException">The curve is broken or not supported.</exception>
     public static SplineCurve Between(StepInstance curve, Point3 from, Point3 to, double scale)
     {
         var record = curve.Records[0];
@@ -35,7 +36,7 @@ internal static class StepCurves
     }
 
     /// <summary>Reads a complete B-spline or polyline; null for any other curve.</summary>
-    /// <exception cref="FreeformException">The curve is broken.</exception>
+    /// <exception cref="InputException">The curve is broken.</exception>
     public static SplineCurve? Spline(StepInstance curve, double scale)
     {
         if (curve.Find("POLYLINE") is { } polyline)
@@ -94,7 +95,7 @@ internal static class StepCurves
         return points;
     }
 
-    private static FreeformException NotRead(StepRecord record) => record.Fail(
+    private static InputException NotRead(StepRecord record) => record.Fail(
         "not-read",
         "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE "
             + "are. Export edges as B-splines");

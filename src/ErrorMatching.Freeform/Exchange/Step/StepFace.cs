@@ -10,7 +10,7 @@ internal static class StepFace
     public static bool IsFace(StepInstance instance) => instance.Keyword is "ADVANCED_FACE" or "FACE_SURFACE";
 
     /// <summary>Reads the surface of a face with its boundaries, or a complete surface.</summary>
-    /// <exception cref="FreeformException">It is broken or not supported.</exception>
+    /// <exception cref="InputException">It is broken or not supported.</exception>
     public static ReadSurface Read(StepItem item, string name)
     {
         var (instance, scale) = item;

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,7 +13,7 @@ internal sealed class StepFile
     private long _budget;
 
     /// <summary>Finds the instances of a file.</summary>
-    /// <exception cref="FreeformException">The file is not a STEP file, or is truncated or broken.</exception>
+    /// <exception cref="InputException">The file is not a STEP file, or is truncated or broken.</exception>
     public StepFile(ReadOnlySpan<byte> bytes, string name)
     {
         Name = name;
@@ -20,13 +21,13 @@ internal sealed class StepFile
         _budget = 1_000_000 + (8L * bytes.Length);
         if (!_text.AsSpan(StepLexer.SkipBlanks(_text, 0)).StartsWith("ISO-10303-21"))
         {
-            throw new FreeformException("no-step", name, "it does not begin with ISO-10303-21; a STEP file is expected", 1);
+            throw InputException.At("no-step", name, "it does not begin with ISO-10303-21; a STEP file is expected", 1);
         }
 
         Index();
         if (_order.Count == 0)
         {
-            throw new FreeformException("no-data", name, "no instance (#1 = ...;) in its DATA section");
+            throw InputException.At("no-data", name, "no instance (#1 = ...;) in its DATA section");
         }
     }
 
@@ -39,7 +40,7 @@ internal sealed class StepFile
     public int Count(Func<string, bool> wanted) => _order.Count(id => wanted(KeywordAt(_instances[id].Offset)));
 
     /// <summary>Returns an instance; null if the file has none with this number.</summary>
-    /// <exception cref="FreeformException">It is broken.</exception>
+    /// <exception cref="InputException">It is broken.</exception>
     public StepInstance? At(long id)
     {
         if (!_instances.TryGetValue(id, out var place))
@@ -47,8 +48,8 @@ internal sealed class StepFile
             return null;
         }
 
-        FreeformException Fail(int at, string problem) =>
-            new(
+        InputException Fail(int at, string problem) =>
+            InputException.At(
                 "bad-instance",
                 Name,
                 string.Create(CultureInfo.InvariantCulture, $"#{id}: {problem}"),
@@ -74,7 +75,7 @@ internal sealed class StepFile
         _budget -= lexer.At - place.Offset;
         return records.Count == 0 ? throw Fail(place.Offset, "an instance without a type")
             : _budget < 0
-                ? throw new FreeformException(
+                ? throw InputException.At(
                     "too-large",
                     Name,
                     $"instances refer to #{id.ToString(CultureInfo.InvariantCulture)} and others again and again",
@@ -104,7 +105,7 @@ internal sealed class StepFile
             var end = StatementEnd(at);
             if (end < 0)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "truncated", Name, "the file ends within a statement: it is cut off, or a ; or ' is missing", line);
             }
 
@@ -131,13 +132,13 @@ internal sealed class StepFile
             || equals >= end
             || _text[equals] != '=')
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "bad-instance", Name, $"{ExchangeLimits.Quote(_text[at..end])}; #number = TYPE(...); is expected", line);
         }
 
         if (!_instances.TryAdd(id, (equals + 1, line)))
         {
-            throw new FreeformException("bad-instance", Name, string.Create(CultureInfo.InvariantCulture, $"#{id} is there twice"), line);
+            throw InputException.At("bad-instance", Name, string.Create(CultureInfo.InvariantCulture, $"#{id} is there twice"), line);
         }
 
         _order.Add(id);

@@ -17,7 +17,7 @@ internal sealed class StepItems
     private readonly List<StepItem> _items = [];
 
     /// <summary>Returns the surfaces in file order.</summary>
-    /// <exception cref="FreeformException">The file is broken, or places parts in an assembly.</exception>
+    /// <exception cref="InputException">The file is broken, or places parts in an assembly.</exception>
     public static IReadOnlyList<StepItem> Of(StepFile file)
     {
         var found = new StepItems();

@@ -10,7 +10,7 @@ internal static class StepKnots
     /// <param name="degree">The degree.</param>
     /// <param name="multiplicities">Index of the list of multiplicities.</param>
     /// <param name="knots">Index of the list of knots.</param>
-    /// <exception cref="FreeformException">The lists do not contain numbers, or differ in length.</exception>
+    /// <exception cref="InputException">The lists do not contain numbers, or differ in length.</exception>
     /// <exception cref="GeometryException">No B-spline can have such knots.</exception>
     public static KnotVector Of(StepRecord record, int degree, int multiplicities, int knots)
     {

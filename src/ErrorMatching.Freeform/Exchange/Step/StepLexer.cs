@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -6,7 +7,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="text">The text of the file.</param>
 /// <param name="at">Where parsing starts.</param>
 /// <param name="fail">Creates the error for a place in the text.</param>
-internal sealed class StepLexer(string text, int at, Func<int, string, FreeformException> fail)
+internal sealed class StepLexer(string text, int at, Func<int, string, InputException> fail)
 {
     private const int LongestNumber = 100;
 
@@ -167,6 +168,6 @@ internal sealed class StepLexer(string text, int at, Func<int, string, FreeformE
         }
     }
 
-    private FreeformException Unexpected(string expected) =>
+    private InputException Unexpected(string expected) =>
         fail(At, (At < text.Length ? ExchangeLimits.Quote(text[At].ToString()) : "the end of the file") + $" where {expected} is expected");
 }

@@ -11,7 +11,7 @@ internal sealed record StepPlacement(Vector3 Origin, Vector3 X, Vector3 Y, Vecto
 {
     /// <summary>Reads the frame of an instance. Omitted axes get the defaults of ISO 10303-42 (axis z, ref_direction x, made
     /// perpendicular).</summary>
-    /// <exception cref="FreeformException">It is not a frame, or its axes are parallel or of length zero.</exception>
+    /// <exception cref="InputException">It is not a frame, or its axes are parallel or of length zero.</exception>
     public static StepPlacement Of(StepInstance instance)
     {
         var record = instance.Get("AXIS2_PLACEMENT_3D");

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -99,7 +100,7 @@ internal sealed record StepRecord(StepFile File, long Id, int Line, string Keywo
             ? Values[index]
             : throw Fail("bad-value", $"it has {Values.Count} attributes; more are expected");
 
-    public FreeformException Fail(string code, string problem) => new(code, File.Name, $"{this}: {problem}", Line);
+    public InputException Fail(string code, string problem) => InputException.At(code, File.Name, $"{this}: {problem}", Line);
 
     private StepValue Of(int index, StepValueKind kind, string expected) => At(index) is var value && value.Kind == kind ? value
         : value.Kind == StepValueKind.Typed && value.Items.Count == 1 && value.Items[0].Kind == kind ? value.Items[0]

@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 internal static class StepSplineSurface
 {
     /// <summary>Reads the surface of an instance in millimeters; null if it is not a B-spline surface.</summary>
-    /// <exception cref="FreeformException">The instance is broken.</exception>
+    /// <exception cref="InputException">The instance is broken.</exception>
     public static SplineSurface? Read(StepInstance instance, double millimetersPerUnit)
     {
         // A simple instance lists the attributes of its supertypes first, starting with the name. A complex instance lists the attributes

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The surfaces of a STEP file.</summary>
@@ -7,14 +9,14 @@ internal sealed class StepSurfaces
     private readonly IReadOnlyList<StepItem> _items;
 
     /// <summary>Finds the surfaces of a file.</summary>
-    /// <exception cref="FreeformException">There are no surfaces.</exception>
+    /// <exception cref="InputException">There are no surfaces.</exception>
     public StepSurfaces(StepFile file)
     {
         _file = file;
         _items = StepItems.Of(file);
         if (_items.Count == 0)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "no-surface",
                 file.Name,
                 "no face and no surface in any representation: is it an assembly without its parts, or a wire frame? Export the surface "

@@ -4,7 +4,7 @@ namespace ErrorMatching.Freeform;
 internal static class StepUnit
 {
     /// <summary>Returns the millimeters per length unit of a context.</summary>
-    /// <exception cref="FreeformException">The context has no length unit, or an unknown one.</exception>
+    /// <exception cref="InputException">The context has no length unit, or an unknown one.</exception>
     public static double Millimeters(StepInstance context)
     {
         var units = context.Find("GLOBAL_UNIT_ASSIGNED_CONTEXT")

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -21,7 +22,7 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
 
     /// <summary>Returns the part inside polygons of angle and height.</summary>
     public (SplineSurface Spline, SurfaceRegion Region) Inside(
-        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
         // Each loop started at its own angle. Holes are shifted by whole turns to the largest loop.
         var outer = loops.MaxBy(l => Math.Abs(RegionLoop.Area(l))) ?? [];

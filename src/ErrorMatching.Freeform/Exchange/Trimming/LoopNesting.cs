@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -23,7 +24,7 @@ internal sealed class LoopNesting
 
     private readonly SplineSurface _surface;
     private readonly IReadOnlyList<IReadOnlyList<Point2>> _loops;
-    private readonly Func<string, string, FreeformException> _fail;
+    private readonly Func<string, string, InputException> _fail;
     private readonly List<LoopSide> _sides = [];
     private readonly double[] _lengths;
     private readonly int[] _firsts;
@@ -33,8 +34,8 @@ internal sealed class LoopNesting
     /// <param name="surface">The surface.</param>
     /// <param name="loops">Polygons in its parameters, at least one.</param>
     /// <param name="fail">Creates an error from a code and a problem.</param>
-    /// <exception cref="FreeformException">The loops are too long.</exception>
-    public LoopNesting(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+    /// <exception cref="InputException">The loops are too long.</exception>
+    public LoopNesting(SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
         (_surface, _loops, _fail) = (surface, loops, fail);
         (_lengths, _firsts) = (new double[loops.Count], new int[loops.Count + 1]);
@@ -53,7 +54,7 @@ internal sealed class LoopNesting
     }
 
     /// <summary>Throws if the loops are invalid.</summary>
-    /// <exception cref="FreeformException">A loop crosses itself or another one, or they are not one outer loop with holes.</exception>
+    /// <exception cref="InputException">A loop crosses itself or another one, or they are not one outer loop with holes.</exception>
     public void Check()
     {
         var (tree, bands) = (new LoopSideTree(_sides), new RegionBands(_loops));

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,7 +13,7 @@ internal sealed record PlanePatch(Point3 Origin, Vector3 X, Vector3 Y)
 
     /// <summary>Returns the part inside polygons.</summary>
     public (SplineSurface Spline, SurfaceRegion Region) Inside(
-        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
         var (least, most) = RegionLoop.Bounds(loops, fail);
         Point3[] poles = [At(least), At(new(least.X, most.Y)), At(new(most.X, least.Y)), At(most)];

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -12,9 +13,9 @@ internal static class RegionLimits
     /// <param name="surface">The surface.</param>
     /// <param name="loops">The polygons.</param>
     /// <param name="fail">Creates an error from a code and a problem.</param>
-    /// <exception cref="FreeformException">A polygon leaves the surface, or they cross, or are not an outer one with holes.</exception>
+    /// <exception cref="InputException">A polygon leaves the surface, or they cross, or are not an outer one with holes.</exception>
     public static SurfaceRegion Of(
-        SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+        SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
         var seam = SurfaceSeam.Of(surface);
         var inside = loops.Select(
@@ -35,8 +36,8 @@ internal static class RegionLimits
         return [new(u.Start, v.Start), new(u.End, v.Start), new(u.End, v.End), new(u.Start, v.End)];
     }
 
-    private static FreeformException Crossing(
-        SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, FreeformException> fail)
+    private static InputException Crossing(
+        SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, InputException> fail)
     {
         var at = SurfaceSeam.Of(surface).Within(surface, loop[0]);
         var p = surface.PointAt(at.X, at.Y);
@@ -46,7 +47,7 @@ internal static class RegionLimits
                 + $"that is cut as a surface of its own, or turn that line to its other side");
     }
 
-    private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, FreeformException> fail)
+    private static Point2 Clamp(SplineSurface surface, Point2 q, Func<string, string, InputException> fail)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);
         Point2 held = new(Math.Clamp(q.X, u.Start, u.End), Math.Clamp(q.Y, v.Start, v.End));

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -19,9 +20,9 @@ internal static class RegionLoop
     }
 
     /// <summary>The smallest and the largest parameters of polygons.</summary>
-    /// <exception cref="FreeformException">The polygons have no width or no height.</exception>
+    /// <exception cref="InputException">The polygons have no width or no height.</exception>
     public static (Point2 Least, Point2 Most) Bounds(
-        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, FreeformException> fail)
+        IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
         var (least, most) = (
             new Point2(double.PositiveInfinity, double.PositiveInfinity), new Point2(double.NegativeInfinity, double.NegativeInfinity));

@@ -1,12 +1,13 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>Converts boundary curves of a surface to closed polygons in its parameters, within <see cref="ToleranceMm"/>.</summary>
 /// <param name="map">The surface.</param>
 /// <param name="fail">Creates an error from a code and a problem.</param>
-internal sealed class RegionTracer(SurfaceMap map, Func<string, string, FreeformException> fail)
+internal sealed class RegionTracer(SurfaceMap map, Func<string, string, InputException> fail)
 {
     /// <summary>Largest distance between the polygon sides and the curves.</summary>
     public const double ToleranceMm = 0.001;
@@ -26,7 +27,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
 
     /// <summary>Continues the loop along a curve in space.</summary>
     /// <param name="curve">The curve in millimeters.</param>
-    /// <exception cref="FreeformException">The curve is not on the surface, or does not start where the previous one ended.</exception>
+    /// <exception cref="InputException">The curve is not on the surface, or does not start where the previous one ended.</exception>
     public void Space(SplineCurve curve) => Trace(curve.Knots.Breaks, straight: false, (t, near) =>
     {
         var p = curve.PointAt(t);
@@ -43,7 +44,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
 
     /// <summary>Continues the loop along a curve in the parameters.</summary>
     /// <param name="curve">The curve; x is u, y is v.</param>
-    /// <exception cref="FreeformException">The curve does not start where the previous one ended.</exception>
+    /// <exception cref="InputException">The curve does not start where the previous one ended.</exception>
     public void Parameters(SplineCurve curve)
     {
         var start = curve.PointAt(curve.Knots.Start);
@@ -56,7 +57,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, Freeform
     }
 
     /// <summary>Closes the loop.</summary>
-    /// <exception cref="FreeformException">The loop is not closed or encloses nothing.</exception>
+    /// <exception cref="InputException">The loop is not closed or encloses nothing.</exception>
     public void Close()
     {
         if (_loop.Count > 0)

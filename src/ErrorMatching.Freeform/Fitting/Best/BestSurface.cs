@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
@@ -14,7 +15,7 @@ public static class BestSurface
 {
     /// <summary>Returns the surface, with its breaks and its line-out error.</summary>
     /// <param name="grid">At least two curves of at least two points each; curves may have different numbers of points.</param>
-    /// <exception cref="FreeformException"><c>too-few-points</c>; <c>too-many-points</c>; <c>not-finite</c>.</exception>
+    /// <exception cref="InputException"><c>too-few-points</c>; <c>too-many-points</c>; <c>not-finite</c>.</exception>
     /// <exception cref="GeometryException">Neighboring points coincide, so that they do not span a surface.</exception>
     public static FittedSurface Fit(PointGrid grid)
     {
@@ -59,7 +60,7 @@ public static class BestSurface
         var count = grid.Curves.Sum(c => (long)c.Count);
         if (grid.Curves.Count < 2 || grid.Curves.Any(c => c.Count < 2))
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "too-few-points",
                 "grid of points",
                 string.Create(
@@ -69,7 +70,7 @@ public static class BestSurface
 
         if (count > FieldFit.MostSamples)
         {
-            throw new FreeformException(
+            throw InputException.At(
                 "too-many-points",
                 "grid of points",
                 string.Create(CultureInfo.InvariantCulture, $"{count} points; at most {FieldFit.MostSamples} are taken"));
@@ -79,7 +80,7 @@ public static class BestSurface
         {
             if (!point.Position.IsFinite)
             {
-                throw new FreeformException(
+                throw InputException.At(
                     "not-finite",
                     "grid of points",
                     string.Create(

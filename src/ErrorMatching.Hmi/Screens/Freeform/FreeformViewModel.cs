@@ -2,6 +2,7 @@ using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -208,7 +209,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         {
             return (SurfacePlan.Of(job), null);
         }
-        catch (Exception e) when (e is InputException or FreeformException or JsonDocumentException)
+        catch (InputException e)
         {
             return (null, Failures.Of(e, Station.Clock));
         }

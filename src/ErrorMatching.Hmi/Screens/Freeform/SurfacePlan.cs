@@ -1,6 +1,7 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 

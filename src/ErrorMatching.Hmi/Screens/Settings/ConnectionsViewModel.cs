@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -103,7 +104,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
         ? new(kind, name, where, Severity.Alarm, Sentence.Joined(errors.Select(Words)))
         : new(kind, name, where, well is null ? null : Severity.Quiet, well ?? Texts.Current["Connection.Untested"]);
 
-    private static string Words(ErrorItem e) =>
+    private static string Words(Refusal e) =>
         CodeText.Whole(e.Code) is { } text ? Sentence.Joined(text, e.Message) : CodeText.Of(e.Code, e.Message);
 
     private async Task TestAsync(CancellationToken cancellation)

@@ -1,6 +1,7 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -130,9 +131,9 @@ public sealed partial class SystemViewModel
                     : null;
                 kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
             }
-            catch (Exception e) when (ErrorItems.OfInput(e) is { } items)
+            catch (InputException e)
             {
-                refusal = () => Sentence.Joined(items.Select(i => CodeText.Of(i.Code, i.Message)));
+                refusal = () => Sentence.Joined(e.Refusals.Select(r => CodeText.Of(r.Code, r.Sentence)));
             }
         });
         if (refusal is not null)

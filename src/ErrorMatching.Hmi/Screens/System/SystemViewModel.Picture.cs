@@ -1,6 +1,7 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -85,7 +86,7 @@ public sealed partial class SystemViewModel
                 ? null
                 : OpenedProgram.Read(MatingDraftCheck.ProgramOf(draft, of.Job), MatingDraftCheck.DialectOf(draft, of.Job));
         }
-        catch (Exception e) when (e is InputException or NcException or JsonDocumentException or ArgumentException)
+        catch (Exception e) when (e is InputException or ArgumentException)
         {
             // Problems with the program or its control are shown at their fields.
             return null;

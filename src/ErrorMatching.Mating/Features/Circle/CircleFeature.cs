@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -62,7 +63,7 @@ public sealed record CircleFeature(
             []);
     }
 
-    internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
+    internal override Refusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
         {
@@ -72,7 +73,7 @@ public sealed record CircleFeature(
             {
                 const string Why =
                     "it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without the way in and out.";
-                return FeatureMapper.At(path, path.Motions[motion].Block, NotOneCircle, Why, Name);
+                return FeatureRefusal.At(path, path.Motions[motion].Block, NotOneCircle, Why, Name);
             }
         }
 
@@ -80,7 +81,7 @@ public sealed record CircleFeature(
         var (isEnough, needed) = Method == CircleMethod.LeastSquares
             ? (covered >= LeastAngle - 1e-9, "at least 90")
             : (covered > HalfTurn, "more than 180");
-        return isEnough ? null : FeatureMapper.At(
+        return isEnough ? null : FeatureRefusal.At(
             path,
             path.Motions[map.Passes[0].First].Block,
             AngleTooSmall,
@@ -90,13 +91,13 @@ public sealed record CircleFeature(
             Name);
     }
 
-    internal override MatingRefusal? RefuseCut(FeatureCut cut)
+    internal override Refusal? RefuseCut(FeatureCut cut)
     {
         var path = CutCircle.Of(cut);
         var wanted = Fit(path.Moved(cut.Corrections), 0).Circle;
         var growth = wanted.Radius - path.Boundary.Radius;
         var shift = wanted.Center.DistanceTo(path.Boundary.Center);
-        return Math.Min(path.Path.Radius, path.Boundary.Radius) + growth > shift ? null : FeatureMapper.At(
+        return Math.Min(path.Path.Radius, path.Boundary.Radius) + growth > shift ? null : FeatureRefusal.At(
             cut.Path,
             cut.Path.Motions[cut.Pass.First].Block,
             RadiusVanishes,

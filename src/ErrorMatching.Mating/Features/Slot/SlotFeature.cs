@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
@@ -57,7 +58,7 @@ public sealed record SlotFeature(
             []);
     }
 
-    internal override MatingRefusal? RefuseMap(NcPath path, FeatureMap map)
+    internal override Refusal? RefuseMap(NcPath path, FeatureMap map)
     {
         foreach (var pass in map.Passes)
         {
@@ -82,7 +83,7 @@ public sealed record SlotFeature(
         return null;
     }
 
-    internal override MatingRefusal? RefuseCut(FeatureCut cut)
+    internal override Refusal? RefuseCut(FeatureCut cut)
     {
         var (slot, wanted) = Wanted(cut);
         var radius = Math.Min(slot.PathRadius, slot.Radius) + (wanted.Radius - slot.Radius);
@@ -123,6 +124,6 @@ public sealed record SlotFeature(
         return FeatureFits.Named(Name, () => MeasuredSlot.Of(lists, u));
     }
 
-    private MatingRefusal At(NcPath path, int motion, string code, string message) =>
-        FeatureMapper.At(path, path.Motions[motion].Block, code, message, Name);
+    private Refusal At(NcPath path, int motion, string code, string message) =>
+        FeatureRefusal.At(path, path.Motions[motion].Block, code, message, Name);
 }

@@ -56,7 +56,7 @@ internal static class FeatureRows
             {
                 throw axis.Fail(
                     MeasurementError.DuplicatePoint,
-                    $"each coordinate of feature {MeasurementException.Quote(label)} once: line {earlier.Line} has this one already");
+                    $"each coordinate of feature {MeasurementRefusal.Quote(label)} once: line {earlier.Line} has this one already");
             }
 
             slot = (nominal, actual, axis.Place.Line);
@@ -71,7 +71,7 @@ internal static class FeatureRows
 
         private (double Nominal, double Actual, int Line) Axis(int index) => _axes[index] ?? throw place.Fail(
             MeasurementError.MissingCoordinate,
-            $"feature {MeasurementException.Quote(label)} without a line for {"XY"[index]}",
+            $"feature {MeasurementRefusal.Quote(label)} without a line for {"XY"[index]}",
             "a line for X and one for Y of each feature that is a point");
     }
 }

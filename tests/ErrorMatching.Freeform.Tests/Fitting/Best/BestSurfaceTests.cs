@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -158,10 +159,10 @@ public sealed class BestSurfaceTests
     public void Grids_that_are_no_surface_are_refused()
     {
         var line = new PointGrid([[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))]]);
-        Assert.Equal("too-few-points", Assert.Throws<FreeformException>(() => BestSurface.Fit(line)).Code);
+        Assert.Equal("too-few-points", Assert.Throws<InputException>(() => BestSurface.Fit(line)).Code);
         var infinite = new PointGrid(
             [[new(0, 0, new(0, 0, 0)), new(1, 0, new(1, 0, 0))], [new(0, 1, new(0, 1, 0)), new(1, 1, new(1, 1, double.NaN))]]);
-        var refused = Assert.Throws<FreeformException>(() => BestSurface.Fit(infinite));
+        var refused = Assert.Throws<InputException>(() => BestSurface.Fit(infinite));
         Assert.Equal("not-finite", refused.Code);
         Assert.Contains("i = 1, j = 1", refused.Message, StringComparison.Ordinal);
     }

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Console;
 
 /// <summary>The result of a verb: an <see cref="Answer"/> or a <see cref="Failure"/>.</summary>
-internal abstract class Outcome
+internal abstract class VerbResult
 {
-    private protected Outcome()
+    private protected VerbResult()
     {
     }
 }
