@@ -6,7 +6,7 @@ using Avalonia.Controls;
 using Avalonia.VisualTree;
 using ErrorMatching.Geometry;
 using ErrorMatching.Hmi;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Benchmarks;

@@ -4,7 +4,7 @@ using Avalonia;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
@@ -45,7 +45,7 @@ internal static class StationScreens
     {
         using var station = new Station(cell.Settings, TimeProvider.System, Station.DefaultIdle);
         var opening = Stopwatch.StartNew();
-        using var shell = new ShellViewModel(station);
+        using var shell = Screens.ShellOf(station);
         var window = new MainWindow { DataContext = shell, Width = 1280, Height = 800 };
         window.Show();
         var user = new ScreenUser(window).Settle();
@@ -61,7 +61,7 @@ internal static class StationScreens
             // As the station does while a user signs in.
             using var end = new CancellationTokenSource();
             var asking = Task.Run(() => AskAsync(end.Token));
-            var (rehearsing, rehearsal) = (Stopwatch.StartNew(), window.RehearseAsync(CancellationToken.None));
+            var (rehearsing, rehearsal) = (Stopwatch.StartNew(), new Rehearsal(window, shell).RunAsync(CancellationToken.None));
             user.WaitFor(() => rehearsal.IsCompleted, Patience);
             await rehearsal;
             await end.CancelAsync();
@@ -74,7 +74,7 @@ internal static class StationScreens
             user.WaitFor(() => !shell.IsLocked, Patience);
             foreach (var screen in Screens.All.Where(s => keys.Length == 0 || keys.Contains(s.Key)))
             {
-                var other = screen.Key == Screens.Messages ? Screens.Settings : Screens.Messages;
+                var other = screen.Key == ScreenKeys.Messages ? ScreenKeys.Settings : ScreenKeys.Messages;
                 await OpenAsync(shell, user, other);
                 var first = await OpenAsync(shell, user, screen.Key);
                 var again = new List<double>();

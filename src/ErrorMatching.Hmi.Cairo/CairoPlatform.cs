@@ -4,18 +4,12 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Cairo;
 
-/// <summary>Avalonia on Linux without Skia: drawing with Cairo, text with HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows off
-/// screen or on X11.</summary>
+/// <summary>Avalonia on Linux without Skia: drawing with Cairo, text with HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows on
+/// X11.</summary>
 public static class CairoPlatform
 {
     /// <summary>The font shipped with the station. Characters that it lacks, such as Chinese, come from the system's fonts.</summary>
     public const string FontFamily = "fonts:Inter#Inter";
-
-    /// <summary>Windows without a screen; <see cref="ScreenUser"/> requests each frame.</summary>
-    /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
-    public static AppBuilder UseOffScreen(this AppBuilder builder) => builder.UseCairo()
-        .UseWindowingSubsystem(
-            () => Windowing.Initialize(OffScreenClock.Current, () => new OffScreenWindow(), new MemoryClipboard()), "off-screen");
 
     /// <summary>Windows on the X server that <c>DISPLAY</c> names, with the same drawing.</summary>
     /// <param name="builder">The application.</param>
@@ -32,7 +26,8 @@ public static class CairoPlatform
                 () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
     }
 
-    private static AppBuilder UseCairo(this AppBuilder builder)
+    /// <summary>Draws with Cairo; windows come from another subsystem.</summary>
+    internal static AppBuilder UseCairo(this AppBuilder builder)
     {
         ArgumentNullException.ThrowIfNull(builder);
         NativeLibraries.Demand(NativeLibraries.ForDrawing);

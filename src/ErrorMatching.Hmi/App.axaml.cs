@@ -33,7 +33,8 @@ public sealed partial class App : Application
             Texts.Current.Language = Look.Language;
             var window = new MainWindow { WindowState = Look.IsFullScreen ? WindowState.FullScreen : WindowState.Normal };
             var station = Open();
-            var shell = new ShellViewModel(station) { IsDark = Look.IsDark };
+            var shell = Screens.ShellOf(station);
+            shell.IsDark = Look.IsDark;
             window.DataContext = shell;
             desktop.MainWindow = window;
             var end = new CancellationTokenSource();
@@ -44,7 +45,7 @@ public sealed partial class App : Application
                     SynchronizationContext.Current!, TimeProvider.System, Busy).RunAsync(end.Token).Watched();
             }
 
-            window.Opened += (_, _) => _ = window.RehearseAsync(end.Token).Watched();
+            window.Opened += (_, _) => _ = new Rehearsal(window, shell).RunAsync(end.Token).Watched();
             desktop.Exit += (_, _) =>
             {
                 end.Cancel();

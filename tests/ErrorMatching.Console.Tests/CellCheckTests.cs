@@ -85,8 +85,8 @@ public sealed class CellCheckTests : IDisposable
         var reference = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
         Assert.All(
             [
-                "secret-missing", "key-missing", Recognition.UnknownPiece, Recognition.AmbiguousPiece, Recognition.ContradictoryPiece,
-                Recognition.UnusableJob, FileSource.TooLarge],
+                "secret-missing", "key-missing", RecognitionResult.UnknownPiece, RecognitionResult.AmbiguousPiece,
+                RecognitionResult.ContradictoryPiece, RecognitionResult.UnusableJob, RecognitionResult.TooLarge],
             c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }
 }

@@ -76,10 +76,10 @@ public sealed class SameAsCellTests
 
     private static PolicySettings NoLimits => new(Automatic: true, LimitMm: null, SumLimitMm: null, Gain: null);
 
-    private static Computed Compute(string sample, string piece, string measurement, string? program = null)
+    private static ComputedProgram Compute(string sample, string piece, string measurement, string? program = null)
     {
         var request = Request(sample, piece, new(measurement, File.ReadAllBytes(Repository.PathTo("samples", sample, measurement))));
-        return Assert.IsType<Computed>(
+        return Assert.IsType<ComputedProgram>(
             new CorrectionComputer(NoLimits).Compute(
                 request with { Job = request.Job with { Program = program } }, TestContext.Current.CancellationToken));
     }
@@ -101,7 +101,7 @@ public sealed class SameAsCellTests
         Measurement = measurement,
     };
 
-    private static void AssertSameReport(byte[] console, Computed computed)
+    private static void AssertSameReport(byte[] console, ComputedProgram computed)
     {
         var (one, other) = (JsonNode.Parse(console)!, JsonNode.Parse(computed.Report.Span)!);
         Strip(one);

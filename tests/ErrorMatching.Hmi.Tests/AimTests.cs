@@ -35,7 +35,7 @@ public sealed class AimTests
         Leave(seat, 1, "waiting-1");
         seat.WaitFor(() => Covers(seat, "waiting-3", place), "The tiles do not move up.");
         Tap(seat, place, isFinger);
-        Assert.Equal(Screens.Overview, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Overview, seat.Shell.Chosen!.Screen.Key);
         seat.Clock.Advance(AimKeeper.OnItsWay);
         Tap(seat, place, isFinger);
         Assert.Equal("#3 · 0003", seat.TextOf("detail-title"));

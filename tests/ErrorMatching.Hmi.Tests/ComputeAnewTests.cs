@@ -187,7 +187,7 @@ public sealed class ComputeAnewTests
         seat.Tap("setup-look").WaitFor(
             () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#5 · 0002",
             "The notice does not lead to the first of them.");
-        Assert.Equal(Screens.Compensation, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Compensation, seat.Shell.Chosen!.Screen.Key);
 
         // With half the gain the programs are displaced half as far, in the order in which they stood.
         foreach (var (old, anew) in new[] { (2L, 5L), (4L, 6L) })

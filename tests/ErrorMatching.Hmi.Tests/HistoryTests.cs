@@ -92,7 +92,7 @@ public sealed class HistoryTests
 
             seat.SignIn(DemoCell.Setter);
             seat.Shell.Preferences.TouchSize = TouchSize.Largest;
-            seat.Shell.Go(Screens.History);
+            seat.Shell.Go(ScreenKeys.History);
             seat.See("found-2");
             Texts.Current.Language = language;
             seat.User.Settle();

@@ -89,6 +89,7 @@ public sealed partial class HouseOfScreensTests
             ("Drawings", "*.cs"),
             ("Plots", "*.cs"),
             ("Programs", "Path*.cs"),
+            ("Programs", "ProgramRows.cs"),
             ("Programs", "ProgramText*.cs")
         }.SelectMany(p => Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Hmi", p.Item1), p.Item2)).ToArray();
         Assert.True(files.Length > 30);

@@ -54,10 +54,10 @@ public sealed class KeyboardTests
         seat.SignIn(DemoCell.Administrator);
         walk.Around("overview");
 
-        Go(Screens.Points, "points-drawing");
+        Go(ScreenKeys.Points, "points-drawing");
         new SetupSeat(seat).Settle();
         walk.Around("points");
-        Go(Screens.System, "coordinates");
+        Go(ScreenKeys.System, "coordinates");
         new SetupSeat(seat).Settle();
         foreach (var side in Setup)
         {
@@ -78,20 +78,20 @@ public sealed class KeyboardTests
         walk.Around("signing", first: "signing-password");
         seat.User.Press(Key.Escape);
 
-        Go(Screens.Verification, "plot-errors");
+        Go(ScreenKeys.Verification, "plot-errors");
         walk.Around("verification");
-        Go(Screens.Freeform, "plan");
+        Go(ScreenKeys.Freeform, "plan");
         walk.Around("freeform");
-        Go(Screens.History, "found-1");
+        Go(ScreenKeys.History, "found-1");
         walk.Around("history");
         seat.Tap("found-1").See("detail-title");
         walk.Around("history opened");
         seat.Tap("history-choose-folder").See("chooser-confirm");
         walk.Around("file chooser", first: "chooser-up");
         seat.User.Press(Key.Escape);
-        Go(Screens.Messages, "message-1");
+        Go(ScreenKeys.Messages, "message-1");
         walk.Around("messages");
-        Go(Screens.Settings, "user-row-anna");
+        Go(ScreenKeys.Settings, "user-row-anna");
         seat.Tap("user-row-anna");
         walk.Around("settings users");
         seat.Tap("tab-connections");
@@ -122,7 +122,7 @@ public sealed class KeyboardTests
             Assert.True(seat.See(item.Screen.AutomationId).IsFocused, item.Screen.Key);
         }
 
-        seat.Shell.Go(Screens.System);
+        seat.Shell.Go(ScreenKeys.System);
         var here = new SetupSeat(seat).Settle();
         seat.See("side-coordinates").Focus(NavigationMethod.Tab);
         foreach (var side in Setup.Skip(1))
@@ -148,7 +148,7 @@ public sealed class KeyboardTests
         seat.WaitFor(() => here.Draft.Features[0].Blocks == chosen, "Enter does not take what is lit.");
 
         // What is only read is scrolled.
-        seat.Shell.Go(Screens.Settings);
+        seat.Shell.Go(ScreenKeys.Settings);
         seat.Tap("tab-about").See("about-parts-scroll").Focus(NavigationMethod.Tab);
         seat.User.Press(Key.PageDown);
         Assert.True(((ScrollViewer)seat.See("about-parts-scroll")).Offset.Y > 0);
@@ -200,7 +200,7 @@ public sealed class KeyboardTests
         Assert.Null(history.Detail);
     });
 
-    private static Hmi.Cairo.ScreenUser TabTo(Seat seat, string id)
+    private static Hmi.Testing.ScreenUser TabTo(Seat seat, string id)
     {
         // What comes once the cell was looked at is not there at the first Tab.
         seat.See(id);

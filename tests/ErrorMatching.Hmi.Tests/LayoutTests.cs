@@ -3,7 +3,7 @@ using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Controls.Primitives;
 using Avalonia.Layout;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi.Tests;

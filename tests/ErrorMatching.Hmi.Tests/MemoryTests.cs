@@ -34,7 +34,7 @@ public sealed class MemoryTests
             }
         }
 
-        seat.Shell.Go(Screens.Overview);
+        seat.Shell.Go(ScreenKeys.Overview);
         for (var i = 0; i < Tries && Left(opened).Length > 0; i++)
         {
             // What is still being read in the background ends first, and what is drawn last lets go of what was drawn before.

@@ -58,7 +58,7 @@ public sealed class OverviewTests
             "Someone else changed the program at the machine.",
             seat.See("waiting-1").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
         seat.Tap("waiting-1").See("detail-title");
-        Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
+        Assert.Equal(("#1 · 0001", ScreenKeys.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
         Assert.Contains("Someone else changed", seat.TextOf("detail-reason"), StringComparison.Ordinal);
     });
 
@@ -90,7 +90,7 @@ public sealed class OverviewTests
         seat.Tap("slot-vmc1/A").WaitFor(
             () => seat.Find("piece-title") is not null && seat.TextOf("piece-title") == "#1 · 0001",
             "The tap does not lead to the verification.");
-        Assert.Equal((Screens.Verification, "Measured"), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-kind")));
+        Assert.Equal((ScreenKeys.Verification, "Measured"), (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-kind")));
     });
 
     [Fact]

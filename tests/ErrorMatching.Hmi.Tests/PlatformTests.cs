@@ -5,7 +5,7 @@ using Avalonia.Layout;
 using Avalonia.Media;
 using Avalonia.Media.Imaging;
 using Avalonia.VisualTree;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

@@ -5,7 +5,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Geometry;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 

@@ -2,7 +2,7 @@ using System.Text;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Media;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi.Tests;

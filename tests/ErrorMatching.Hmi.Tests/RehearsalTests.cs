@@ -19,7 +19,7 @@ public sealed class RehearsalTests
         var (opened, shown) = (new List<object>(), new HashSet<Type>());
         seat.Window.Stage.Children.CollectionChanged += (_, e) => Note(e, opened, shown);
         var entries = seat.Station.Store.AuditEntries(0, 1000).Count;
-        var rehearsal = seat.Window.RehearseAsync(CancellationToken.None);
+        var rehearsal = new Rehearsal(seat.Window, seat.Shell).RunAsync(CancellationToken.None);
         seat.WaitFor(() => rehearsal.IsCompleted, "The rehearsal does not end.");
         await rehearsal;
         Assert.Equal(Screens.All.Count, opened.OfType<ScreenViewModel>().Select(o => o.GetType()).Distinct().Count());
@@ -48,7 +48,7 @@ public sealed class RehearsalTests
                 grown.Add(view.GetVisualDescendants().Count(v => v.IsEffectivelyVisible));
             }
         };
-        var rehearsal = seat.Window.RehearseAsync(CancellationToken.None);
+        var rehearsal = new Rehearsal(seat.Window, seat.Shell).RunAsync(CancellationToken.None);
         seat.WaitFor(() => rehearsal.IsCompleted, "The rehearsal does not end.");
         await rehearsal;
         var steps = grown.Zip(grown.Skip(1), (before, after) => after - before).ToArray();
@@ -59,12 +59,12 @@ public sealed class RehearsalTests
     [Fact]
     public Task Somebody_signs_in_and_works_meanwhile() => Seat.AtAsync(async seat =>
     {
-        var rehearsal = seat.Window.RehearseAsync(CancellationToken.None);
+        var rehearsal = new Rehearsal(seat.Window, seat.Shell).RunAsync(CancellationToken.None);
         seat.SignIn(DemoCell.Setter).Tap("nav-points").Tap("add-line");
         Assert.True(seat.Shell.Editing.CanEdit);
         seat.WaitFor(() => rehearsal.IsCompleted, "The rehearsal does not end.");
         await rehearsal;
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
         seat.WaitFor(() => seat.Shell.Editing.Undo.CanExecute(null), "What was done during the rehearsal is gone.");
     });
 
@@ -72,7 +72,7 @@ public sealed class RehearsalTests
     public Task A_window_that_closes_ends_it() => Seat.AtAsync(async seat =>
     {
         using var end = new CancellationTokenSource();
-        var rehearsal = seat.Window.RehearseAsync(end.Token);
+        var rehearsal = new Rehearsal(seat.Window, seat.Shell).RunAsync(end.Token);
         seat.WaitFor(() => seat.Window.Stage.Children.Count > 0, "It does not begin.");
         await end.CancelAsync();
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => rehearsal);
@@ -83,7 +83,7 @@ public sealed class RehearsalTests
     public Task A_screen_that_is_read_for_while_its_station_closes_is_no_defect() => Seat.AtAsync(seat =>
     {
         var station = new Station(seat.Cell.Settings, seat.Clock, Station.DefaultIdle);
-        var shell = new ShellViewModel(station);
+        var shell = Screens.ShellOf(station);
         var history = new HistoryViewModel(shell);
         seat.WaitFor(() => history.Search.Running.IsCompleted, "The first search does not end.");
         history.Dispose();
@@ -99,7 +99,7 @@ public sealed class RehearsalTests
     [Fact]
     public Task Screen_readers_find_nothing_of_it() => Seat.AtAsync(async seat =>
     {
-        var rehearsal = seat.Window.RehearseAsync(CancellationToken.None);
+        var rehearsal = new Rehearsal(seat.Window, seat.Shell).RunAsync(CancellationToken.None);
         var (found, heard) = (0, new List<Control>());
         seat.WaitFor(
             () =>

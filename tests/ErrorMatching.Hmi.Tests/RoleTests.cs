@@ -10,24 +10,24 @@ public sealed class RoleTests
     // By whom each button can be pressed: everybody, a setter and higher, an administrator alone.
     private static readonly (string Screen, string? Side, string Button, string[] By)[] Proposed =
     [
-        (Screens.Compensation, null, "reject", [DemoCell.Operator, DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Compensation, null, "approve", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Points, null, "setup-anew", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Points, null, "add-line", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Points, null, "feature-0-remove", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.System, "side-coordinates", "points-paste", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.System, "side-coordinates", "points-read", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.System, "side-blocks", "program-import", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.System, "side-tolerances", "chain-add", [DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Settings, "user-row-otto", "users-new", [DemoCell.Administrator]),
-        (Screens.Settings, "user-row-otto", "users-disable", [DemoCell.Administrator]),
-        (Screens.Settings, "user-row-otto", "users-role", [DemoCell.Administrator]),
+        (ScreenKeys.Compensation, null, "reject", [DemoCell.Operator, DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Compensation, null, "approve", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Points, null, "setup-anew", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Points, null, "add-line", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Points, null, "feature-0-remove", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.System, "side-coordinates", "points-paste", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.System, "side-coordinates", "points-read", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.System, "side-blocks", "program-import", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.System, "side-tolerances", "chain-add", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Settings, "user-row-otto", "users-new", [DemoCell.Administrator]),
+        (ScreenKeys.Settings, "user-row-otto", "users-disable", [DemoCell.Administrator]),
+        (ScreenKeys.Settings, "user-row-otto", "users-role", [DemoCell.Administrator]),
     ];
 
     private static readonly (string Screen, string? Side, string Button, string[] By)[] Sent =
     [
-        (Screens.Compensation, null, "release", [DemoCell.Operator, DemoCell.Setter, DemoCell.Administrator]),
-        (Screens.Compensation, null, "revert", [DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Compensation, null, "release", [DemoCell.Operator, DemoCell.Setter, DemoCell.Administrator]),
+        (ScreenKeys.Compensation, null, "revert", [DemoCell.Setter, DemoCell.Administrator]),
     ];
 
     [Fact]

@@ -77,7 +77,7 @@ public sealed class ScannerTests
         var chosen = seat.Shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []));
         seat.See("chooser-up").Focus();
         Scan(seat, "0001");
-        Assert.Equal(Screens.Overview, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Overview, seat.Shell.Chosen!.Screen.Key);
         seat.Shell.Choosing?.Leave.Execute(null);
         Assert.True(chosen.IsCompleted);
     });

@@ -3,7 +3,7 @@ using Avalonia.Automation.Peers;
 using Avalonia.Automation.Provider;
 using Avalonia.Controls;
 using Avalonia.Input;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
 using ErrorMatching.Testing;
 

@@ -25,7 +25,7 @@ public sealed class ScreenshotTests
         seat.SignIn(DemoCell.Setter);
         pictures.Take("overview");
 
-        seat.Shell.Go(Screens.Compensation);
+        seat.Shell.Go(ScreenKeys.Compensation);
         seat.See("points");
         pictures.Take("compensation");
         foreach (var side in Sides)
@@ -41,19 +41,19 @@ public sealed class ScreenshotTests
         seat.Shell.Look(1);
         seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine", "What is at the machine is not shown.");
         pictures.Take("compensation-at-machine", isPictured: false);
-        seat.Shell.Go(Screens.History);
+        seat.Shell.Go(ScreenKeys.History);
         seat.See("found-1");
         pictures.Take("history");
         seat.Tap("found-1").See("detail-title");
         pictures.Take("history-opened", isPictured: false);
-        seat.Shell.Go(Screens.Messages);
+        seat.Shell.Go(ScreenKeys.Messages);
         seat.WaitFor(() => ((MessagesViewModel)seat.Shell.Current!).Entries.Count > 0, "The trail stays empty.");
         pictures.Take("messages");
         seat.Tap("audit-verify").WaitFor(() => seat.Find("audit-finding") is { IsEffectivelyVisible: true }, "The trail is not verified.");
         pictures.Take("messages-verified", isPictured: false);
 
         new CorrectionDecisions(seat.Station.Store).Reject(2, DemoCell.Setter, "A chip lay under the stylus.");
-        seat.Shell.Go(Screens.Overview);
+        seat.Shell.Go(ScreenKeys.Overview);
         seat.WaitFor(() => seat.TextOf("overview-summary") == "All is well", "Something still waits.");
         pictures.Take("overview-quiet", isPictured: false);
         pictures.MustBeClean();

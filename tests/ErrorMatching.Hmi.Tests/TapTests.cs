@@ -14,7 +14,7 @@ public sealed class TapTests
     public Task A_tile_that_changes_while_it_is_pressed_opens(bool isFinger) => At(seat =>
     {
         Press(seat, "waiting-1", isFinger, () => Texts.Current.Language = Language.TraditionalChinese);
-        Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
+        Assert.Equal(("#1 · 0001", ScreenKeys.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
     });
 
     [Theory]
@@ -86,11 +86,11 @@ public sealed class TapTests
             took = Stopwatch.GetElapsedTime(began);
         }
         while (took > TimeSpan.FromMilliseconds(450) && ++tries < 50);
-        Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.System, seat.Shell.Chosen!.Screen.Key);
 
         // After a moment it is meant.
         seat.User.Wait(TimeSpan.FromMilliseconds(600)).Click(seat.Window, place);
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
 
         // The same control may be tapped as quickly as one can.
         seat.Tap("add-line").Tap("add-line");
@@ -101,7 +101,7 @@ public sealed class TapTests
     public Task A_tile_that_is_left_while_it_changes_does_not_open() => At(seat =>
     {
         seat.User.Hold(seat.See("waiting-1"), () => Texts.Current.Language = Language.TraditionalChinese, new Vector(40, 0));
-        Assert.Equal(Screens.Overview, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Overview, seat.Shell.Chosen!.Screen.Key);
     });
 
     [Fact]

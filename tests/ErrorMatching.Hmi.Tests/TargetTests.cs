@@ -5,7 +5,7 @@ using Avalonia.Data;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -38,7 +38,7 @@ public sealed class TargetTests
         foreach (var screen in seat.Shell.Items.Select(i => i.Screen))
         {
             seat.Tap(screen.AutomationId);
-            if (screen.Key is Screens.Points or Screens.System)
+            if (screen.Key is ScreenKeys.Points or ScreenKeys.System)
             {
                 new SetupSeat(seat).Settle();
             }
@@ -59,7 +59,7 @@ public sealed class TargetTests
         foreach (var item in seat.Shell.Items)
         {
             seat.Tap(item.Screen.AutomationId).WaitFor(() => seat.Shell.Chosen == item, "The screen does not open.");
-            if (item.Screen.Key is Screens.Points or Screens.System)
+            if (item.Screen.Key is ScreenKeys.Points or ScreenKeys.System)
             {
                 new SetupSeat(seat).Settle();
             }
@@ -145,10 +145,10 @@ public sealed class TargetTests
     /// <summary>In each field of each side something is typed that cannot be meant, and nothing at all;
     /// in each choice everything is chosen.</summary>
     [Theory]
-    [InlineData(Screens.Points, TouchSize.Standard)]
-    [InlineData(Screens.System, TouchSize.Standard)]
-    [InlineData(Screens.Points, TouchSize.Largest)]
-    [InlineData(Screens.System, TouchSize.Largest)]
+    [InlineData(ScreenKeys.Points, TouchSize.Standard)]
+    [InlineData(ScreenKeys.System, TouchSize.Standard)]
+    [InlineData(ScreenKeys.Points, TouchSize.Largest)]
+    [InlineData(ScreenKeys.System, TouchSize.Largest)]
     public Task Nothing_that_is_said_of_a_field_moves_a_target(string screen, TouchSize touch) => SetupSeat.AtAsync(screen, here =>
     {
         var (seat, editing, moved, tried) = (
@@ -161,7 +161,7 @@ public sealed class TargetTests
         editing.Tell();
         seat.Tap("nav-" + screen);
         var sample = editing.Draft;
-        string[] sides = screen == Screens.Points
+        string[] sides = screen == ScreenKeys.Points
             ? [""]
             : ["side-coordinates", "side-blocks", "side-tolerances", "side-machine", "side-gauge"];
         foreach (var side in sides)
@@ -200,7 +200,7 @@ public sealed class TargetTests
         }
 
         Assert.True(moved.Count == 0, string.Join('\n', moved));
-        Assert.InRange(tried.Count, screen == Screens.Points ? 5 : 40, 200);
+        Assert.InRange(tried.Count, screen == ScreenKeys.Points ? 5 : 40, 200);
     });
 
     private static IEnumerable<(string Name, Action Mistake)> Mistakes(SetupViewModel setup, string id) => setup.FieldOf(id) switch

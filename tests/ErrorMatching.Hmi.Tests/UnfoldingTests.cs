@@ -38,9 +38,9 @@ public sealed class UnfoldingTests
     });
 
     [Theory]
-    [InlineData(Screens.Points)]
-    [InlineData(Screens.System)]
-    [InlineData(Screens.Messages)]
+    [InlineData(ScreenKeys.Points)]
+    [InlineData(ScreenKeys.System)]
+    [InlineData(ScreenKeys.Messages)]
     public Task A_key_is_taken_before_all_of_a_screen_is_there(string screen) => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Setter);

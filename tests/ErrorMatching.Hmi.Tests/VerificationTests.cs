@@ -135,7 +135,7 @@ public sealed class VerificationTests
 
         // A tap leads to those warnings, and they are what is seen.
         seat.Tap("piece-warnings").See("warnings");
-        Assert.Equal(("#1 · 0001", Screens.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
+        Assert.Equal(("#1 · 0001", ScreenKeys.Compensation), (seat.TextOf("detail-title"), seat.Shell.Chosen!.Screen.Key));
         seat.Tap("nav-verification").See("piece-kind");
 
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);

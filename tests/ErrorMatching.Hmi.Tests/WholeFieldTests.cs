@@ -1,6 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

@@ -7,11 +7,8 @@ namespace ErrorMatching.Cell;
 /// same arrival is handed over again, with the same key.</summary>
 /// <param name="gauge">The gauge, with a folder.</param>
 /// <param name="clock">Measures how long a file has been at rest.</param>
-public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDisposable
+internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDisposable
 {
-    /// <summary>Code of an arrival that exceeds the gauge's size limit.</summary>
-    public const string TooLarge = "file-too-large";
-
     // Above this even the hash takes too long: some seconds per gigabyte.
     private const long MostHashed = 4_000_000_000;
     private const int Attempts = 3;
@@ -189,7 +186,7 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
                         ArrivalKey.Of(gauge.Name, file.Name, changed, hash),
                         hash,
                         length,
-                        TooLarge,
+                        RecognitionResult.TooLarge,
                         Reason(length)));
                     if (!RemoveMarker(file.Name))
                     {
@@ -244,3 +241,8 @@ public sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDispo
         }
     }
 }
+
+/// <summary>A gauge's folder cannot be read.</summary>
+/// <param name="message">A sentence for a setter: gauge, folder, the error, what to do next.</param>
+/// <param name="cause">The underlying error; null if there is none.</param>
+internal sealed class SourceException(string message, Exception? cause = null) : Exception(message, cause);

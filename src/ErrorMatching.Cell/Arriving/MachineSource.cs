@@ -8,7 +8,7 @@ namespace ErrorMatching.Cell;
 /// <param name="gauge">The gauge, with a machine.</param>
 /// <param name="folder">The machine's folder.</param>
 /// <param name="clock">Measures how long a log has been unchanged.</param>
-public sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, TimeProvider clock)
+internal sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, TimeProvider clock)
 {
     /// <summary>Suffix of a log's name while it is being taken.</summary>
     public const string Suffix = ".taken";

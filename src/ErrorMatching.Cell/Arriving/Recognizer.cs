@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Determines which job a file belongs to and which piece it measures. Time grows with the file's length, regardless of content.
 /// Thread-safe.</summary>
-public sealed class Recognizer
+internal sealed class Recognizer
 {
     private const int MostShown = 100;
     private readonly CellSettings _settings;
@@ -23,7 +23,7 @@ public sealed class Recognizer
     /// <param name="gauge">The gauge that it came from.</param>
     /// <param name="fileName">Its name.</param>
     /// <param name="bytes">Its content.</param>
-    public Recognition Recognize(string gauge, string fileName, ReadOnlyMemory<byte> bytes)
+    public RecognitionResult Recognize(string gauge, string fileName, ReadOnlyMemory<byte> bytes)
     {
         ArgumentNullException.ThrowIfNull(fileName);
         var source = _settings.Gauges.FirstOrDefault(g => g.Name == gauge);
@@ -37,24 +37,26 @@ public sealed class Recognizer
                 .ToArray();
             return takers switch
             {
-                [] => Recognition.Refused(Recognition.UnknownPiece, Recorded.UnknownPiece.With(Shown(fileName), gauge, Asked(gauge))),
+                [] => RecognitionResult.Refused(
+                    RecognitionResult.UnknownPiece, Recorded.UnknownPiece.With(Shown(fileName), gauge, Asked(gauge))),
                 [var (job, found)] => Of(job, found!, fileName, bytes),
-                _ => Recognition.Refused(
-                    Recognition.AmbiguousPiece,
+                _ => RecognitionResult.Refused(
+                    RecognitionResult.AmbiguousPiece,
                     Recorded.AmbiguousPiece.With(Shown(fileName), string.Join(", ", takers.Select(t => $"\"{t.Job.Name}\"")))),
             };
         }
         catch (InputException e)
         {
-            return Recognition.Refused(e.Code, Recorded.UnreadableInside.With(Shown(fileName), e.Message));
+            return RecognitionResult.Refused(e.Code, Recorded.UnreadableInside.With(Shown(fileName), e.Message));
         }
     }
 
-    private static Recognition Of(CellJobSettings job, FoundWords found, string fileName, ReadOnlyMemory<byte> bytes)
+    private static RecognitionResult Of(CellJobSettings job, FoundWords found, string fileName, ReadOnlyMemory<byte> bytes)
     {
         if (found.Contradiction is { } contradiction)
         {
-            return Recognition.Refused(Recognition.ContradictoryPiece, Recorded.ContradictoryPiece.With(Shown(fileName), contradiction));
+            return RecognitionResult.Refused(
+                RecognitionResult.ContradictoryPiece, Recorded.ContradictoryPiece.With(Shown(fileName), contradiction));
         }
 
         string piece;
@@ -64,7 +66,8 @@ public sealed class Recognizer
         }
         catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
         {
-            return Recognition.Refused(Recognition.UnusableJob, Recorded.UnusableJob.With(job.File, Shown(fileName), e.Message));
+            return RecognitionResult.Refused(
+                RecognitionResult.UnusableJob, Recorded.UnusableJob.With(job.File, Shown(fileName), e.Message));
         }
 
         return new() { Job = job, Piece = piece, Serial = found.Serial, WorkOrder = found.WorkOrder };

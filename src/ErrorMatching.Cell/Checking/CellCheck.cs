@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>What a cell would find if it started now. The check processes, sends and stores nothing and changes nothing at a machine. In a
@@ -51,4 +53,11 @@ public sealed record CellCheck(
             return part;
         }
     }
+}
+
+/// <summary>A problem that a check found.</summary>
+/// <param name="Errors">The errors, each with its code and a sentence; at least one.</param>
+public sealed record CheckProblem(IReadOnlyList<Refusal> Errors)
+{
+    internal static CheckProblem Of(string code, string message) => new([new(code, message)]);
 }

@@ -89,11 +89,27 @@ internal sealed class GaugeCheck(CellSettings settings, IReadOnlyList<CheckedMac
         cancellation.ThrowIfCancellationRequested();
         var name = ShownName.Of(file.Name);
         var found = file.Length > gauge.MostBytes
-            ? Recognition.Refused(
-                FileSource.TooLarge,
+            ? RecognitionResult.Refused(
+                RecognitionResult.TooLarge,
                 FormattableString.Invariant($"It has {file.Length} bytes; \"{gauge.Name}\" takes at most {gauge.MostBytes}."))
             : FileReading.Whole(file) is { } bytes ? _recognizer.Recognize(gauge.Name, name, bytes)
-            : Recognition.Refused(CellCodes.FileLeft, "It changes, or cannot be opened: it would be taken as soon as it can be read.");
+            : RecognitionResult.Refused(
+                CellCodes.FileLeft, "It changes, or cannot be opened: it would be taken as soon as it can be read.");
         return new(name, file.Length, found);
     }
 }
+
+/// <summary>The current state of a gauge's folder, or of the machine that its logs come from.</summary>
+/// <param name="Gauge">The gauge.</param>
+/// <param name="Files">The first files that match its pattern, and what the cell would do with each.</param>
+/// <param name="More">How many more match.</param>
+/// <param name="Left">Matching files that the cell would leave where they are.</param>
+/// <param name="Problem">Why the source cannot be checked; null if nothing is wrong.</param>
+public sealed record CheckedGauge(
+    GaugeSettings Gauge, IReadOnlyList<CheckedFile> Files, int More, IReadOnlyList<LeftFile> Left, CheckProblem? Problem);
+
+/// <summary>A file waiting at a gauge.</summary>
+/// <param name="Name">Its name, made safe for display.</param>
+/// <param name="Bytes">Its length; null for a log at a machine.</param>
+/// <param name="Found">The job that would take it, or why none would; null for a log at a machine, which is not fetched.</param>
+public sealed record CheckedFile(string Name, long? Bytes, RecognitionResult? Found);

@@ -22,8 +22,8 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// <summary>Computes a correction.</summary>
     /// <param name="request">What it is computed from.</param>
     /// <param name="cancellation">Checked between the stages of the calculation.</param>
-    /// <returns><see cref="Computed"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. No measurement, whatever its
-    /// content, causes an exception.</returns>
+    /// <returns><see cref="ComputedProgram"/>, <see cref="NothingToSend"/> or <see cref="RefusedComputation"/>. No measurement,
+    /// whatever its content, causes an exception.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Computation Compute(CorrectionRequest request, CancellationToken cancellation) => Guarded(request, isAll: true, cancellation);
@@ -86,7 +86,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
     private static string? IdentityOf(Computation computation) => computation switch
     {
         Identified identified => identified.Basis.Identity,
-        Computed computed => computed.Basis.Identity,
+        ComputedProgram computed => computed.Basis.Identity,
         NothingToSend nothing => nothing.Basis.Identity,
         _ => null,
     };

@@ -9,7 +9,7 @@ namespace ErrorMatching.Cell;
 /// enough.</summary>
 /// <remarks>SHA-256 over lines of UTF-8 text, each ended by a line feed: <c>errormatch/correction/1</c>, <c>measurement HASH</c> for each
 /// measurement in their order, <c>job HASH</c>, <c>base HASH</c> or <c>base -</c>, and <c>gain NUMBER</c> or <c>gain -</c>.</remarks>
-public static class CorrectionIdentity
+internal static class CorrectionIdentity
 {
     private const int Digits = 64;
 

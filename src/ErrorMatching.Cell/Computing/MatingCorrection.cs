@@ -122,7 +122,7 @@ internal sealed class MatingCorrection
             return new RefusedComputation(CorrectionCodes.JobChanged, Recorded.OriginalChanged.With(_files.Job.Counterpart.Program));
         }
 
-        return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new Computed
+        return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new ComputedProgram
         {
             Basis = Basis(matched.Report.Inputs, matched.Match.Input.Program),
             ProgramName = matched.Name,

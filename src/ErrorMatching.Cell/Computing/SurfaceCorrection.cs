@@ -122,7 +122,7 @@ internal sealed class SurfaceCorrection
     }
 
     private Computation Within(
-        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, Computed> computed)
+        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], string, ComputedProgram> computed)
     {
         var worst = steps.MaxBy(s => s.LengthMm)!;
         var at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";

@@ -28,7 +28,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         }
     }
 
-    private IEnumerable<(JsonItem Item, MachineSettings Machine, string Folder)> MachineFolders =>
+    private IEnumerable<(JsonItem Item, MachineSettings Machine, string Folder)> FoldersOfMachines =>
         settings.Machines.Select(
             (m, i) => (Item: root["machines"].Items[i], Machine: m, Folder: m.Transport.LocalFolder)).Where(m => m.Folder is not null)!;
 
@@ -87,7 +87,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
             }
         }
 
-        foreach (var (item, machine, folder) in MachineFolders)
+        foreach (var (item, machine, folder) in FoldersOfMachines)
         {
             for (var g = 0; g < settings.Gauges.Count; g++)
             {
@@ -133,7 +133,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
                 item, "inside-incoming", $"{what} in {gauge.Incoming}, where files of \"{gauge.Name}\" arrive", "a place outside of it");
         }
 
-        if (MachineFolders.FirstOrDefault(m => CellPaths.IsInside(path, m.Folder)) is { Machine: { } machine, Folder: { } folder })
+        if (FoldersOfMachines.FirstOrDefault(m => CellPaths.IsInside(path, m.Folder)) is { Machine: { } machine, Folder: { } folder })
         {
             problems.Refuse(item, "inside-machine", $"{what} in {folder}, the programs' folder of {machine.Name}", "a place outside of it");
         }
@@ -157,7 +157,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
     private void CheckBase(JsonItem item, string? program)
     {
         if (program is not null
-            && MachineFolders.FirstOrDefault(
+            && FoldersOfMachines.FirstOrDefault(
                 m => CellPaths.AreSame(Path.GetDirectoryName(program) ?? "", m.Folder)
                     && m.Machine.Slots.Any(s => s.Program.Equals(Path.GetFileName(program), NoCase))).Machine is { } machine)
         {

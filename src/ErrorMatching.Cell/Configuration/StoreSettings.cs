@@ -2,3 +2,16 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Where the cell stores its data: a <see cref="SqliteSettings"/> or a <see cref="PostgresSettings"/>.</summary>
 public abstract record StoreSettings;
+
+/// <summary>An embedded store for one cell.</summary>
+/// <param name="File">The database file.</param>
+public sealed record SqliteSettings(string File) : StoreSettings;
+
+/// <summary>A store on a server, for several cells.</summary>
+/// <param name="Host">Name or address of the server, or the folder of its socket.</param>
+/// <param name="Port">Its port.</param>
+/// <param name="Database">The database.</param>
+/// <param name="User">The database user.</param>
+/// <param name="PasswordFile">A password file in PostgreSQL's <c>.pgpass</c> format that only its owner may read; null if the server trusts
+/// the connection.</param>
+public sealed record PostgresSettings(string Host, int Port, string Database, string User, string? PasswordFile) : StoreSettings;

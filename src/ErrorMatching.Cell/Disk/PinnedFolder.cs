@@ -46,3 +46,7 @@ internal sealed class PinnedFolder : IDisposable
 
     public void Dispose() => _held?.Dispose();
 }
+
+/// <summary>The name of one of the cell's own folders belongs to a link or a file.</summary>
+internal sealed class NotPlainFolderException(string path)
+    : IOException($"{path} is a link or a file; it must be a folder of its own. Remove it");

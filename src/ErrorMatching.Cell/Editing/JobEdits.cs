@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
@@ -15,13 +14,48 @@ namespace ErrorMatching.Cell;
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="users">The users.</param>
-public sealed partial class JobEdits(CellSettings settings, CellStore store, UserBook users)
+public sealed class JobEdits(CellSettings settings, CellStore store, UserBook users)
 {
+    private readonly PreparedJobs _prepared = new(settings);
+    private readonly JobVersions _versions = new(settings, store);
+
     /// <summary>Audit trail code for a job that was replaced.</summary>
     public const string Edited = "job-edited";
 
     /// <summary>Audit trail code for a job whose files could not be replaced.</summary>
     public const string EditFailed = "job-edit-failed";
+
+    /// <summary>Audit trail code for a job that was saved but is not in use.</summary>
+    public const string Prepared = "job-prepared";
+
+    /// <summary>Audit trail code for a job that was not saved here and was stored when another replaced it.</summary>
+    public const string Found = "job-found";
+
+    /// <summary>True for a job that the configuration names, which its gauges use.</summary>
+    /// <param name="job">A job of the configuration, or one of <see cref="PreparedFor"/>.</param>
+    public bool IsInUse(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return _prepared.IsInUse(job);
+    }
+
+    /// <summary>The cell's job that a prepared job may replace; for a job in use, the job itself.</summary>
+    /// <param name="job">A job of the configuration, or one of <see cref="PreparedFor"/>.</param>
+    /// <exception cref="ArgumentException">It is neither.</exception>
+    public CellJobSettings PlaceOf(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return _prepared.PlaceOf(job);
+    }
+
+    /// <summary>The prepared jobs for the place of a job, by name. Each has the machine, slot and gauges of that place.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <exception cref="InputException">Their folder cannot be read.</exception>
+    public IReadOnlyList<CellJobSettings> PreparedFor(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return _prepared.For(job);
+    }
 
     /// <summary>Checks an edited job, both as a job and as a job of this cell.</summary>
     /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
@@ -38,7 +72,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
     public static string Sha256Of(CellJobSettings job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return File.Exists(job.File) ? HashOf(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
+        return File.Exists(job.File) ? StoredContent.Sha256(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
     }
 
     /// <summary>Replaces a job's files, and stores the new and the previous ones.</summary>
@@ -70,16 +104,16 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
                     + $"it is now.");
         }
 
-        var files = FilesOf(job, draft);
+        var files = EditedFiles.ToWrite(job, draft);
         var isInUse = IsInUse(job);
         if (!isInUse)
         {
-            DemandInside(job, files);
+            PreparedJobs.DemandInside(job, files);
         }
 
         DemandOwn(job, draft, files);
-        var (before, after) = (VersionFiles(job), VersionFiles(job, draft, files));
-        var hash = HashOf(files[^1].Bytes);
+        var (before, after) = (JobVersions.FilesOf(job), JobVersions.FilesOf(job, draft, files));
+        var hash = StoredContent.Sha256(files[^1].Bytes.Span);
 
         // A signature is valid for one act, so use it only after all other checks have passed.
         users.Demand(by, isInUse ? Act.EditJobs : Act.PrepareJobs);
@@ -92,7 +126,7 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
                 [],
                 () =>
                 {
-                    Keep(job, by, before, after);
+                    _versions.Keep(job, by, before, after);
                     return isToldOf = true;
                 },
                 CancellationToken.None);
@@ -106,35 +140,90 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         return hash;
     }
 
-    // The files that differ from the existing ones; the job's own file always, and last.
-    private static List<(string Path, ReadOnlyMemory<byte> Bytes)> FilesOf(CellJobSettings job, MatingDraft draft)
+    /// <summary>Saves a new job as a prepared job, in a folder with the job's name. No existing file changes.</summary>
+    /// <param name="job">The job, in use or prepared, in whose place the new one was started.</param>
+    /// <param name="draft">The new job.</param>
+    /// <param name="by">The user.</param>
+    /// <returns>The prepared job. It can be opened, changed and saved like any other, but is not in use.</returns>
+    /// <exception cref="PeopleException">That user may not prepare jobs.</exception>
+    /// <exception cref="JobEditException">The job has a problem, or its name is taken or not a valid folder name.</exception>
+    /// <exception cref="InputException">Its program cannot be read.</exception>
+    /// <exception cref="OutputException">It cannot be written; nothing is left behind.</exception>
+    /// <exception cref="StoreException">The store is unavailable; nothing was written.</exception>
+    public CellJobSettings Prepare(CellJobSettings job, MatingDraft draft, SignedIn by)
     {
-        var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>();
-        if (draft.Program is { } program)
+        ArgumentNullException.ThrowIfNull(draft);
+        ArgumentNullException.ThrowIfNull(by);
+        var (place, name) = (PlaceOf(job), draft.Name.Trim());
+        if (SavedJobName.Defect(name) is { } defect)
         {
-            if (draft.Counterpart.Program != Path.GetFileName(draft.Counterpart.Program))
-            {
-                throw new JobEditException(
-                    JobEditException.Wrong,
-                    $"The imported program would be written to {draft.Counterpart.Program}, outside of the job's folder. Import it by "
-                        + $"its own name.");
-            }
-
-            Add(draft.Counterpart.Program, program.Bytes);
+            throw new JobEditException(JobEditException.NotAName, $"A saved job cannot be called \"{draft.Name}\": {defect}.");
         }
 
-        Add(draft.TheoreticalFile, MatingDraftFiles.Theoretical(draft));
-        files.Add((job.File, MatingDraftFiles.Job(draft)));
-        return files;
-
-        void Add(string name, ReadOnlyMemory<byte> bytes)
+        users.Demand(by, Act.PrepareJobs);
+        var prepared = PreparedJobs.At(place, name);
+        PreparedJobs.DemandFree(place, name);
+        draft = EditedFiles.Moved(draft, job, prepared);
+        if (Check(prepared, draft).Problems is [var wrong, ..])
         {
-            var path = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(job.File) ?? "", name));
-            if (!File.Exists(path) || !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span))
-            {
-                files.Add((path, bytes));
-            }
+            throw new JobEditException(JobEditException.Wrong, wrong.Message);
         }
+
+        var files = EditedFiles.ToWrite(prepared, draft);
+        PreparedJobs.DemandInside(prepared, files);
+        Write(prepared, files, () => _versions.Keep(prepared, by, [], JobVersions.FilesOf(prepared, draft, files)), by);
+        return prepared;
+    }
+
+    /// <summary>Replaces the job in use with a prepared job, with its own files there. The prepared job stays.</summary>
+    /// <param name="job">One of <see cref="PreparedFor"/>.</param>
+    /// <param name="draft">The job as the user saw it; refused if another version was saved meanwhile.</param>
+    /// <param name="baseSha256"><see cref="Sha256Of"/> of the job that it replaces (<see cref="PlaceOf"/>).</param>
+    /// <param name="by">The user, with the password entered for this act.</param>
+    /// <inheritdoc cref="Save" path="/returns|/exception"/>
+    public string PutInUse(CellJobSettings job, MatingDraft draft, string baseSha256, SignedIn by)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        var place = PlaceOf(job);
+        if (!EditedFiles.IsSaved(job, draft))
+        {
+            throw new JobEditException(JobEditException.ChangedMeanwhile, $"{job.File} was changed since it was opened. Open it again.");
+        }
+
+        return Save(place, WithOwnFiles(place, EditedFiles.Moved(draft, job, place) with { IsBegunAnew = true }), baseSha256, by);
+    }
+
+    /// <summary>All versions of a job, the latest first.</summary>
+    /// <param name="job">The job in the cell, or one of <see cref="PreparedFor"/>.</param>
+    /// <exception cref="StoreException">The store is unavailable.</exception>
+    public IReadOnlyList<JobVersion> Versions(CellJobSettings job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return _versions.Of(job);
+    }
+
+    /// <summary>Opens a version as a draft. Opening changes nothing; saving the draft restores the version.</summary>
+    /// <param name="job">The job in the cell.</param>
+    /// <param name="version">One of its <see cref="Versions"/>.</param>
+    /// <exception cref="StoreException">The store is unavailable, or a content is damaged.</exception>
+    /// <exception cref="JobEditException">A file of the job was not stored with it.</exception>
+    /// <exception cref="InputException">The job is no longer usable. Its theoretical points are no longer usable.</exception>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
+    public MatingDraft Open(CellJobSettings job, JobVersion version)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(version);
+        return _versions.Open(job, version);
+    }
+
+    /// <summary>The draft of a new job with its own files; a number is appended to a name that is taken.</summary>
+    /// <param name="job">The job in the cell, whose folder is used.</param>
+    /// <param name="draft">The new job.</param>
+    public static MatingDraft WithOwnFiles(CellJobSettings job, MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(draft);
+        return EditedFiles.WithOwnFiles(job, draft);
     }
 
     private void DemandOwn(CellJobSettings job, MatingDraft draft, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
@@ -205,5 +294,47 @@ public sealed partial class JobEdits(CellSettings settings, CellStore store, Use
         }
     }
 
-    private static string HashOf(ReadOnlyMemory<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
+    // Rename the folder once it is complete and in the audit trail. An existing folder with that name stays.
+    private void Write(
+        CellJobSettings prepared, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Action keep, SignedIn by)
+    {
+        var folder = Path.GetDirectoryName(prepared.File)!;
+        var beside = Path.Combine(Path.GetDirectoryName(folder)!, $".{Path.GetRandomFileName()}.tmp");
+        try
+        {
+            OutputFile.WriteAll(
+                [.. files.Select(f => (Path.Combine(beside, Path.GetFileName(f.Path)), f.Bytes))], [], CancellationToken.None);
+            keep();
+            try
+            {
+                Directory.Move(beside, folder);
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+                var failure = new OutputException(
+                    OutputException.Unwritable, folder, $"{folder} cannot be written: {e.Message.TrimEnd('.')}.", e);
+                store.Audit(by.Name, EditFailed, failure.Message, prepared.Name);
+                throw failure;
+            }
+        }
+        finally
+        {
+            Remove(beside);
+        }
+    }
+
+    private static void Remove(string folder)
+    {
+        try
+        {
+            if (Directory.Exists(folder))
+            {
+                Directory.Delete(folder, recursive: true);
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // Report the original failure. What is left has a name that begins with a dot and is not a job.
+        }
+    }
 }

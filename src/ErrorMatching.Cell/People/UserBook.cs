@@ -149,7 +149,7 @@ public sealed class UserBook
         return name;
     });
 
-    internal static string Word(Role role) => role.ToString().ToLowerInvariant();
+    private static string Word(Role role) => Rights.Word(role);
 
     private static (Person? Person, SignInFailures Failures, DateTimeOffset? LockedUntil) BeginTry(StoreTransaction t, string name)
     {
@@ -280,7 +280,8 @@ public sealed class UserBook
     // Nothing is taken from a row that was changed outside the cell: what is not set now comes from the audit trail, and the password must
     // be set again.
     private Person Mended(StoreTransaction t, Person person) =>
-        AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded ? person.Mended(recorded, Hashes.Nobodys)
+        AuditReplay.Of(t)?.People.GetValueOrDefault(UserName.Key(person.Name)) is { } recorded
+            ? person.Mended(recorded.Name, recorded.Role, recorded.IsDisabled, Hashes.Nobodys)
             : throw new PeopleException(
             PeopleError.Tampered,
             $"The audit trail is not whole, or does not say that {person.Name} was ever added: nobody knows who this user is. See "

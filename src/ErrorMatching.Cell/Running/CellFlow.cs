@@ -8,7 +8,7 @@ internal sealed class CellFlow(
     CellSettings settings, CellStore store, TimeProvider clock, ILogger log, FlowPace pace, CancellationToken finish)
 {
     /// <summary>The user name for steps that no person decides.</summary>
-    public const string ByCell = "cell";
+    public const string ByCell = AuditEntry.ByCell;
 
     private readonly Dictionary<(string Machine, string Slot), Wake> _slots = settings.Machines
         .SelectMany(m => m.Slots.Select(s => (m.Name, s.Name))).ToDictionary(k => k, _ => new Wake());

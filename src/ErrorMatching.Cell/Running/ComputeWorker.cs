@@ -54,7 +54,7 @@ internal sealed class ComputeWorker(CellFlow flow)
         var job = flow.Settings.Jobs.First(j => j.Name == recognized.Job);
         switch (_computer.Compute(CorrectionRequests.Of(flow, recognized, job, flow.Store.Content(recognized.MeasurementSha256)), stop))
         {
-            case Computed computed:
+            case ComputedProgram computed:
                 Keep(recognized, job, computed);
                 break;
             case NothingToSend nothing:
@@ -88,7 +88,7 @@ internal sealed class ComputeWorker(CellFlow flow)
         },
         [.. new[] { nothing.Report, nothing.Page }.OfType<ReadOnlyMemory<byte>>()]);
 
-    private void Keep(Correction recognized, CellJobSettings job, Computed computed)
+    private void Keep(Correction recognized, CellJobSettings job, ComputedProgram computed)
     {
         // Plain null would become empty content: a byte array converts to memory, and a null array to empty memory.
         var sums = job.Accumulates ? computed.Sums.ToJson() : default(ReadOnlyMemory<byte>?);

@@ -48,7 +48,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
             Slot = job.Slot,
             Program = slot.Program
         };
-        var again = GivenAgain.Of(flow.Store, known);
+        var again = Resubmitted.Of(flow.Store, known);
         var cut = !job.Accumulates || known.Piece != "counterpart" ? new(null, null) : again?.Cut ?? CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
         var part = known.Piece != "counterpart" ? null : again?.Part ?? LastCut(known, job) ?? LastPart(known, job);

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>The table of states and allowed steps. Any other step is rejected.</summary>
-public static class CorrectionSteps
+internal static class CorrectionSteps
 {
     private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
     {

@@ -1,5 +1,5 @@
+using System.Data.Common;
 using System.Globalization;
-using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
@@ -7,17 +7,20 @@ namespace ErrorMatching.Cell;
 /// transaction that is on disk when the call returns; if the call throws, none of it is stored. Thread-safe, and other processes may have
 /// the same store open.</summary>
 /// <remarks>Every member throws a <see cref="StoreException"/> if the store cannot do it.</remarks>
-public sealed partial class CellStore : IDisposable
+public sealed class CellStore : IDisposable
 {
     private readonly TimeProvider _clock;
     private readonly byte[]? _auditKey;
+    private readonly CorrectionQueries _corrections;
+    private readonly OutsideChanges _outside;
 
     private CellStore(CellDatabase database, TimeProvider clock, byte[]? auditKey)
     {
         Database = database;
         _clock = clock;
         _auditKey = auditKey;
-        _ledger = new(auditKey);
+        _corrections = new(database);
+        _outside = new(database, auditKey);
     }
 
     /// <summary>The database, for tables of other parts of the cell.</summary>
@@ -34,13 +37,7 @@ public sealed partial class CellStore : IDisposable
     {
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(clock);
-        var database = Connect(settings, opened =>
-        {
-            if (inspect) opened.Inspect();
-            Migrations.Apply(opened, clock, auditKey);
-            if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
-        });
-        return Opened(database, clock, auditKey);
+        return Opened(StoreOpening.ToWrite(settings, clock, auditKey, inspect), clock, auditKey);
     }
 
     /// <summary>Opens an existing store for reading, even if it cannot be written, as on a read-only mount. A writable store of an earlier
@@ -53,22 +50,7 @@ public sealed partial class CellStore : IDisposable
     {
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(clock);
-        var database = Connect(
-            settings,
-            opened =>
-            {
-                Migrations.Apply(opened, clock, auditKey);
-                try
-                {
-                    if (auditKey is not null) RowCodes.Give(opened, clock, auditKey);
-                }
-                catch (StoreException e) when (e.Error == StoreError.ReadOnly)
-                {
-                    // It is read as it is.
-                }
-            },
-            toRead: true);
-        return Opened(database, clock, auditKey);
+        return Opened(StoreOpening.ToRead(settings, clock, auditKey), clock, auditKey);
     }
 
     // Entries that exist now must still exist later.
@@ -87,90 +69,97 @@ public sealed partial class CellStore : IDisposable
         }
     }
 
-    /// <summary>True if there is a store whose audit trail is sealed with a key.</summary>
-    internal static bool IsSealed(StoreSettings settings)
-    {
-        if (settings is SqliteSettings { File: var file } && !File.Exists(file)) return false;
-        using var database = Connect(settings, _ => { }, toRead: true);
-        return database.Read(
-            connection => database.HasTable(connection, "audit_head") && AuditRow.Head(connection, null, "").Seal is not null);
-    }
-
     /// <summary>Stores a file that arrived as a new correction.</summary>
     /// <returns>The correction and whether it is new: the same arrival again returns the existing one.</returns>
     public (Correction Correction, bool IsNew) Archive(Arrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
-        var sha256 = Sha256(arrival.Bytes.Span);
-        return Write(transaction =>
-        {
-            if (Known(transaction, arrival.Key) is { } known) return (known, false);
-            Keep(transaction, sha256, arrival.Bytes);
-            return (
-                Arrive(
-                    transaction,
-                    New(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, sha256, arrival.Bytes.Length) with
-                    {
-                        Trace = arrival.Trace
-                    },
-                    arrival.Key),
-                true);
-        });
+        var sha256 = StoredContent.Sha256(arrival.Bytes.Span);
+        return Write(transaction => ArrivalWriter.Archive(transaction, arrival, sha256));
     }
 
     /// <summary>Records a file that is refused without being stored.</summary>
     /// <returns>The correction, refused immediately, and whether it is new: the same arrival again returns the existing one.</returns>
-    public (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
+    internal (Correction Correction, bool IsNew) ArchiveUnread(UnreadArrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
-        return Write(transaction => Known(transaction, arrival.Key) is { } known
-            ? (known, false)
-            : (Arrive(
-                transaction,
-                New(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Sha256, arrival.Length) with
-                {
-                    Code = arrival.Code,
-                    Reason = arrival.Reason,
-                    Trace = arrival.Trace
-                },
-                arrival.Key), true));
+        return Write(transaction => ArrivalWriter.ArchiveUnread(transaction, arrival));
     }
 
     /// <summary>The content stored under a hash.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if there is none, with <see cref="StoreError.Damaged"/> if it
     /// no longer has this hash.</exception>
-    public byte[] Content(string sha256)
-    {
-        var bytes = First("SELECT bytes FROM content WHERE sha256 = @sha256", r => r.GetFieldValue<byte[]>(0), new { sha256 })
-            ?? throw new StoreException(StoreError.Missing, $"{Database.Place} has no content {sha256}.");
-        if (Sha256(bytes) != sha256)
-        {
-            throw new StoreException(
-                StoreError.Damaged,
-                $"{Database.Place} is damaged: content {sha256} is not what was kept, but {Sha256(bytes)}. Restore the latest backup.");
-        }
-
-        return bytes;
-    }
+    public byte[] Content(string sha256) => StoredContent.Read(Database, sha256);
 
     /// <summary>True if content is stored under a hash.</summary>
-    internal bool Keeps(string sha256) =>
-        First("SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }) is not null;
+    internal bool Keeps(string sha256) => StoredContent.Has(Database, sha256);
 
     /// <summary>A correction by its number; null if there is none.</summary>
-    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
+    public Correction? Find(long id) => _corrections.Find(id);
 
     /// <summary>The corrections in any of the given states, in order of arrival.</summary>
-    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
-        ? []
-        : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
+    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => _corrections.InState(states);
 
     /// <summary>The steps of a correction, in order.</summary>
-    public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
-        Read(
-            "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
-            CorrectionRow.ReadStep,
-            new { id });
+    public IReadOnlyList<CorrectionStep> StepsOf(long id) => _corrections.StepsOf(id);
+
+    /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
+    /// correction that failed without a program has nothing to send and is excluded. A resubmitted measurement keeps its earlier place from
+    /// the moment it is resubmitted.</summary>
+    /// <param name="machine">The machine.</param>
+    /// <param name="slot">Its slot.</param>
+    public IReadOnlyList<Correction> Line(string machine, string slot) => _corrections.Line(machine, slot);
+
+    /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
+    /// store.</summary>
+    /// <param name="state">The state.</param>
+    /// <param name="most">Maximum number of corrections.</param>
+    /// <param name="gauges">The gauges; null for all.</param>
+    /// <param name="jobs">The cell's jobs; null for all.</param>
+    public IReadOnlyList<Correction> First(
+        CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null) =>
+        _corrections.First(state, most, gauges, jobs);
+
+    /// <summary>The latest corrections of some jobs that have a report, last arrival first. A series of pieces is displayed from
+    /// them.</summary>
+    /// <param name="jobs">The cell's jobs.</param>
+    /// <param name="most">Maximum number of corrections.</param>
+    public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most) => _corrections.Reported(jobs, most);
+
+    /// <summary>The number of corrections in each state; states without any are omitted.</summary>
+    public IReadOnlyDictionary<CorrectionState, long> Counts() => _corrections.Counts();
+
+    /// <summary>The correction of a job whose program was last verified at its machine and not reverted; null if there is none.</summary>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="serial">The serial number of the piece; null for any.</param>
+    public Correction? LastSent(string job, string? serial) => _corrections.LastSent(job, serial);
+
+    /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
+    /// <remarks>If a serial number or a work order is given, the part matches at least one and contradicts neither. A value that the part
+    /// lacks may be anything.</remarks>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="serial">Serial number of the piece; null if unknown.</param>
+    /// <param name="workOrder">The work order; null if unknown.</param>
+    public Correction? LastPart(string job, string? serial, string? workOrder) => _corrections.LastPart(job, serial, workOrder);
+
+    /// <summary>The corrections with a given measurement content, in order of arrival.</summary>
+    public IReadOnlyList<Correction> OfMeasurement(string sha256) => _corrections.OfMeasurement(sha256);
+
+    /// <summary>A job's corrections with a given compensated program, in order of arrival.</summary>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="sha256">The program.</param>
+    public IReadOnlyList<Correction> OfProgram(string job, string sha256) => _corrections.OfProgram(job, sha256);
+
+    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
+    internal IReadOnlyList<WaitingCorrections> Waiting() => _corrections.Waiting();
+
+    /// <summary>Searches the history for corrections.</summary>
+    /// <returns>The latest matches, last arrival first.</returns>
+    public IReadOnlyList<Correction> Search(HistoryQuery query)
+    {
+        ArgumentNullException.ThrowIfNull(query);
+        return HistorySearch.Find(Database, query);
+    }
 
     /// <summary>Takes one step. The correction, the step, the contents that it names, its slot and the audit entry are one
     /// transaction.</summary>
@@ -194,52 +183,41 @@ public sealed partial class CellStore : IDisposable
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
         ArgumentNullException.ThrowIfNull(from);
-        if (!CorrectionSteps.Allows(from.State, to))
-        {
-            throw new StoreException(
-                StoreError.Conflict,
-                string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"Correction {from.Id} is {CorrectionRow.Word(from.State)}: from there no step leads to {CorrectionRow.Word(to)}."));
-        }
-
-        var kept = (contents ?? []).Select(c => (Sha256(c.Span), c)).ToArray();
+        StepWriter.DemandAllowed(from, to);
+        var kept = (contents ?? []).Select(c => (Sha256: StoredContent.Sha256(c.Span), Bytes: c)).ToArray();
         var wanted = CorrectionRow.Kept(with?.Invoke(from) ?? from);
         return Write(transaction =>
         {
-            var after = wanted with
-            {
-                Id = from.Id,
-                State = to,
-                Version = from.Version + 1,
-                Gauge = from.Gauge,
-                FileName = from.FileName,
-                ArrivedAt = from.ArrivedAt,
-                ChangedAt = transaction.Now,
-                MeasurementSha256 = from.MeasurementSha256,
-                MeasurementBytes = from.MeasurementBytes,
-                MeasuredAs = from.MeasuredAs,
-            };
-            foreach (var (sha256, bytes) in kept) Keep(transaction, sha256, bytes);
-            if (after.Identity is { } identity && identity != from.Identity
-                && transaction.Value<long?>(
-                    "SELECT id FROM correction WHERE identity = @identity AND id <> @Id", new { identity, after.Id }) is { } existing)
-            {
-                throw new DuplicateCorrectionException(existing);
-            }
-
-            DemandKept(transaction, from, after);
-            var code = transaction.CodeOf(CorrectionRow.Coded(after));
-            if (transaction.Execute(CorrectionRow.Update, CorrectionRow.Parameters(after, from.State, code)) != 1)
-            {
-                throw Conflict(transaction, from, to);
-            }
-
-            SlotRow.Follow(transaction, from.State, after);
-            Note(transaction, after, from.State, by, basis);
-            return after;
+            foreach (var (sha256, bytes) in kept) StoredContent.Keep(transaction, sha256, bytes);
+            return StepWriter.Take(transaction, from, to, by, basis, wanted);
         });
     }
+
+    /// <summary>Resubmits the measurement of a correction that is not at its machine, in the same place in line, and ends that correction.
+    /// Both changes and their audit entries are one transaction.</summary>
+    /// <param name="correction">The correction as it was read.</param>
+    /// <param name="by">The user's name.</param>
+    /// <param name="reason">Why, in a person's words; null if none are given.</param>
+    /// <returns>The new correction, which is archived.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed it first, or no step leads to its
+    /// end.</exception>
+    public Correction GiveAgain(Correction correction, string by, string? reason)
+    {
+        ArgumentNullException.ThrowIfNull(correction);
+        return Write(transaction => Resubmission.Give(transaction, correction, by, reason));
+    }
+
+    /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the
+    /// right must have approved it, and its program must be the computed one. Its slot and the database schema must be as the cell left
+    /// them.</summary>
+    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call checks the whole trail, later calls only the
+    /// new entries.</remarks>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if a condition is not met.</exception>
+    internal void DemandRecorded(Correction correction) => _outside.DemandRecorded(correction);
+
+    /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
+    /// the database schema. <c>audit verify</c> may find more.</summary>
+    public IReadOnlyList<string> Tampered() => _outside.Find();
 
     /// <summary>What a slot holds.</summary>
     public SlotHolding Slot(string machine, string slot) =>
@@ -247,20 +225,8 @@ public sealed partial class CellStore : IDisposable
 
     /// <summary>Frees a slot of the correction that has it, as after a revert. A slot that is free or that another correction has stays as
     /// it is.</summary>
-    public void FreeSlot(string machine, string slot, long correction, string by, string basis) => Write(transaction =>
-    {
-        SlotRow.Demand(transaction, machine, slot);
-        var freed = transaction.Execute(
-            "UPDATE slot SET correction = NULL WHERE machine = @machine AND slot = @slot AND correction = @correction",
-            new { machine, slot, correction });
-        if (freed == 1)
-        {
-            SlotRow.Code(transaction, machine, slot);
-            transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
-        }
-
-        return freed;
-    });
+    public void FreeSlot(string machine, string slot, long correction, string by, string basis) =>
+        Write(transaction => SlotRow.Free(transaction, machine, slot, correction, by, basis));
 
     /// <summary>Takes the right to send to a slot; one process at a time can hold it.</summary>
     /// <returns>The right; null if another process has it.</returns>
@@ -270,6 +236,42 @@ public sealed partial class CellStore : IDisposable
     /// <summary>Takes the right to run the cell of this name; one process at a time can hold it.</summary>
     /// <returns>The right; null if another process has it.</returns>
     public ISlotLock? TryLockCell(string cell) => Database.TryLock($"cell {cell}");
+
+    /// <summary>Records an act that is not a step of a correction.</summary>
+    /// <param name="who">The user's name, or <c>cell</c>.</param>
+    /// <param name="what">What was done, in one word.</param>
+    /// <param name="basis">The basis, in words.</param>
+    /// <param name="subject">What it was done to; null if nothing in particular.</param>
+    public void Audit(string who, string what, string basis, string? subject = null) => Audit(who, what, basis, subject, null);
+
+    /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
+    internal void Audit(string who, string what, string basis, string? subject, byte[]? content) => Write(transaction =>
+    {
+        if (content is not null) StoredContent.Keep(transaction, StoredContent.Sha256(content), content);
+        transaction.Audit(who, what, subject, basis);
+        return true;
+    });
+
+    /// <summary>Entries of the audit trail, in order.</summary>
+    /// <param name="after">Returns entries after this number; 0 for the first.</param>
+    /// <param name="most">Maximum number of entries.</param>
+    public IReadOnlyList<AuditEntry> AuditEntries(long after, int most) =>
+        Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
+
+    /// <summary>The end of the audit trail.</summary>
+    public AuditHead AuditHead()
+    {
+        var head = Database.Read(connection => AuditRow.Head(connection, null, ""));
+        Database.Saw(head);
+        return head;
+    }
+
+    /// <summary>Verifies one snapshot of the audit trail with the key that the store was opened with.</summary>
+    /// <returns>The first fault; null if every entry is as written and in its place, and none is missing.</returns>
+    public AuditFault? VerifyAudit() => Database.Snapshot((connection, transaction) => AuditChain.Verify(
+        Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, transaction: transaction),
+        AuditRow.Head(connection, transaction, ""),
+        _auditKey));
 
     /// <summary>A number that differs after any change: the number of the last audit entry.</summary>
     public long ChangeCount() => AuditHead().Seq;
@@ -319,14 +321,7 @@ public sealed partial class CellStore : IDisposable
         IProgress<CellProgress>? progress,
         CancellationToken cancellation)
     {
-        if (settings is not SqliteSettings sqlite)
-        {
-            throw new StoreException(
-                StoreError.NotSupported,
-                "A store on PostgreSQL is restored by its own tools: createdb, then pg_restore --exit-on-error --dbname=NAME FILE.");
-        }
-
-        var aside = SqliteRestore.Restore(sqlite.File, backup, opened => Migrations.Apply(opened, clock, auditKey), progress, cancellation);
+        var aside = StoreOpening.Restore(settings, backup, clock, auditKey, progress, cancellation);
         using var store = Open(settings, clock, auditKey);
         store.Audit(
             by,
@@ -336,114 +331,17 @@ public sealed partial class CellStore : IDisposable
         return aside;
     }
 
-    /// <summary>Opens the database of a store.</summary>
-    /// <param name="settings">Where it is.</param>
-    /// <param name="prepare">Checks its integrity and migrates it to the wanted schema.</param>
-    /// <param name="toRead">True if the database need not be writable.</param>
-    internal static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false) => settings switch
-    {
-        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
-        PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
-        _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
-    };
-
     /// <summary>Runs a change with its audit entries, for tables of other parts of the cell.</summary>
     internal T Write<T>(Func<StoreTransaction, T> write) => Database.Write(_clock, _auditKey, write);
 
     /// <summary>The rows of one statement, for tables of other parts of the cell.</summary>
-    internal IReadOnlyList<T> Read<T>(string sql, Func<System.Data.Common.DbDataReader, T> row, object? parameters = null) =>
+    internal IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
         Database.Read(connection => Rows.Query(connection, sql, row, parameters));
 
     /// <summary>The first row of one statement, for tables of other parts of the cell; null if there is none.</summary>
-    internal T? First<T>(string sql, Func<System.Data.Common.DbDataReader, T> row, object? parameters = null)
+    internal T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
         where T : class => Database.Read(connection => Rows.First(connection, sql, row, parameters));
 
     /// <inheritdoc/>
     public void Dispose() => Database.Dispose();
-
-    private static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
-
-    internal static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
-        transaction.Execute(
-            "INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING",
-            new { sha256, Bytes = bytes.ToArray() });
-
-    private static Correction? Known(StoreTransaction transaction, string key) =>
-        transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, new { Arrival = KeyOf(key) });
-
-    private static string KeyOf(string key) => Sha256(System.Text.Encoding.UTF8.GetBytes(key));
-
-    private static Correction New(
-        StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
-        new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length)
-        {
-            ChangedAt = transaction.Now
-        };
-
-    // Without a basis, the cell itself took it from its gauge.
-    private static Correction Arrive(
-        StoreTransaction transaction, Correction arriving, string key, string by = "cell", string? basis = null)
-    {
-        var arrived = CorrectionRow.Kept(arriving);
-        var id = transaction.Value<long>(CorrectionRow.Insert, new
-        {
-            State = CorrectionRow.Word(arrived.State),
-            Arrival = KeyOf(key),
-            arrived.Gauge,
-            arrived.FileName,
-            At = StoredTime.Of(transaction.Now),
-            arrived.MeasurementSha256,
-            arrived.MeasurementBytes,
-            arrived.Code,
-            arrived.Reason,
-            arrived.Trace,
-            arrived.Job,
-            arrived.Piece,
-            arrived.Serial,
-            arrived.WorkOrder,
-            arrived.Machine,
-            arrived.Slot,
-            arrived.Program,
-            arrived.MeasuredAs,
-        });
-        arrived = arrived with { Id = id };
-        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
-            "UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
-        Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
-        return arrived;
-    }
-
-    private static void Note(StoreTransaction transaction, Correction after, CorrectionState? from, string by, string basis)
-    {
-        transaction.Execute(
-            "INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (@Id, @From, @To, @At, @By, @Basis)",
-            new
-            {
-                after.Id,
-                From = from is { } f ? CorrectionRow.Word(f) : null,
-                To = CorrectionRow.Word(after.State),
-                At = StoredTime.Of(transaction.Now),
-                By = StoredText.Name(by),
-                Basis = StoredText.Sentence(basis),
-            });
-        var subject = from is null
-            ? Recorded.File.With(after.Id, after.MeasurementSha256)
-            : after.ProgramSha256 is { } program
-            ? Recorded.Program.With(after.Id, program)
-            : Recorded.Correction.With(after.Id);
-        transaction.Audit(by, CorrectionRow.Word(after.State), subject, basis);
-    }
-
-    private static StoreException Conflict(StoreTransaction transaction, Correction from, CorrectionState to)
-    {
-        var now = transaction.First(CorrectionRow.Select + " WHERE id = @Id", CorrectionRow.Read, new { from.Id });
-        return now is null
-            ? new StoreException(StoreError.Missing, string.Create(CultureInfo.InvariantCulture, $"There is no correction {from.Id}."))
-            : new StoreException(
-                StoreError.Conflict,
-                string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"Correction {from.Id} was {CorrectionRow.Word(from.State)} and is {CorrectionRow.Word(now.State)} meanwhile: it "
-                        + $"cannot become {CorrectionRow.Word(to)}. Look at it again."));
-    }
 }

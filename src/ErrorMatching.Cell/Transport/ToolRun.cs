@@ -17,3 +17,26 @@ internal sealed record ToolRun(string Program, IReadOnlyList<string> Arguments, 
     /// check.</summary>
     public Func<bool>? IsTooMuch { get; init; }
 }
+
+/// <summary>The result of a program's run.</summary>
+/// <param name="End">How it ended.</param>
+/// <param name="ExitCode">Its exit code, if it exited.</param>
+/// <param name="Output">Its standard output.</param>
+/// <param name="Error">The beginning of its standard error, at most 16 KB.</param>
+internal sealed record ToolResult(ToolEnd End, int ExitCode, byte[] Output, string Error);
+
+/// <summary>How a program's run ended.</summary>
+internal enum ToolEnd
+{
+    /// <summary>It exited; see the exit code.</summary>
+    Exited,
+
+    /// <summary>Killed at the time limit.</summary>
+    TimedOut,
+
+    /// <summary>Killed because its output or download exceeded the limit.</summary>
+    TooMuch,
+
+    /// <summary>The program is not installed.</summary>
+    Missing,
+}

@@ -28,7 +28,7 @@ internal sealed class GrevilleSystem
             }
 
             var span = knots.SpanAt(t);
-            knots.Basis(span, t, 0, basis);
+            knots.Basis.WithDerivatives(span, t, 0, basis);
             for (var k = 0; k <= knots.Degree; k++)
             {
                 var column = span - knots.Degree + k;

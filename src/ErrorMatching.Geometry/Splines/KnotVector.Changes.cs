@@ -133,31 +133,6 @@ public sealed partial class KnotVector
     /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
     internal KnotVector OfPiece(int span) => new(Degree, _values.AsSpan(span - Degree, 2 * (Degree + 1)));
 
-    /// <summary>Weights of the poles in the polar form (blossom) of one polynomial piece: the point of de Boor's algorithm with a separate
-    /// argument in each step. Equal arguments give the basis (Ramshaw, Blossoms are polar forms, Computer Aided Geometric Design 6, 1989,
-    /// section 6).</summary>
-    /// <param name="span">The piece, from <see cref="SpanAt"/>.</param>
-    /// <param name="arguments">As many arguments as the degree.</param>
-    /// <param name="weights">Receives degree + 1 weights for poles span - degree to span.</param>
-    internal void Blossom(int span, ReadOnlySpan<double> arguments, Span<double> weights)
-    {
-        weights.Clear();
-        weights[Degree] = 1;
-        for (var level = 1; level <= Degree; level++)
-        {
-            // Level k splits the weight of pole i between poles i - 1 and i over the knots i to i + k.
-            var x = arguments[level - 1];
-            for (var j = Degree - level; j < Degree; j++)
-            {
-                var i = span - Degree + j + 1;
-                var (low, high) = (_values[i], _values[i + level]);
-                var weight = weights[j + 1];
-                weights[j] += weight * ((high - x) / (high - low));
-                weights[j + 1] = weight * ((x - low) / (high - low));
-            }
-        }
-    }
-
     private static double Nearest(IList<double> sorted, double value)
     {
         var best = sorted[0];

@@ -52,7 +52,7 @@ public sealed partial class SplineCurve
         var p = Knots.Degree;
         var span = Knots.SpanAt(t);
         Span<double> basis = stackalloc double[(order + 1) * (p + 1)];
-        Knots.Basis(span, t, order, basis);
+        Knots.Basis.WithDerivatives(span, t, order, basis);
         Span<double> w = stackalloc double[order + 1];
         for (var k = 0; k <= order; k++)
         {

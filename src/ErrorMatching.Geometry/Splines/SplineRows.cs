@@ -27,7 +27,7 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         for (var j = 0; j < finer.PoleCount; j++)
         {
             var span = Knots.SpanAt(finer.Values[j]);
-            Knots.Blossom(span, finer.Values.Slice(j + 1, p), weights);
+            Knots.Basis.Blossom(span, finer.Values.Slice(j + 1, p), weights);
             Add(weights, 1, span, values.AsSpan(j * Width, Width));
         }
 
@@ -68,7 +68,7 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
         var p = Knots.Degree;
         var span = Knots.SpanAt(t);
         Span<double> basis = stackalloc double[p + 1];
-        Knots.Basis(span, t, 0, basis);
+        Knots.Basis.WithDerivatives(span, t, 0, basis);
         var row = new double[Width];
         Add(basis, 1, span, row);
         return row;
@@ -105,7 +105,7 @@ internal sealed partial record SplineRows(KnotVector Knots, double[] Values, int
                     arguments[k] = target.Values[j + 1 + (k < left ? k : k + 1)];
                 }
 
-                Knots.Blossom(span, arguments, weights);
+                Knots.Basis.Blossom(span, arguments, weights);
                 Add(weights, 1.0 / (p + 1), span, values.AsSpan(j * Width, Width));
             }
         }

@@ -76,7 +76,7 @@ public sealed partial class SplineSurface
     public SplineSurface Clamp() => WithKnots(KnotsU.Clamp(), KnotsV.Clamp());
 
     /// <summary>The surface with u and v exchanged; its normal is reversed.</summary>
-    public SplineSurface Swap() => From((KnotsV, KnotsU, Transpose(Flat, CountU, CountV, Size)), IsRational);
+    public SplineSurface Swap() => new(_poles.Rows().Swap(), IsRational);
 
     /// <summary>The surface reversed along u; its normal is reversed.</summary>
     public SplineSurface ReverseU() => Each(r => r.Reverse(), r => r);
@@ -91,17 +91,20 @@ public sealed partial class SplineSurface
     /// <param name="endV">New last parameter along v, larger than the first.</param>
     /// <exception cref="GeometryException">A range is empty.</exception>
     public SplineSurface Reparametrize(double startU, double endU, double startV, double endV) =>
-        new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), _poles, _weights);
+        new(KnotsU.Affine(startU, endU), KnotsV.Affine(startV, endV), Poles, Weights);
 
     /// <summary>The curve on the surface at a parameter u, along v.</summary>
-    public SplineCurve CurveAtU(double u) =>
-        SplineCurve.From(new(KnotsV, new SplineRows(KnotsU, Flat, CountV * Size).RowAt(u), Size), IsRational);
+    public SplineCurve CurveAtU(double u)
+    {
+        var rows = _poles.Rows();
+        return SplineCurve.From(new(KnotsV, rows.AlongU().RowAt(u), rows.Size), IsRational);
+    }
 
     /// <summary>The curve on the surface at a parameter v, along u.</summary>
     public SplineCurve CurveAtV(double v)
     {
-        var turned = new SplineRows(KnotsV, Transpose(Flat, CountU, CountV, Size), CountU * Size);
-        return SplineCurve.From(new(KnotsU, turned.RowAt(v), Size), IsRational);
+        var rows = _poles.Rows();
+        return SplineCurve.From(new(KnotsU, rows.AlongV().RowAt(v), rows.Size), IsRational);
     }
 
     /// <summary>The polynomial pieces, v varying fastest, each a Bezier surface over its part of the parameters.</summary>
@@ -109,16 +112,16 @@ public sealed partial class SplineSurface
         [.. from u in KnotsU.Spans() from v in KnotsV.Spans() select Piece(u, v)];
 
     /// <summary>A box that contains the surface: that of its poles.</summary>
-    public Box3 Box() => Box3.Around(Clamp()._poles);
+    public Box3 Box() => Box3.Around(Clamp().Poles);
 
     /// <summary>A box that contains a range of pieces: that of the poles that affect them.</summary>
     internal Box3 Box(int firstU, int lastU, int firstV, int lastV)
     {
         var (startV, count) = (firstV - KnotsV.Degree, lastV - firstV + KnotsV.Degree + 1);
-        var box = Box3.Around(_poles.AsSpan(((firstU - KnotsU.Degree) * CountV) + startV, count));
+        var box = Box3.Around(Poles.Slice(((firstU - KnotsU.Degree) * CountV) + startV, count));
         for (var i = firstU - KnotsU.Degree + 1; i <= lastU; i++)
         {
-            var row = Box3.Around(_poles.AsSpan((i * CountV) + startV, count));
+            var row = Box3.Around(Poles.Slice((i * CountV) + startV, count));
             box = Box3.Around([box.Min, box.Max, row.Min, row.Max]);
         }
 
@@ -139,53 +142,14 @@ public sealed partial class SplineSurface
         {
             for (var j = spanV - q; j <= spanV; j++)
             {
-                poles.Add(_poles[(i * CountV) + j]);
-                weights.Add(_weights?[(i * CountV) + j] ?? 1);
+                poles.Add(Poles[(i * CountV) + j]);
+                weights.Add(IsRational ? Weights[(i * CountV) + j] : 1);
             }
         }
 
         return new SplineSurface(KnotsU.OfPiece(spanU), KnotsV.OfPiece(spanV), [.. poles], [.. weights]).Clamp();
     }
 
-    private static SplineSurface From((KnotVector U, KnotVector V, double[] Values) parts, bool rational)
-    {
-        var (poles, weights) = SplinePoles.Unflatten(parts.Values, rational);
-        return new(parts.U, parts.V, poles, weights);
-    }
-
-    /// <summary>Knots and poles after separate operations on the splines along u and along v.</summary>
-    private static (KnotVector U, KnotVector V, double[] Values) Apply(
-        (KnotVector U, KnotVector V, double[] Values) parts,
-        int size,
-        Func<SplineRows, SplineRows> alongU,
-        Func<SplineRows, SplineRows> alongV)
-    {
-        var first = alongU(new(parts.U, parts.Values, parts.V.PoleCount * size));
-        var countU = first.Knots.PoleCount;
-        var second = alongV(new(parts.V, Transpose(first.Values, countU, parts.V.PoleCount, size), countU * size));
-        return (first.Knots, second.Knots, Transpose(second.Values, second.Knots.PoleCount, countU, size));
-    }
-
-    private static double[] Transpose(double[] values, int rows, int columns, int size)
-    {
-        var turned = new double[values.Length];
-        for (var i = 0; i < rows; i++)
-        {
-            for (var j = 0; j < columns; j++)
-            {
-                values.AsSpan(((i * columns) + j) * size, size).CopyTo(turned.AsSpan(((j * rows) + i) * size, size));
-            }
-        }
-
-        return turned;
-    }
-
-    /// <summary>Numbers per pole.</summary>
-    private int Size => IsRational ? 4 : 3;
-
-    /// <summary>The poles as numbers, homogeneous if rational.</summary>
-    private double[] Flat => SplinePoles.Flatten(_poles, _weights);
-
     private SplineSurface Each(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV) =>
-        From(Apply((KnotsU, KnotsV, Flat), Size, alongU, alongV), IsRational);
+        new(_poles.Rows().Each(alongU, alongV), IsRational);
 }

@@ -20,9 +20,9 @@ public sealed partial class SplineSurface
     private (SplineSurface Surface, double MovedMm) Remove(Func<SplineRows, SplineRows> alongU, Func<SplineRows, SplineRows> alongV)
     {
         var (u, v) = (KnotsU.Clamp(), KnotsV.Clamp());
-        var old = Apply((KnotsU, KnotsV, Flat), Size, r => r.Onto(u), r => r.Onto(v));
-        var less = Apply(old, Size, alongU, alongV);
-        var back = Apply(less, Size, r => r.Onto(u), r => r.Onto(v));
-        return (From(less, IsRational), SplinePoles.Moved(old.Values, back.Values, IsRational));
+        var old = _poles.Rows().Each(r => r.Onto(u), r => r.Onto(v));
+        var less = old.Each(alongU, alongV);
+        var back = less.Each(r => r.Onto(u), r => r.Onto(v));
+        return (new(less, IsRational), SplinePoles.Moved(old.Values, back.Values, IsRational));
     }
 }

@@ -206,7 +206,7 @@ public sealed class SurfaceLine
             var width = knots.Degree + 1;
             Powers = new double[width * width];
             (Place, Slope) = (new Vector256<double>[width], new Vector256<double>[width]);
-            knots.Basis(number, Middle, knots.Degree, Powers);
+            knots.Basis.WithDerivatives(number, Middle, knots.Degree, Powers);
             var factor = 1.0;
             for (var k = 1; k < width; k++)
             {

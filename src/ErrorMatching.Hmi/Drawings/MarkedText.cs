@@ -45,7 +45,7 @@ public sealed class MarkedText : TextBlock
     protected override Type StyleKeyOverride => typeof(TextBlock);
 
     /// <inheritdoc/>
-    protected override AutomationPeer OnCreateAutomationPeer() => new MarkedTextPeer(this);
+    protected override AutomationPeer OnCreateAutomationPeer() => new WholeLine(this);
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
@@ -84,5 +84,16 @@ public sealed class MarkedText : TextBlock
 
         inlines.Add(new Run(line[at..]));
         Inlines = inlines;
+    }
+
+    /// <summary>Describes a line with marks to a screen reader: the whole line, and the marked words.</summary>
+    private sealed class WholeLine(MarkedText owner) : TextBlockAutomationPeer(owner)
+    {
+        /// <inheritdoc/>
+        protected override string? GetNameCore() => owner.Line;
+
+        /// <inheritdoc/>
+        protected override string? GetHelpTextCore() =>
+            owner.Marked is { Count: > 0 } marked ? Texts.Current.With("Detail.ChangedWords", string.Join(", ", marked)) : null;
     }
 }

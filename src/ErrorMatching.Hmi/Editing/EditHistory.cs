@@ -6,8 +6,8 @@ namespace ErrorMatching.Hmi;
 internal sealed class EditHistory
 {
     private const int Most = 500;
-    private readonly List<EditStep> _undo = [];
-    private readonly List<EditStep> _redo = [];
+    private readonly List<Step> _undo = [];
+    private readonly List<Step> _redo = [];
     private string? _typing;
 
     /// <summary>The current draft.</summary>
@@ -47,7 +47,7 @@ internal sealed class EditHistory
 
     public void Redo() => Go(_redo, _undo);
 
-    private void Go(List<EditStep> from, List<EditStep> to)
+    private void Go(List<Step> from, List<Step> to)
     {
         if (from.Count > 0)
         {
@@ -57,4 +57,9 @@ internal sealed class EditHistory
             _typing = null;
         }
     }
+
+    /// <summary>An earlier or later draft.</summary>
+    /// <param name="Draft">The draft.</param>
+    /// <param name="Field">The field that was changed next; successive input in one field is one step.</param>
+    private sealed record Step(MatingDraft Draft, string Field);
 }

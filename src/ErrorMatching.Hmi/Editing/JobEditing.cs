@@ -3,25 +3,21 @@ using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The job edited at this station, shared by both setup screens: the draft, undo history, problems, and the copy stored for
-/// crash recovery.</summary>
-public sealed partial class JobEditing : Observable, IDisposable
+/// <summary>The job edited at this station, shared by both setup screens: the draft with its undo history, and what is known of
+/// it.</summary>
+public sealed class JobEditing : Observable, IDisposable
 {
     private readonly Station _station;
     private readonly Func<SignedIn?> _who;
-    private readonly SynchronizationContext _screen;
     private readonly EditHistory _history = new();
-    private readonly Latest<Snapshot> _checking;
-    private readonly Latest<Snapshot> _keeping;
-    private readonly DraftFolder _drafts;
-    private MatingDraft _base = new();
-    private string _baseSha256 = "";
+    private readonly DraftProblems _problems;
+    private readonly JobVersions _versions;
+    private readonly JobSaving _saving;
+    private readonly JobEdits _edits;
     private string? _message;
     private Func<string>? _notice;
     private bool _isLoaded;
     private bool _isTold;
-    private IReadOnlyList<DraftProblem> _found = [];
-    private DraftProblem? _typed;
 
     /// <summary>Starts without a job.</summary>
     /// <param name="station">The station.</param>
@@ -30,19 +26,20 @@ public sealed partial class JobEditing : Observable, IDisposable
     {
         _station = station ?? throw new ArgumentNullException(nameof(station));
         _who = who;
-        _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("Jobs are edited on the screen's thread.");
-        _drafts = new(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(station.Settings.File))!, "drafts"));
+        _ = SynchronizationContext.Current ?? throw new InvalidOperationException("Jobs are edited on the screen's thread.");
+        _edits = new(station.Settings, station.Store, station.Users);
+        _problems = new(station, () => Draft, Refresh);
+        _versions = new(this, _edits, station.Clock);
+        _saving = new(this, _edits, who, replacement => Asked?.Invoke(replacement));
+        Recovery = new(station, told => Message = told);
+        Earlier = new(station, who);
         Jobs.Show([.. InUse(station.Settings)]);
-        _checking = new(LookThrough);
-        _keeping = new(KeepAway);
         Undo = new(() => Go(_history.Undo), () => CanEdit && _history.CanUndo);
         Redo = new(() => Go(_history.Redo), () => CanEdit && _history.CanRedo);
         BeginAnew = new(BeginNew, () => CanEdit);
-        DiscardChanges = new(() => Change("", _ => _base), () => CanEdit && IsChanged);
+        DiscardChanges = new(() => Change("", _ => Base), () => CanEdit && IsChanged);
         ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
         DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
-        Save = new(_ => SaveAsync(), () => CanEdit && IsChanged);
-        PutInUse = new(_ => PutInUseAsync(), () => CanEdit && IsBeside && !IsChanged);
         ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
 
         // While saving, nothing can be edited.
@@ -75,41 +72,37 @@ public sealed partial class JobEditing : Observable, IDisposable
     public MatingDraft Draft => _history.Draft;
 
     /// <summary>Known problems of the draft, including fields that need to be filled in.</summary>
-    public IReadOnlyList<DraftProblem> Problems => _typed is { } typed ? [typed, .. _found] : _found;
+    public IReadOnlyList<DraftProblem> Problems => _problems.All;
 
     /// <summary>Known questions about valid but probably unintended input.</summary>
-    public IReadOnlyList<DraftProblem> Doubts { get; private set; } = [];
+    public IReadOnlyList<DraftProblem> Doubts => _problems.Doubts;
 
     /// <summary>Number of fields to fill in.</summary>
-    public int MissingCount => Problems.Count(p => p.IsMissing);
+    public int MissingCount => _problems.MissingCount;
 
     /// <summary>Number of errors.</summary>
-    public int WrongCount => Problems.Count - MissingCount;
+    public int WrongCount => _problems.WrongCount;
 
     /// <summary>Text with the numbers of errors and fields to fill in on each screen; empty if there are none.</summary>
-    public string CountText => Texts.Current.Listed(Problems
-        .GroupBy(p => (p.IsMissing, ProblemPlace.Of(Draft, p.Field).Screen))
-        .OrderBy(g => g.Key.IsMissing).ThenBy(g => g.Key.Screen == Screens.Points ? 0 : 1)
-        .Select(g => Texts.Current.With(
-            g.Key.IsMissing ? "Setup.MissingAt" : "Setup.WrongAt", g.Count(), Texts.Current["Screen." + g.Key.Screen])));
+    public string CountText => _problems.CountText;
 
     /// <summary>Problem with the last input that the draft cannot store, such as a count that is not a number. The next change clears
     /// it.</summary>
     public DraftProblem? Typed
     {
-        get => _typed;
+        get => _problems.Typed;
         set
         {
-            if (_typed != value)
+            if (_problems.Typed != value)
             {
-                _typed = value;
+                _problems.Typed = value;
                 Refresh();
             }
         }
     }
 
     /// <summary>True if <see cref="Problems"/> are those of the current draft.</summary>
-    public bool IsChecked { get; private set; }
+    public bool IsChecked => _problems.IsChecked;
 
     /// <summary>True if mistakes are also shown at untouched empty fields: after a tap on the count or an attempt to save.</summary>
     public bool IsTold => _isTold;
@@ -124,7 +117,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     public string? Message
     {
         get => _message;
-        private set => Set(ref _message, value);
+        internal set => Set(ref _message, value);
     }
 
     /// <summary>Notice about what was saved and what follows, or null.</summary>
@@ -134,7 +127,7 @@ public sealed partial class JobEditing : Observable, IDisposable
     public bool HasComments { get; private set; }
 
     /// <summary>True if the draft differs from the saved job.</summary>
-    public bool IsChanged => _isLoaded && !Draft.IsSame(_base);
+    public bool IsChanged => _isLoaded && !Draft.IsSame(Base);
 
     /// <summary>True if the signed-in user may edit jobs.</summary>
     public bool MayEdit => _who() is { } who && Rights.Allows(who.Role, Act.EditJobs);
@@ -158,13 +151,55 @@ public sealed partial class JobEditing : Observable, IDisposable
 
     /// <summary>Saves a draft without problems: replaces the job, with a signature if it is in use; saves a new job as a prepared
     /// job.</summary>
-    public LongCommand Save { get; }
+    public LongCommand Save => _saving.Save;
+
+    /// <summary>Replaces the job in use with this one, once all changes are saved.</summary>
+    public LongCommand PutInUse => _saving.PutInUse;
+
+    /// <summary>The saved versions of the job, the latest first; empty until they are read.</summary>
+    public RowList<VersionRow> Versions => _versions.Rows;
+
+    /// <summary>True while a prepared job is edited.</summary>
+    public bool IsBeside => Job is { } job && !_edits.IsInUse(job);
+
+    /// <summary>The cell's job that the edited job belongs to or may replace; null before one is chosen.</summary>
+    public CellJobSettings? Place => Job is { } job ? _edits.PlaceOf(job) : null;
+
+    /// <summary>Recalculates the corrections that are waiting, approved or failed with the current job.</summary>
+    public LongCommand ComputeAnew { get; }
+
+    /// <summary>True while the notice about saving is shown and the user may recalculate.</summary>
+    public bool CanComputeAnew => _notice is not null && Earlier.CanCompute;
+
+    /// <summary>Button text with the number of corrections.</summary>
+    public string ComputeAnewText => Texts.Current.With("Setup.ComputeAnew", Earlier.Waiting.Count);
+
+    /// <summary>The first correction in the notice about saving or recalculating; null if there is none.</summary>
+    public long? FirstWaiting => _notice is null ? null : Earlier.First;
+
+    /// <summary>The saved job that the draft was made from.</summary>
+    internal MatingDraft Base { get; private set; } = new();
+
+    /// <summary>Hash of the saved job.</summary>
+    internal string BaseSha256 { get; private set; } = "";
+
+    /// <summary>The stored copy of unsaved changes.</summary>
+    internal DraftRecovery Recovery { get; }
+
+    /// <summary>Corrections computed with the job before it was saved.</summary>
+    internal EarlierCorrections Earlier { get; }
 
     /// <summary>Completes when the chosen job is open.</summary>
     internal Task Loading { get; private set; } = Task.CompletedTask;
 
+    /// <summary>Completes when no check is running.</summary>
+    internal Task Checking => _problems.Running;
+
     /// <summary>Completes when no check or store operation is running.</summary>
-    internal Task Behind => Task.WhenAll(_checking.Running, _keeping.Running);
+    internal Task Behind => Task.WhenAll(Checking, Recovery.Running);
+
+    /// <summary>Completes when the chosen version is in the form.</summary>
+    internal Task Restoring => _versions.Restoring;
 
     /// <summary>Opens a job, unless it is open.</summary>
     public void Choose(CellJobSettings? job)
@@ -172,8 +207,9 @@ public sealed partial class JobEditing : Observable, IDisposable
         job = Jobs.FirstOrDefault(j => j.File == job?.File) ?? job;
         if (job is not null && job != Job)
         {
-            (Job, _isLoaded, Kept, IsKeptBroken, _notice, _found, Doubts, _typed) = (job, false, null, false, null, [], [], null);
-            ShowVersions([]);
+            (Job, _isLoaded, Kept, IsKeptBroken, _notice) = (job, false, null, false, null);
+            _problems.Clear();
+            _versions.Clear();
             Refresh();
             Loading = LoadAsync(job).Watched();
         }
@@ -188,17 +224,13 @@ public sealed partial class JobEditing : Observable, IDisposable
         if (CanEdit && change(Draft) is var draft && !draft.IsSame(Draft))
         {
             _history.Change(draft, field);
-            (_notice, _typed) = (null, null);
+            (_notice, _problems.Typed) = (null, null);
             Follow();
         }
     }
 
     /// <summary>Shows the result of the last change; the next change clears it.</summary>
-    public void Note(Func<string>? notice)
-    {
-        (_notice, _waiting, _first) = (notice, [], null);
-        Refresh();
-    }
+    public void Note(Func<string>? notice) => Note(notice, []);
 
     /// <summary>Shows mistakes at every field and goes to the first; without mistakes, to the first question.</summary>
     public void Tell()
@@ -220,11 +252,7 @@ public sealed partial class JobEditing : Observable, IDisposable
         }
 
         DiscardKept.Refresh();
-        foreach (var row in Versions)
-        {
-            row.Restore.Refresh();
-        }
-
+        _versions.Refresh();
         Save.Refresh();
         PutInUse.Refresh();
         ComputeAnew.Refresh();
@@ -242,16 +270,114 @@ public sealed partial class JobEditing : Observable, IDisposable
     }
 
     /// <summary>Waits until the last input is stored.</summary>
-    public void Dispose() => _keeping.Running.GetAwaiter().GetResult();
+    public void Dispose() => Recovery.Running.GetAwaiter().GetResult();
 
-    /// <summary>Text with the numbers of errors and fields to fill in; empty if there are none.</summary>
-    internal static string CountOf(int wrong, int missing) => string.Join(
-        " · ",
-        new[]
+    /// <summary>Shows the result of saving, and offers to recalculate corrections.</summary>
+    internal void Note(Func<string>? notice, IReadOnlyList<Correction> waiting)
+    {
+        _notice = notice;
+        Earlier.Offer(waiting);
+        Refresh();
+    }
+
+    /// <summary>Goes on with the requested signature (<see cref="Asked"/>).</summary>
+    internal void SaveSigned(SignedIn by) => _saving.Sign(by);
+
+    /// <summary>Continues from a saved draft.</summary>
+    internal void TakeSaved(MatingDraft draft, string sha256)
+    {
+        // The imported program is now the job's own.
+        (Base, BaseSha256, HasComments) = (draft with { Program = null }, sha256, false);
+        _history.Begin(Base);
+    }
+
+    /// <summary>Shows that a job was saved.</summary>
+    internal async Task ShowSavedAsync(CellJobSettings job)
+    {
+        Changed?.Invoke();
+        await _versions.ReadAsync(job);
+    }
+
+    /// <summary>Lists the jobs in use and the prepared ones. If these cannot be listed, it reports that and keeps the list.</summary>
+    internal async Task ReadJobsAsync()
+    {
+        IReadOnlyList<CellJobSettings> jobs = [];
+        var read = () => { jobs = [.. InUse(_station.Settings).SelectMany(j => _edits.PreparedFor(j).Prepend(j))]; };
+        if (await Failures.OfAsync(read, _station.Clock) is { } failure)
         {
-            wrong > 0 ? Texts.Current.With("Setup.Problems", wrong) : "",
-            missing > 0 ? Texts.Current.With("Setup.Missing", missing) : ""
-        }.Where(t => t.Length > 0));
+            Message = failure;
+            return;
+        }
+
+        Jobs.Show(jobs);
+    }
+
+    /// <summary>Runs work off the UI thread. Failures set <see cref="Message"/>.</summary>
+    /// <returns>True if it succeeded.</returns>
+    internal async Task<bool> TryAsync(Action work)
+    {
+        Message = null;
+        if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
+        {
+            return true;
+        }
+
+        Message = failure;
+        return false;
+    }
+
+    // If several jobs share a file, as for part and counterpart, use the first that is not the counterpart's.
+    private static IEnumerable<CellJobSettings> InUse(CellSettings settings) => settings.Jobs.Where(j => !j.IsFreeform)
+        .GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First());
+
+    private async Task LoadAsync(CellJobSettings job)
+    {
+        var opened = await Task.Run(() => OpenedJob.Read(job, Recovery, _station.Clock));
+        if (job != Job)
+        {
+            return;
+        }
+
+        (BaseSha256, Base, HasComments) = (opened.Sha256, opened.Draft ?? new(), opened.HasComments);
+        (Kept, IsKeptBroken, _isLoaded, _isTold) = (opened.Kept, opened.IsKeptBroken, opened.Draft is not null, false);
+        Message = opened.Message;
+        _history.Begin(Base);
+        _problems.Check(new(job, Base, Base, BaseSha256, "", default));
+        Changed?.Invoke();
+        Refresh();
+        await ReadJobsAsync();
+        await _versions.ReadAsync(job);
+    }
+
+    private void TakeKept()
+    {
+        if (Kept is { } kept)
+        {
+            Kept = null;
+
+            // Saving reports a change made in the meantime.
+            BaseSha256 = kept.BaseSha256;
+            _history.Begin(Base);
+            _history.Change(kept.Draft, "");
+            Follow();
+        }
+    }
+
+    private async Task ForgetKeptAsync()
+    {
+        var job = Job!;
+        if (await TryAsync(() => Recovery.Forget(job)))
+        {
+            (Kept, IsKeptBroken) = (null, false);
+            Refresh();
+        }
+    }
+
+    private async Task ComputeAnewAsync()
+    {
+        _notice = await Earlier.ComputeAsync();
+        Refresh();
+    }
 
     private void BeginNew()
     {
@@ -262,62 +388,16 @@ public sealed partial class JobEditing : Observable, IDisposable
     private void Go(Action way)
     {
         way();
-        (_notice, _typed) = (null, null);
+        (_notice, _problems.Typed) = (null, null);
         Follow();
     }
 
     private void Follow()
     {
-        var snapshot = new Snapshot(Job!, Draft, _base, _baseSha256, _who()?.Name ?? "", _station.Clock.GetUtcNow());
-        IsChecked = false;
-        _checking.Give(snapshot);
-        _keeping.Give(snapshot);
+        var snapshot = new DraftSnapshot(Job!, Draft, Base, BaseSha256, _who()?.Name ?? "", _station.Clock.GetUtcNow());
+        _problems.Check(snapshot);
+        Recovery.Keep(snapshot);
         Changed?.Invoke();
         Refresh();
     }
-
-    private void LookThrough(Snapshot snapshot)
-    {
-        var check = new JobEdits(_station.Settings, _station.Store, _station.Users).Check(snapshot.Job, snapshot.Draft);
-        _screen.Post(
-            _ =>
-            {
-                if (ReferenceEquals(snapshot.Draft, Draft))
-                {
-                    (_found, Doubts, IsChecked) = (check.Problems, check.Doubts, true);
-                    Refresh();
-                }
-            },
-            null);
-    }
-
-    private void KeepAway(Snapshot snapshot)
-    {
-        try
-        {
-            if (snapshot.Draft.IsSame(snapshot.Base))
-            {
-                Forget(snapshot.Job);
-            }
-            else
-            {
-                _drafts.Keep(
-                    new()
-                    {
-                        Job = snapshot.Job.Name,
-                        By = snapshot.By,
-                        At = snapshot.At,
-                        BaseSha256 = snapshot.BaseSha256,
-                        Draft = snapshot.Draft
-                    });
-            }
-        }
-        catch (OutputException e)
-        {
-            _screen.Post(_ => Message = Texts.Current.With("Setup.NotKept", Failures.Of(e, _station.Clock)), null);
-        }
-    }
-
-    private sealed record Snapshot(
-        CellJobSettings Job, MatingDraft Draft, MatingDraft Base, string BaseSha256, string By, DateTimeOffset At);
 }

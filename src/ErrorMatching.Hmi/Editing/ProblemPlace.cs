@@ -5,9 +5,9 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The screen and tab that show a field of the draft.</summary>
-/// <param name="Screen">Key of the screen.</param>
+/// <param name="ScreenKey">Key of the screen.</param>
 /// <param name="Side">Number of the tab in the system setup; 0 for the point setup.</param>
-internal sealed partial record ProblemPlace(string Screen, int Side)
+internal sealed partial record ProblemPlace(string ScreenKey, int Side)
 {
     public const int Coordinates = 0;
 
@@ -23,7 +23,7 @@ internal sealed partial record ProblemPlace(string Screen, int Side)
     public const int Gauge = 4;
 
     public static ProblemPlace Of(MatingDraft draft, string path) =>
-        IsOfPoints(draft, path) ? new(Screens.Points, 0) : new(Screens.System, path switch
+        IsOfPoints(draft, path) ? new(ScreenKeys.Points, 0) : new(ScreenKeys.System, path switch
         {
             _ when path.Contains('/', StringComparison.Ordinal)
                 || path.StartsWith("$.part", StringComparison.Ordinal)

@@ -2,9 +2,8 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 using Avalonia.Controls;
-using Avalonia.Layout;
+using Avalonia.Input;
 using Avalonia.Media;
-using Avalonia.Media.Immutable;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
@@ -15,18 +14,8 @@ namespace ErrorMatching.Hmi;
 /// and find the datum near a place (<see cref="DatumNear"/>). They call <see cref="Renew"/> when the data change. The data
 /// themselves belong to view models. Keys: arrows pan, plus and minus zoom, 0 shows all, Space or Enter shows the values nearest
 /// to the center, Page Up and Page Down go to the previous and next datum.</remarks>
-[System.Diagnostics.CodeAnalysis.SuppressMessage(
-    "Design", "CA1001", Justification = "The layer is let go when the plot leaves the screen.")]
-public abstract partial class PlotArea : Control, IDrawnWords
+public abstract class PlotArea : PlotPaper, IDrawnWords
 {
-    public static readonly StyledProperty<IBrush?> InkProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ink));
-
-    public static readonly StyledProperty<IBrush?> RuleProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Rule));
-
-    public static readonly StyledProperty<IBrush?> GroundProperty = AvaloniaProperty.Register<PlotArea, IBrush?>(nameof(Ground));
-
-    public static readonly StyledProperty<double> LabelSizeProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(LabelSize), 1);
-
     public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around));
 
     public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
@@ -37,11 +26,10 @@ public abstract partial class PlotArea : Control, IDrawnWords
     // Zoom out to a quarter of the fitted size at most. Zoom in no further than needed to see a micrometer of a meter.
     private const double LeastShare = 0.25, MostFactor = 1000;
 
-    private static readonly Typeface Plain = new(FontFamily.Default),
-        Strong = new(FontFamily.Default, FontStyle.Normal, FontWeight.SemiBold);
+    private const double StepFactor = 1.5, WheelFactor = 1.25, KeyShare = 0.125;
 
     private readonly StackPanel _buttons;
-    private readonly HashSet<(string Words, Typeface Typeface)> _words = [];
+    private readonly PlotFingers _fingers;
     private PlotDatum? _datum;
     private PlotIndex _index = new([]);
     private PlotView _view;
@@ -49,53 +37,17 @@ public abstract partial class PlotArea : Control, IDrawnWords
 
     static PlotArea()
     {
-        AffectsRender<PlotArea>(InkProperty, RuleProperty, GroundProperty, LabelSizeProperty, BoundsProperty);
+        AffectsRender<PlotArea>(BoundsProperty);
         FocusableProperty.OverrideDefaultValue<PlotArea>(true);
         ClipToBoundsProperty.OverrideDefaultValue<PlotArea>(true);
     }
 
     protected PlotArea()
     {
-        _buttons = new StackPanel
-        {
-            Classes = { "near", "buttons" },
-            HorizontalAlignment = HorizontalAlignment.Right,
-            VerticalAlignment = VerticalAlignment.Top
-        };
-        _buttons.Children.AddRange(
-            [
-                MakeButton("Plot.Nearer", "plus", () => ZoomStep(1)),
-                MakeButton("Plot.Further", "minus", () => ZoomStep(-1)),
-                MakeButton("Plot.All", "all", ShowAllInBoth)]);
+        _fingers = new(this);
+        _buttons = PlotButtons.Of(() => ZoomStep(1), () => ZoomStep(-1), ShowAllInBoth);
         LogicalChildren.Add(_buttons);
         VisualChildren.Add(_buttons);
-    }
-
-    /// <summary>Color of labels.</summary>
-    public IBrush? Ink
-    {
-        get => GetValue(InkProperty);
-        set => SetValue(InkProperty, value);
-    }
-
-    /// <summary>Color of rules, frames and the crosshair.</summary>
-    public IBrush? Rule
-    {
-        get => GetValue(RuleProperty);
-        set => SetValue(RuleProperty, value);
-    }
-
-    /// <summary>Color of the background.</summary>
-    public IBrush? Ground
-    {
-        get => GetValue(GroundProperty);
-        set => SetValue(GroundProperty, value);
-    }
-
-    public double LabelSize
-    {
-        get => GetValue(LabelSizeProperty);
-        set => SetValue(LabelSizeProperty, value);
     }
 
     /// <summary>Margin around the drawing when all is shown.</summary>
@@ -135,12 +87,15 @@ public abstract partial class PlotArea : Control, IDrawnWords
         }
     }
 
+    /// <summary>Where the values were last shown, in screen units.</summary>
+    internal Rect ValuesRoom { get; private set; }
+
     /// <summary>True if the whole extent is visible.</summary>
     public bool ShowsAll => _view == _whole;
 
     /// <inheritdoc/>
     IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords =>
-        [.. _words, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
+        [.. WordsDrawn, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
 
     /// <summary>Words that are redrawn in later frames without being recreated.</summary>
     protected virtual IEnumerable<string> KeptWords => [];
@@ -167,10 +122,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
     public void ShowAll()
     {
         // Neither the buttons nor the side labels may hide part of it.
-        var (left, top, right, bottom) = (Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom);
-        var fit = PlotView.Fit(
-            Extent, Math.Max(Bounds.Width - left - right, 1), Math.Max(Bounds.Height - top - bottom, 1), Around, IsTrueToScale);
-        _whole = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new((left - right) / 2, (top - bottom) / 2));
+        _whole = Fitted(Extent, new(Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom));
         View = _whole;
     }
 
@@ -219,7 +171,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
             return;
         }
 
-        _words.Clear();
+        Begin();
         Draw(context, View);
         ShowPixels(context);
         if (_datum is { } datum)
@@ -261,8 +213,7 @@ public abstract partial class PlotArea : Control, IDrawnWords
     {
         if (!box.IsEmpty && Bounds is { Width: > 0, Height: > 0 })
         {
-            var fit = PlotView.Fit(box, Math.Max(Bounds.Width - ButtonsRoom, 1), Bounds.Height, Around, IsTrueToScale);
-            View = (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(new(-ButtonsRoom / 2, 0));
+            View = Fitted(box, new(0, 0, ButtonsRoom, 0));
             Lead();
         }
     }
@@ -295,41 +246,6 @@ public abstract partial class PlotArea : Control, IDrawnWords
     /// <summary>True if a line of the drawing crosses a box: text there would hide it.</summary>
     protected virtual bool IsDrawnIn(PlotBox box) => false;
 
-    /// <summary>Draws a label where room was found, with its leader line if it is away from its place.</summary>
-    private protected void Words(DrawingContext context, FormattedText text, LabelRoom room)
-    {
-        if (room.Leader is var (from, to))
-        {
-            context.DrawLine(new Pen(Rule, DrawnSizes.Thin), from, to);
-        }
-
-        Words(context, text, room.Corner);
-    }
-
-    /// <summary>Draws text on its own background, so that lines do not cross it out.</summary>
-    protected void Words(DrawingContext context, FormattedText text, Point at)
-    {
-        ArgumentNullException.ThrowIfNull(context);
-        ArgumentNullException.ThrowIfNull(text);
-        if (Ground is ISolidColorBrush ground)
-        {
-            context.FillRectangle(
-                new ImmutableSolidColorBrush(ground.Color, DrawnSizes.VeilOpacity),
-                new Rect(at, new Size(text.Width, text.Height)).Inflate(new Thickness(DrawnSizes.VeilBeside, 0)),
-                (float)DrawnSizes.VeilRound);
-        }
-
-        context.DrawText(text, at);
-    }
-
-    /// <summary>Text in the color of the plot's labels.</summary>
-    protected FormattedText Label(string text, bool isStrong = false)
-    {
-        var typeface = isStrong ? Strong : Plain;
-        _words.Add((text, typeface));
-        return new(text, System.Globalization.CultureInfo.InvariantCulture, FlowDirection.LeftToRight, typeface, LabelSize, Ink);
-    }
-
     // The twin follows this plot.
     private void Lead()
     {
@@ -344,6 +260,14 @@ public abstract partial class PlotArea : Control, IDrawnWords
     {
         ShowAll();
         Twin?.ShowAll();
+    }
+
+    private PlotView Fitted(PlotBox box, Thickness frame)
+    {
+        var (width, height) = (Bounds.Width - frame.Left - frame.Right, Bounds.Height - frame.Top - frame.Bottom);
+        var fit = PlotView.Fit(box, Math.Max(width, 1), Math.Max(height, 1), Around, IsTrueToScale);
+        return (fit with { Width = Bounds.Width, Height = Bounds.Height }).Pan(
+            new((frame.Left - frame.Right) / 2, (frame.Top - frame.Bottom) / 2));
     }
 
     // Keeps the drawing in sight: the center of the view stays within its box.
@@ -373,16 +297,118 @@ public abstract partial class PlotArea : Control, IDrawnWords
     protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnAttachedToVisualTree(e);
-        foreach (var (button, part) in _buttons.Children.Zip(["nearer", "further", "all"]))
+        PlotButtons.Name(_buttons, AutomationProperties.GetAutomationId(this));
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerPressed(PointerPressedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerPressed(e);
+        Focus();
+        _fingers.Press(e);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerMoved(PointerEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerMoved(e);
+        _fingers.Move(e);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerReleased(PointerReleasedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerReleased(e);
+        if (_fingers.Release(e))
         {
-            AutomationProperties.SetAutomationId(button, $"{AutomationProperties.GetAutomationId(this)}-{part}");
+            var at = e.GetPosition(this);
+            AskFor(DatumNear(new(at.X, at.Y), DrawnSizes.FingerReach));
         }
     }
 
     /// <inheritdoc/>
-    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
     {
-        base.OnDetachedFromVisualTree(e);
-        _layer.LetGo();
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerCaptureLost(e);
+        _fingers.Lose(e);
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPointerWheelChanged(PointerWheelEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerWheelChanged(e);
+        Zoom(Math.Pow(WheelFactor, e.Delta.Y), e.GetPosition(this));
+        e.Handled = true;
+    }
+
+    /// <inheritdoc/>
+    protected override void OnKeyDown(KeyEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnKeyDown(e);
+        e.Handled = e.KeyModifiers == KeyModifiers.None || e.KeyModifiers == KeyModifiers.Shift ? Do(e.Key) : e.Handled;
+    }
+
+    private bool Do(Key key)
+    {
+        var (x, y) = (KeyShare * Bounds.Width, KeyShare * Bounds.Height);
+        Action? act = key switch
+        {
+            Key.Left => () => Pan(new(x, 0)),
+            Key.Right => () => Pan(new(-x, 0)),
+            Key.Up => () => Pan(new(0, y)),
+            Key.Down => () => Pan(new(0, -y)),
+            Key.Add or Key.OemPlus => () => ZoomStep(1),
+            Key.Subtract or Key.OemMinus => () => ZoomStep(-1),
+            Key.D0 or Key.NumPad0 => ShowAllInBoth,
+            Key.Space or Key.Enter => () => AskFor(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity)),
+            Key.PageDown when DatumCount > 0 => () => AskForNext(-1, 1),
+            Key.PageUp when DatumCount > 0 => () => AskForNext(DatumCount, -1),
+            _ => null,
+        };
+        act?.Invoke();
+        return act is not null;
+    }
+
+    private void AskForNext(int before, int step) => AskFor(DatumAt(Math.Clamp((_datum?.Index ?? before) + step, 0, DatumCount - 1)));
+
+    private void AskFor(PlotDatum? datum)
+    {
+        Ask(datum);
+        if (datum is not null)
+        {
+            OnAsked(datum);
+        }
+    }
+
+    private void ZoomStep(int steps) => Zoom(Math.Pow(StepFactor, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
+
+    // Crosshair lines across the whole plot, and a box with the values next to the datum if there is room.
+    private void Crosshair(DrawingContext context, PlotDatum datum)
+    {
+        var at = View.At(datum.At);
+        var pen = new Pen(Rule, DrawnSizes.Thin);
+        context.DrawLine(pen, new Point(at.X, 0), new Point(at.X, Bounds.Height));
+        context.DrawLine(pen, new Point(0, at.Y), new Point(Bounds.Width, at.Y));
+        context.DrawEllipse(null, new Pen(Ink, DrawnSizes.Line), at, DrawnSizes.Ring, DrawnSizes.Ring);
+
+        // In a narrow plot, values below each other hide less.
+        FormattedText[] texts = [Label(datum.Text), Label(datum.Text.Replace("  ", "\n", StringComparison.Ordinal))];
+        var free = new Size(Bounds.Width - ButtonsRoom, Bounds.Height);
+        var (text, box) = new ValuesBox(free, at, b => IsDrawnIn(BoxOf(b)), b => IsAskedIn(datum, BoxOf(b))).Place(texts);
+        ValuesRoom = box;
+        context.DrawRectangle(Ground, new Pen(Ink, DrawnSizes.Thin), box);
+        context.DrawText(text, box.TopLeft + new Point(DrawnSizes.Around, DrawnSizes.Around));
+    }
+
+    private PlotBox BoxOf(Rect room)
+    {
+        var (from, to) = (View.ToPlot(new(room.Left, room.Bottom)), View.ToPlot(new(room.Right, room.Top)));
+        return new(from.X, from.Y, to.X, to.Y);
     }
 }

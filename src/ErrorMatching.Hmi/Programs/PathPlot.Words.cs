@@ -13,7 +13,7 @@ public sealed partial class PathPlot
     {
         var points = Picture!.Points.Where(p => view.Seen.Contains(p.At)).OrderByDescending(p => IsStrong(p.Feature)).ToArray();
         var labels = new PlotLabels(
-            _strokes.Select(s => (IReadOnlyList<Point>)[new(s.X1, s.Y1), new(s.X2, s.Y2)]),
+            _strokes.Lines,
             [.. points.Select(p => view.At(p.At))],
             DrawnSizes.Dot,
             Free);

@@ -21,13 +21,13 @@ public sealed partial class PathPlot : PlotArea
     /// <summary>Maximum number of strokes drawn as shapes.</summary>
     public const int MostShapes = 1500;
 
-    private readonly PixelLayer _layer = new();
-    private readonly List<MoveStroke> _strokes = [];
+    private readonly PathStrokes _strokes = new();
+    private readonly PathPainter _painter;
     private BitArray? _featured;
-    private PathFrame? _wanted, _painting, _painted;
-    private bool _isSeen;
 
     static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty, QuietBrushProperty);
+
+    public PathPlot() => _painter = new(InvalidateVisual);
 
     public ProgramPicture? Picture
     {
@@ -53,7 +53,7 @@ public sealed partial class PathPlot : PlotArea
     internal bool IsByPixel { get; private set; }
 
     /// <summary>The current background painting, or the last one.</summary>
-    public Task Painting { get; private set; } = Task.CompletedTask;
+    public Task Painting => _painter.Painting;
 
     /// <inheritdoc/>
     protected override PlotBox Extent =>
@@ -92,7 +92,7 @@ public sealed partial class PathPlot : PlotArea
     protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnAttachedToVisualTree(e);
-        _isSeen = true;
+        _painter.Begin();
         if (Picture is { } picture)
         {
             picture.PropertyChanged -= Follow;
@@ -113,9 +113,7 @@ public sealed partial class PathPlot : PlotArea
             picture.PropertyChanged -= Follow;
         }
 
-        _isSeen = false;
-        _layer.LetGo();
-        _painted = null;
+        _painter.End();
     }
 
     /// <inheritdoc/>
@@ -165,14 +163,12 @@ public sealed partial class PathPlot : PlotArea
     {
         ArgumentNullException.ThrowIfNull(context);
         var program = Picture!.Program;
-        _strokes.Clear();
-        IsByPixel = !program.Moves.Strokes(view, Pixel, Keep);
+        IsByPixel = !_strokes.Take(program, view, Pixel);
         if (IsByPixel)
         {
             // The selection is drawn immediately and on top, unless it has too many strokes as well.
-            _strokes.Clear();
-            var isLarge = !KeepChosen(program, view);
-            DrawPixels(
+            var isLarge = !_strokes.TakeChosen(program, view, Picture.Selection);
+            _painter.Show(
                 context,
                 new(
                     program,
@@ -187,38 +183,11 @@ public sealed partial class PathPlot : PlotArea
 
         foreach (var kind in Enum.GetValues<StrokeKind>())
         {
-            DrawShapes(context, kind);
+            _strokes.Draw(context, PenOf(kind), kind, Picture.Selection, _featured);
         }
 
         DrawLabels(context, view, program);
         DrawEnds(context, view, program);
-    }
-
-    private bool KeepChosen(OpenedProgram program, PlotView view)
-    {
-        if (Picture!.Selection is not { } range || program.MotionsOf(range) is not var (first, last))
-        {
-            return true;
-        }
-
-        for (var i = first; i <= last && last - first < MostShapes && _strokes.Count < MostShapes; i++)
-        {
-            _strokes.AddRange(range.Contains(program.Path.Motions.BlockOf(i)) ? program.Moves.StrokesOf(i, view) : []);
-        }
-
-        var isAll = last - first < MostShapes && _strokes.Count < MostShapes;
-        if (!isAll)
-        {
-            _strokes.Clear();
-        }
-
-        return isAll;
-    }
-
-    private bool Keep(MoveStroke stroke)
-    {
-        _strokes.Add(stroke);
-        return _strokes.Count < MostShapes;
     }
 
     private void Follow(object? sender, System.ComponentModel.PropertyChangedEventArgs e)
@@ -295,85 +264,4 @@ public sealed partial class PathPlot : PlotArea
         StrokeKind.Feature => new Pen(Ink, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel),
         _ => new Pen(ChosenBrush, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel),
     };
-
-    private void DrawShapes(DrawingContext context, StrokeKind kind)
-    {
-        var geometry = new StreamGeometry();
-        var end = default(Point?);
-        using (var figure = geometry.Open())
-        {
-            foreach (var stroke in _strokes.Where(s => PathFrame.KindOf(s, Picture!.Selection, _featured) == kind))
-            {
-                if (end != new Point(stroke.X1, stroke.Y1))
-                {
-                    if (end is not null)
-                    {
-                        figure.EndFigure(isClosed: false);
-                    }
-
-                    figure.BeginFigure(new(stroke.X1, stroke.Y1), isFilled: false);
-                }
-
-                figure.LineTo(new(stroke.X2, stroke.Y2));
-                end = new(stroke.X2, stroke.Y2);
-            }
-
-            if (end is not null)
-            {
-                figure.EndFigure(isClosed: false);
-            }
-        }
-
-        if (end is not null)
-        {
-            context.DrawGeometry(null, PenOf(kind), geometry);
-        }
-    }
-
-    // Shows the last bitmap, moved to its current place, until the new one is painted in the background.
-    private void DrawPixels(DrawingContext context, PathFrame frame)
-    {
-        if (frame != (_painting ?? _painted))
-        {
-            _wanted = frame;
-            if (_painting is null)
-            {
-                Painting = PaintAsync().Watched();
-            }
-        }
-
-        if (_painted is not { } painted || painted.Program != frame.Program)
-        {
-            return;
-        }
-
-        var (corner, scale) = (frame.View.At(painted.View.ToPlot(new(0, 0))), frame.View.ScaleX / painted.View.ScaleX);
-
-        // A bitmap aligned to whole pixels is copied, which takes a tenth of the time.
-        corner = scale == 1
-            ? new Point(Math.Round(corner.X / frame.Pixel) * frame.Pixel, Math.Round(corner.Y / frame.Pixel) * frame.Pixel)
-            : corner;
-        _layer.Show(context, new Rect(corner, new Size(painted.Width * painted.Pixel * scale, painted.Height * painted.Pixel * scale)));
-    }
-
-    private async Task PaintAsync()
-    {
-        while (_wanted is { } frame)
-        {
-            (_wanted, _painting) = (null, frame);
-
-            // Starts while a frame is drawn, when no redraw may be requested; so the continuation is always posted.
-            await Task.Run(() => frame.Paint(_layer.Canvas)).ConfigureAwait(
-                ConfigureAwaitOptions.ForceYielding | ConfigureAwaitOptions.ContinueOnCapturedContext);
-            _painting = null;
-            if (!_isSeen)
-            {
-                return;
-            }
-
-            _layer.Take();
-            _painted = frame;
-            InvalidateVisual();
-        }
-    }
 }

@@ -10,12 +10,7 @@ namespace ErrorMatching.Hmi;
 /// <content>Scrolling, and selecting by pointer, touch and keys.</content>
 public sealed partial class ProgramText : ILogicalScrollable
 {
-    // Width reserved for feature names, in multiples of the text size.
-    private const int MostName = 6;
     private const int WheelRows = 3;
-
-    // Rows are cached for this many screens.
-    private const int MostScreens = 3;
     private const double FromAfarShare = 1.0 / 3;
     private const double RoundingShare = 0.000001;
     private static readonly TimeSpan ScrollEvery = TimeSpan.FromMilliseconds(40);
@@ -74,7 +69,7 @@ public sealed partial class ProgramText : ILogicalScrollable
     }
 
     // How far the longest line extends beyond the right border; line numbers and names do not scroll sideways.
-    private double Beyond => CanHorizontallyScroll ? Math.Max(0, _lineWidth - Room) : 0;
+    private double Beyond => CanHorizontallyScroll ? Math.Max(0, LineWidth - Room) : 0;
 
     private int RowsSeen => Math.Max(1, (int)(Bounds.Height / RowHeight));
 

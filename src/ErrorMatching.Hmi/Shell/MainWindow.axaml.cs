@@ -47,10 +47,6 @@ public sealed partial class MainWindow : Window
     /// screen opens, and takes up to half of that time.</summary>
     internal static void Tidy() => GC.Collect(1, GCCollectionMode.Forced, blocking: true);
 
-    /// <summary>Opens all screens once in the background, so that the first opening of each is as fast as later ones.</summary>
-    /// <param name="end">Cancels it.</param>
-    public Task RehearseAsync(CancellationToken end) => new Rehearsal(Stage, _shell!).RunAsync(end);
-
     /// <inheritdoc/>
     protected override void OnDataContextChanged(EventArgs e)
     {

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Templates;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
 
@@ -13,7 +14,6 @@ public sealed class ScreenHost : Decorator
     // A part with fewer controls is laid out faster than the rest is laid out around it once more.
     private const int Least = 8;
 
-    private static readonly Views Views = new();
     private Unfolding? _unfolding;
     private bool _isAwaited;
 
@@ -58,7 +58,7 @@ public sealed class ScreenHost : Decorator
     private void Show()
     {
         _isAwaited = false;
-        var view = Views.Build(Screen, Child);
+        var view = ViewOf(Screen, Child);
         view?.DataContext = Screen;
         if (view == Child)
         {
@@ -71,6 +71,14 @@ public sealed class ScreenHost : Decorator
         Child = view;
         Unfold(_unfolding);
     }
+
+    // The application's templates know the views of all screens.
+    private Control? ViewOf(object? content, Control? existing) => this.FindDataTemplate(content) switch
+    {
+        IRecyclingDataTemplate views => views.Build(content, existing),
+        { } views => views.Build(content),
+        null => null,
+    };
 
     private void Unfold(Unfolding? unfolding)
     {

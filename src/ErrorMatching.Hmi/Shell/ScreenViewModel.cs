@@ -30,7 +30,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
     }
 
     /// <summary>Shows a message that is translated again when the language changes.</summary>
-    protected void Tell(Func<string>? words)
+    protected internal void Tell(Func<string>? words)
     {
         (_words, _message) = (words, null);
         Say(nameof(Message));
@@ -59,7 +59,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
 
     /// <summary>Runs work off the UI thread; the store and password hashing are slow. Failures set <see cref="Message"/>.</summary>
     /// <returns>True if it succeeded.</returns>
-    protected async Task<bool> TryAsync(Action work)
+    protected internal async Task<bool> TryAsync(Action work)
     {
         Message = null;
         try

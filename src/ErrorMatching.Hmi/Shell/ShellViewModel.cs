@@ -5,32 +5,30 @@ namespace ErrorMatching.Hmi;
 /// <summary>The frame around all screens: navigation, current user, problems of the cell, and the lock.</summary>
 public sealed class ShellViewModel : Observable, IDisposable
 {
-    private static readonly TimeSpan SeatLook = TimeSpan.FromSeconds(1);
-    private readonly SynchronizationContext _screen;
-    private readonly ITimer _seat;
+    private readonly SeatGuard _seat;
+    private readonly Func<string, Action<SignedIn>, ScreenViewModel> _openLogin;
     private NavigationItem? _chosen;
     private ScreenViewModel? _current;
-    private LoginViewModel? _login;
+    private ScreenViewModel? _login;
     private SigningViewModel? _signing;
     private FileChooserViewModel? _choosing;
     private SignedIn? _who;
-    private long _touched;
-    private bool _isOver;
+    private string _lastName = "";
 
     /// <summary>The shell of a station, locked until a user signs in.</summary>
-    public ShellViewModel(Station station)
+    /// <param name="station">The station.</param>
+    /// <param name="login">Creates the login, given the last user's name, empty if there was none, and what to do with the user who
+    /// signs in.</param>
+    /// <param name="screens">The screens after the login, in the order of the navigation.</param>
+    public ShellViewModel(Station station, Func<string, Action<SignedIn>, ScreenViewModel> login, IReadOnlyList<Screen> screens)
     {
         Station = station ?? throw new ArgumentNullException(nameof(station));
-        _screen = SynchronizationContext.Current ?? throw new InvalidOperationException("The frame is made on the screen's thread.");
+        _openLogin = login;
         Preferences = new(station);
         Preferences.PropertyChanged += (_, e) => SaySaid(e.PropertyName);
         CloseNotice = new(() => Preferences.Notice = null);
-        Items = [.. Screens.All.Select(s => new NavigationItem(s))];
-        SignOut = new(async _ =>
-        {
-            await Task.Run(LeaveSeat, CancellationToken.None);
-            Lock();
-        });
+        Items = [.. screens.Select(s => new NavigationItem(s))];
+        SignOut = new(_ => SignOutAsync());
         SwitchLanguage = new(
             () => Texts.Current.Language = Texts.Current.Language == Language.English ? Language.TraditionalChinese : Language.English);
         SwitchTheme = new(() => IsDark = !IsDark);
@@ -40,9 +38,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Station.Changed += Follow;
         Texts.Current.LanguageChanged += Translate;
         Lock();
-
-        // In the background: the end of a session is written to the store.
-        _seat = Station.Clock.CreateTimer(_ => LookForSeat(), null, SeatLook, SeatLook);
+        _seat = new(station, Lock);
     }
 
     public Station Station { get; }
@@ -160,14 +156,23 @@ public sealed class ShellViewModel : Observable, IDisposable
     internal LastLooked Looked { get; private set; } = new();
 
     /// <summary>Opens the on-line compensation at a correction.</summary>
-    public void Look(long correction) => Open(Screens.Compensation, s => (s as ILooksAt)?.LookAt(correction));
-
-    /// <summary>Opens the on-line compensation at the warnings of a correction.</summary>
-    public void LookAtWarnings(long correction) =>
-        Open(Screens.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
+    public void Look(long correction) => Open(ScreenKeys.Compensation, s => (s as ILooksAt)?.LookAt(correction));
 
     /// <summary>Opens the verification at a piece.</summary>
-    public void LookAtPiece(long correction) => Open(Screens.Verification, s => (s as ILooksAt)?.LookAt(correction));
+    public void LookAtPiece(long correction) => Open(ScreenKeys.Verification, s => (s as ILooksAt)?.LookAt(correction));
+
+    /// <summary>Opens a screen at something in it.</summary>
+    /// <param name="key">Its key.</param>
+    /// <param name="at">Called before it is shown.</param>
+    public void Open(string key, Action<ScreenViewModel> at)
+    {
+        ArgumentNullException.ThrowIfNull(at);
+        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == key) is { } item && item.Screen.Open(this) is { } screen)
+        {
+            at(screen);
+            Show(item, screen);
+        }
+    }
 
     /// <summary>Opens a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
@@ -182,7 +187,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         if (_current is not ITakesCodes)
         {
-            Go(Screens.History);
+            Go(ScreenKeys.History);
         }
 
         (_current as ITakesCodes)?.TakeCode(code);
@@ -228,17 +233,15 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Call this on every key press or tap. It does work once a second at most.</summary>
     public void Touch()
     {
-        if (!IsLocked && Station.Clock.GetElapsedTime(_touched) >= SeatLook)
+        if (!IsLocked)
         {
-            _touched = Station.Clock.GetTimestamp();
-            _ = Task.Run(TouchSeat).Watched();
+            _seat.Touch();
         }
     }
 
     /// <inheritdoc/>
     public void Dispose()
     {
-        _isOver = true;
         _seat.Dispose();
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
@@ -254,15 +257,6 @@ public sealed class ShellViewModel : Observable, IDisposable
         var samples = choice.Kind == FileChoiceKind.Open ? Station.SamplesFolder : null;
         var folder = Preferences.Folders is [var last, ..] ? last : samples ?? cellFolder;
         return folder == samples && choice.Sample is { } meant ? Path.Combine(folder, meant) : folder;
-    }
-
-    private void Open(string key, Action<ScreenViewModel> at)
-    {
-        if (!IsLocked && Items.FirstOrDefault(i => i.Screen.Key == key) is { } item && item.Screen.Open(this) is { } screen)
-        {
-            at(screen);
-            Show(item, screen);
-        }
     }
 
     private void Show(NavigationItem item, ScreenViewModel screen)
@@ -282,17 +276,24 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         Signing = null;
         Choosing?.Leave.Execute(null);
-        _login = new LoginViewModel(Station, UserName, Unlock);
+        _lastName = UserName;
+        _login = _openLogin(_lastName, Unlock);
         _who = null;
         Preferences.Take(null);
         Say();
     }
 
+    private async Task SignOutAsync()
+    {
+        await _seat.LeaveAsync();
+        Lock();
+    }
+
     private void Unlock(SignedIn who)
     {
         // The same user finds the screen unchanged; another user starts at the overview.
-        var isOther = _login!.LastName != who.Name;
-        _login.Dispose();
+        var isOther = _lastName != who.Name;
+        _login!.Dispose();
         (_login, _who) = (null, who);
         Preferences.Take(who.Name);
         Editing.Refresh();
@@ -323,54 +324,6 @@ public sealed class ShellViewModel : Observable, IDisposable
             };
             signing.Signed += () => Editing.SaveSigned(signed!);
             Sign(signing);
-        }
-    }
-
-    private void TouchSeat()
-    {
-        try
-        {
-            Station.Session.Touch();
-        }
-        catch (StoreException)
-        {
-            // The session had just ended, and that could not be recorded: the banner shows that the store is unavailable.
-        }
-    }
-
-    private void LeaveSeat()
-    {
-        try
-        {
-            Station.Session.SignOut();
-        }
-        catch (StoreException)
-        {
-            // The session has ended anyway.
-        }
-    }
-
-    private void LookForSeat()
-    {
-        try
-        {
-            if (Station.Session.Who is null)
-            {
-                _screen.Post(_ => LockIfLeft(), null);
-            }
-        }
-        catch (StoreException)
-        {
-            // The session counts as ended although that could not be recorded: the banner shows that the store is unavailable.
-            _screen.Post(_ => LockIfLeft(), null);
-        }
-    }
-
-    private void LockIfLeft()
-    {
-        if (!_isOver)
-        {
-            Lock();
         }
     }
 

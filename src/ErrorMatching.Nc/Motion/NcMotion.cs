@@ -72,6 +72,9 @@ public readonly record struct NcMotion(
     /// <summary>Length in the plane.</summary>
     public double PlaneLength => IsArc ? Arc.Length : Segment.Length;
 
+    /// <summary>True for a straight cut that ends where it begins.</summary>
+    internal bool IsPoint => Kind == MotionKind.Line && Start == End;
+
     /// <summary>Axes in which a move to a machine position ends where it begins, because it does not name them.</summary>
     internal AxisSet CarriedAxes => (AxisSet)((int)Flags / (int)MotionFlags.CarriesX) & AxisSet.All;
 

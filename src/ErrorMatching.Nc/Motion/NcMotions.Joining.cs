@@ -26,18 +26,8 @@ public sealed partial class NcMotions
             return;
         }
 
-        // The first of them can have the setting of the last one here. Whether the others start a new setting does not depend on earlier
-        // motions.
         var first = Length;
-        var setting = ahead._newSettings[1] ? 1 : 0;
-        Share(ahead._settings[setting].Feed, ahead._settings[setting].Frame, ahead._areArcs[1]);
-        while (++setting < ahead._settingCount)
-        {
-            AddSetting(ahead._settings[setting]);
-        }
-
-        _newSettings.AddFrom(ahead._newSettings, 2, ahead.Length);
-        _areArcs.AddFrom(ahead._areArcs, 2, ahead.Length);
+        _settings.Join(ahead._settings, ahead.Length);
         foreach (var (motion, start) in ahead._starts)
         {
             if (motion > 0)
@@ -48,9 +38,9 @@ public sealed partial class NcMotions
 
         HasPoints |= ahead.HasPoints;
         FollowBlocks &= ahead.FollowBlocks;
-        (_lastBlock, _lastFeed, _lastFrame) = (ahead._lastBlock, ahead._lastFeed, ahead._lastFrame);
+        _lastBlock = ahead._lastBlock;
+        _arcs.Join(ahead._arcs, ahead.Length);
         _motions.Join(ahead._motions, 1);
-        _arcs.Join(ahead._arcs, 0);
         _ahead = ahead;
     }
 
@@ -58,25 +48,18 @@ public sealed partial class NcMotions
     /// and the last one is equal in all that affects the next.</summary>
     internal bool EndsAsAfter(int motions) =>
         Length == motions && motions > 0 && _motions[motions - 1].SameEnd(_like!._motions[motions - 1])
-        && SettingAt(motions - 1).SameAs(_like.SettingAt(motions - 1))
-            && _areArcs.CountTo(motions - 1) == _like._areArcs.CountTo(motions - 1);
+        && _settings[motions - 1].SameAs(_like._settings[motions - 1])
+        && _arcs.CountTo(motions - 1) == _like._arcs.CountTo(motions - 1);
 
     /// <summary>Appends the motions of the similar list up to, not including, a position. <see cref="EndsAsAfter"/> must be true here,
     /// and none of the motions may jump.</summary>
     internal void TakeOver(int behind)
     {
         var (first, like) = (Length, _like!);
-        for (var setting = like._newSettings.CountTo(first - 1); setting < like._newSettings.CountTo(behind - 1); setting++)
-        {
-            AddSetting(like._settings[setting]);
-        }
-
-        _newSettings.AddFrom(like._newSettings, first, behind);
-        _areArcs.AddFrom(like._areArcs, first, behind);
-        _arcs.TakeOver(like._areArcs.CountTo(behind - 1));
+        _settings.TakeOver(like._settings, first, behind);
+        _arcs.TakeOver(like._arcs, first, behind);
         _motions.TakeOver(behind);
         HasPoints |= like.HasPoints;
         _lastBlock = BlockOf(behind - 1);
-        (_lastFeed, _lastFrame) = SettingAt(behind - 1);
     }
 }

@@ -8,15 +8,10 @@ namespace ErrorMatching.Nc;
 public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 {
     private readonly Chunks<StoredMotion> _motions;
-    private MotionSetting[] _settings = new MotionSetting[16];
-    private int _settingCount;
-    private readonly Chunks<StoredArc> _arcs;
-    private readonly RankedBits _newSettings = new();
-    private readonly RankedBits _areArcs = new();
+    private readonly MotionSettings _settings = new();
+    private readonly MotionArcs _arcs;
     private readonly Dictionary<int, (Point3 Place, AxisSet Unknown)> _starts = [];
     private int _lastBlock = -1;
-    private double _lastFeed;
-    private int _lastFrame;
     private readonly NcMotions? _like;
     private NcMotions? _ahead;
 
@@ -51,8 +46,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         {
             ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)index, (uint)Length, nameof(index));
             ref readonly var m = ref _motions[index];
-            var setting = SettingAt(index);
-            var arc = m.IsArc ? ArcAt(index) : default;
+            var setting = _settings[index];
+            var arc = m.IsArc ? _arcs[index] : default;
             if (index > 0 && (m.Flags & MotionFlags.StartsElsewhere) == MotionFlags.None)
             {
                 // The usual case: it begins at the end of the one before, and all coordinates are known.
@@ -156,7 +151,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var a = ref _motions[index];
         ref readonly var b = ref _motions[other];
-        return a.Plane == b.Plane && (_lastFrame == 0 || SettingAt(index).Frame == SettingAt(other).Frame);
+        return a.Plane == b.Plane && (_settings.HaveOneFrame || _settings[index].Frame == _settings[other].Frame);
     }
 
     /// <summary>True if all values of a motion are bitwise equal in another list, apart from lines inserted before its block.</summary>
@@ -164,12 +159,12 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var a = ref _motions[index];
         ref readonly var b = ref other._motions[index];
-        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !SettingAt(index).SameAs(other.SettingAt(index)))
+        if (!a.SameAs(b) || a.Block + linesBefore != b.Block || !_settings[index].SameAs(other._settings[index]))
         {
             return false;
         }
 
-        if (a.IsArc && ArcAt(index) != other.ArcAt(index))
+        if (a.IsArc && _arcs[index] != other._arcs[index])
         {
             return false;
         }
@@ -220,7 +215,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     {
         ref readonly var m = ref _motions[index];
         ref readonly var before = ref _motions[index - 1];
-        return _lastFrame == 0
+        return _settings.HaveOneFrame
             && m.SameModes(model)
             && m.IsPlainCut
             && before.UnknownEnd == AxisSet.None
@@ -234,8 +229,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
     internal List<int> DifferencesFrom(NcMotions other, int border)
     {
         // Motions in a memory piece that both lists share are equal, if none of them has separately stored values and no line was inserted.
-        var mayPass = border == int.MaxValue && _starts.Count == 0 && other._starts.Count == 0 && _arcs.Count == 0 && other._arcs.Count == 0
-            && _newSettings.SameAs(other._newSettings) && SameSettings(other);
+        var mayPass = border == int.MaxValue && _starts.Count == 0 && other._starts.Count == 0 && _arcs.AreNone && other._arcs.AreNone
+            && _settings.SameAs(other._settings);
         var different = new List<int>();
         for (var i = 0; i < Length; i++)
         {
@@ -253,24 +248,17 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return different;
     }
 
-    private bool SameSettings(NcMotions other)
-    {
-        var same = _settingCount == other._settingCount;
-        for (var i = 0; same && i < _settingCount; i++)
-        {
-            same = _settings[i].SameAs(other._settings[i]);
-        }
-
-        return same;
-    }
-
     /// <summary>Appends a motion. Unknown coordinates are stored as they would be on a control that begins at the origin.</summary>
     internal void Add(in NcMotion motion)
     {
-        Share(motion.Feed, motion.Frame, motion.IsArc);
+        _settings.Add(motion.Feed, motion.Frame);
         if (motion.IsArc)
         {
             _arcs.Add(new(motion.Center, motion.Turns));
+        }
+        else
+        {
+            _arcs.AddOther();
         }
 
         var index = Length;
@@ -282,7 +270,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             _starts[index] = (start, motion.UnknownStart);
         }
 
-        HasPoints |= PathWithoutPoints.IsPoint(motion);
+        HasPoints |= motion.IsPoint;
         FollowBlocks &= motion.Block >= _lastBlock;
         _lastBlock = motion.Block;
         _motions.Add(new(motion.Block, motion.Kind, motion.Plane, flags, motion.End, motion.UnknownEnd));
@@ -312,7 +300,8 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         HasPoints |= state.Mode == MotionKind.Line && state.Position.X == end.X && state.Position.Y == end.Y && state.Position.Z == end.Z;
         FollowBlocks &= block >= _lastBlock;
         _lastBlock = block;
-        Share(state.Feed, state.Frame, isArc: false);
+        _settings.Add(state.Feed, state.Frame);
+        _arcs.AddOther();
         _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
     }
 
@@ -329,35 +318,6 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         ref var last = ref _motions[Length - 1];
         (last.X, last.Y, last.Z) = (end.X, end.Y, end.Z);
     }
-
-    // Stores the values that the next motion shares with others.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Share(double feed, int frame, bool isArc)
-    {
-        var isNew = _settingCount == 0 || _lastFeed != feed || _lastFrame != frame;
-        if (isNew)
-        {
-            (_lastFeed, _lastFrame) = (feed, frame);
-            AddSetting(new(feed, frame));
-        }
-
-        _newSettings.Add(isNew);
-        _areArcs.Add(isArc);
-    }
-
-    private void AddSetting(MotionSetting setting)
-    {
-        if (_settingCount == _settings.Length)
-        {
-            Array.Resize(ref _settings, _settingCount * 2);
-        }
-
-        _settings[_settingCount++] = setting;
-    }
-
-    private MotionSetting SettingAt(int index) => _settings[_newSettings.CountTo(index) - 1];
-
-    private StoredArc ArcAt(int index) => _arcs[_areArcs.CountTo(index) - 1];
 
     private (Point3 Place, AxisSet Unknown) StartOf(int index, MotionFlags flags)
     {

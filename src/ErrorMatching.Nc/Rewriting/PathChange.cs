@@ -111,7 +111,7 @@ internal sealed class PathChange
         }
 
         if (arc.PlaneStart.DistanceTo(arc.PlaneEnd) > 1e-9
-            && Carrier.Displaced(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
+            && DisplacedCarrier.Of(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
         {
             SetCenter(motion, circle.Center);
             if (KeepsSense(motion))

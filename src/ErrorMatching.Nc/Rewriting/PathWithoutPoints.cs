@@ -18,9 +18,6 @@ internal sealed class PathWithoutPoints
         _kept = kept;
     }
 
-    /// <summary>True for a straight cut that ends where it begins.</summary>
-    public static bool IsPoint(in NcMotion motion) => motion.Kind == MotionKind.Line && motion.Start == motion.End;
-
     /// <summary>The path without points and steps; null if it has none.</summary>
     public static PathWithoutPoints? Of(NcPath path, DisplacementWish wish)
     {
@@ -33,7 +30,7 @@ internal sealed class PathWithoutPoints
         var kept = new List<int>(path.Motions.Length);
         for (var i = 0; i < path.Motions.Length; i++)
         {
-            if (!IsPoint(path.Motions[i]) && !steps.Contains(i))
+            if (!path.Motions[i].IsPoint && !steps.Contains(i))
             {
                 kept.Add(i);
             }

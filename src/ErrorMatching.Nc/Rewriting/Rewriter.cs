@@ -29,7 +29,7 @@ public static class Rewriter
             return change.Refusal;
         }
 
-        return (Obstacles.Of(change.Result) ?? CompensationEntry.Of(change.Result)) is { } obstacle
+        return (JointObstacles.Of(change.Result) ?? CompensationEntry.Of(change.Result)) is { } obstacle
             ? obstacle
             : WordEditor.Run(change.Result, keepRadii: wish.Elements.Count == 0);
     }

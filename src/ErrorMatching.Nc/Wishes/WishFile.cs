@@ -1,5 +1,5 @@
 using System.Security.Cryptography;
-using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 

@@ -111,6 +111,6 @@ public sealed class RecognizerTests : IDisposable
         Assert.Contains("ruled.json", found.Reason, StringComparison.Ordinal);
     }
 
-    private Recognition Recognize(string gauge, string name, string text) =>
+    private RecognitionResult Recognize(string gauge, string name, string text) =>
         new Recognizer(_cell.Read(CellFolder.Right)).Recognize(gauge, name, Encoding.UTF8.GetBytes(text));
 }

@@ -43,7 +43,7 @@ public sealed class SumBetweenPointsTests
         var refused = Samples.Refusal(forgetful, Samples.NoLimits with { SumLimitMm = computed.SumMm - 0.01 });
         Assert.Equal(CorrectionCodes.OverSumLimit, refused.Code);
         Assert.NotNull(refused.Block);
-        Assert.IsType<Computed>(Samples.Compute(forgetful, Samples.NoLimits with { SumLimitMm = computed.SumMm }));
+        Assert.IsType<ComputedProgram>(Samples.Compute(forgetful, Samples.NoLimits with { SumLimitMm = computed.SumMm }));
     }
 
     [Fact]

@@ -46,7 +46,7 @@ public sealed class CorrectionComputerTests
         var request = Samples.Part("complex-mating") with { Job = Samples.Copied(folder) };
         var computer = new CorrectionComputer(Samples.NoLimits);
         request = request with { Identity = Assert.IsType<Identified>(computer.Identify(request)).Basis.Identity };
-        Assert.IsType<Computed>(Samples.Compute(request));
+        Assert.IsType<ComputedProgram>(Samples.Compute(request));
         File.AppendAllText(folder[file], "\n");
         Assert.Equal(CorrectionCodes.JobChanged, Samples.Refusal(request).Code);
     }

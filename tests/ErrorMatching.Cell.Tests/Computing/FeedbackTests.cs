@@ -76,7 +76,7 @@ public sealed class FeedbackTests
         var refused = Samples.Refusal(next, policy with { SumLimitMm = second.SumMm - 0.0001 });
         Assert.Equal(CorrectionCodes.OverSumLimit, refused.Code);
         Assert.Contains($"At block {refused.Block} ", refused.Reason, StringComparison.Ordinal);
-        Assert.IsType<Computed>(Samples.Compute(next, policy with { SumLimitMm = second.SumMm }));
+        Assert.IsType<ComputedProgram>(Samples.Compute(next, policy with { SumLimitMm = second.SumMm }));
     }
 
     [Fact]
@@ -85,14 +85,14 @@ public sealed class FeedbackTests
         using var folder = new TemporaryFolder();
         var request = Counterpart(Samples.Feedback(folder) with { Accumulates = true });
         var policy = Samples.NoLimits with { LimitMm = 0.9 };
-        Assert.IsType<Computed>(Samples.Compute(request, policy));
+        Assert.IsType<ComputedProgram>(Samples.Compute(request, policy));
         var tired = request with
         {
             Base = File.ReadAllBytes(folder["counterpart.nc"]),
             Sums = CorrectionSums.None.Plus([new("elsewhere", 0.91, 0, 0)])
         };
         Assert.Equal(CorrectionCodes.OverSumLimit, Samples.Refusal(tired, policy).Code);
-        Assert.IsType<Computed>(Samples.Compute(tired, policy with { SumLimitMm = 0.92 }));
+        Assert.IsType<ComputedProgram>(Samples.Compute(tired, policy with { SumLimitMm = 0.92 }));
     }
 
     [Fact]

@@ -54,7 +54,7 @@ public sealed class HostileMeasurementTests
                 request with { Measurement = request.Measurement with { Bytes = Damaged(request.Measurement.Bytes.ToArray(), random) } },
                 Samples.NoLimits with { LimitMm = 0.15 });
             refusals += computation is RefusedComputation ? 1 : 0;
-            Assert.True(computation is Computed or RefusedComputation { Code.Length: > 0, Reason.Length: > 0, MayPass: false });
+            Assert.True(computation is ComputedProgram or RefusedComputation { Code.Length: > 0, Reason.Length: > 0, MayPass: false });
         }
 
         Assert.InRange(refusals, Mutations / 2, Mutations);

@@ -33,9 +33,9 @@ internal static class Samples
     public static Computation Compute(CorrectionRequest request, PolicySettings? policy = null) =>
         new CorrectionComputer(policy ?? NoLimits).Compute(request, TestContext.Current.CancellationToken);
 
-    public static Computed Program(CorrectionRequest request, PolicySettings? policy = null) => Compute(request, policy) switch
+    public static ComputedProgram Program(CorrectionRequest request, PolicySettings? policy = null) => Compute(request, policy) switch
     {
-        Computed computed => computed,
+        ComputedProgram computed => computed,
         RefusedComputation refused => throw new InvalidOperationException($"{refused.Code}: {refused.Reason}"),
         var other => throw new InvalidOperationException(other.ToString()),
     };

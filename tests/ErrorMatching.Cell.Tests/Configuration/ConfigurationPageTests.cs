@@ -42,8 +42,9 @@ public sealed partial class ConfigurationPageTests
     public void Each_code_of_a_configuration_is_explained()
     {
         var page = System.IO.File.ReadAllText(File);
-        var sources = Directory.GetFiles(
-            Repository.PathTo("src", "ErrorMatching.Cell", "Configuration"), "*.cs").Select(System.IO.File.ReadAllText);
+        string[] folders = ["Reading", "Configuration"];
+        var sources = folders.SelectMany(f => Directory.GetFiles(Repository.PathTo("src", "ErrorMatching.Cell", f), "*.cs"))
+            .Select(System.IO.File.ReadAllText);
         var codes = sources.SelectMany(s => Code().Matches(s))
             .Select(m => m.Groups["code"].Value)
             .Distinct(StringComparer.Ordinal)

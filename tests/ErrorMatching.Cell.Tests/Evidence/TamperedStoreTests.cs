@@ -295,7 +295,7 @@ public sealed class TamperedStoreTests : PeopleTest
     private CellDatabase Earlier()
     {
         Store.Backup(PathOf("earlier.db"));
-        var database = CellStore.Connect(new SqliteSettings(PathOf("earlier.db")), _ => { });
+        var database = StoreOpening.Connect(new SqliteSettings(PathOf("earlier.db")), _ => { });
         Execute(database, "DROP TRIGGER audit_update", "DROP TRIGGER audit_delete", "UPDATE correction SET row_code = NULL",
             "UPDATE slot SET row_code = NULL", "UPDATE person SET row_code = NULL");
         var (previous, last) = (AuditEntry.NoHash, 0L);

@@ -1,22 +1,11 @@
 namespace ErrorMatching.Cell.Tests;
 
-public sealed class SqliteStoreTests : StoreTests
-{
-    private readonly string _folder = Directory.CreateTempSubdirectory("errormatch-store-").FullName;
+public sealed class SqliteStoreTests() : StoreTests(new SqliteKind());
 
-    protected override StoreSettings NewSettings() => new SqliteSettings(Path.Combine(_folder, $"{Guid.NewGuid():N}.db"));
+public sealed class SqliteStoreSlotTests() : StoreSlotTests(new SqliteKind());
 
-    private protected override string TablesSql =>
-        "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%' ORDER BY name";
+public sealed class SqliteStoreLineTests() : StoreLineTests(new SqliteKind());
 
-    private protected override void RemoveTriggers(CellStore store) =>
-        store.Write(t => t.Execute("DROP TRIGGER audit_update; DROP TRIGGER audit_delete"));
+public sealed class SqliteStoreHistoryTests() : StoreHistoryTests(new SqliteKind());
 
-    private protected override CellStore SecondCell(CellStore first) => first;
-
-    protected override void Dispose(bool disposing)
-    {
-        base.Dispose(disposing);
-        Directory.Delete(_folder, recursive: true);
-    }
-}
+public sealed class SqliteStoreMigrationTests() : StoreMigrationTests(new SqliteKind());

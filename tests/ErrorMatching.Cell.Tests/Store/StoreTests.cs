@@ -1,23 +1,11 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>What holds of a store, whatever keeps it. Each kind of store runs all of it.</summary>
-public abstract partial class StoreTests : IDisposable
+/// <summary>Arrivals and steps of corrections.</summary>
+public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
 {
-    private readonly List<IDisposable> _opened = [];
-    private StoreSettings? _settings;
-
-    private protected TestClock Clock { get; } = new();
-
-    /// <summary>The store of this test, which begins empty.</summary>
-    protected StoreSettings Settings => _settings ??= NewSettings();
-
-    /// <summary>Another place for a store, where none is yet.</summary>
-    protected abstract StoreSettings NewSettings();
-
     [Fact]
     public void A_file_that_arrives_is_kept_by_its_content()
     {
@@ -146,7 +134,7 @@ public abstract partial class StoreTests : IDisposable
     {
         const int EachDoes = 150;
         var first = Open();
-        CellStore[] stores = [first, SecondCell(first)];
+        CellStore[] stores = [first, Kind.IsShared ? Open() : first];
         var failures = new List<Exception>();
         var threads = Enumerable.Range(0, 4).Select(t => new Thread(() =>
         {
@@ -174,49 +162,5 @@ public abstract partial class StoreTests : IDisposable
         Assert.Equal(1 + 4 * 4 * EachDoes, stores[0].ChangeCount());
         Assert.Null(stores[1].VerifyAudit());
         Assert.Equal(4 * EachDoes, stores[0].InState(CorrectionState.Proposed).Count);
-    }
-
-    protected static string Hash(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
-
-    protected static ReadOnlyMemory<byte> Bytes(string text) => Encoding.UTF8.GetBytes(text);
-
-    protected static Arrival Arrival(string key, string text) => new("gauge", $"{key}.csv", key, Bytes(text), "trace");
-
-    protected static Correction Recognize(CellStore store, Correction correction, string serial, string? identity = null) => store.Step(
-        correction,
-        CorrectionState.Recognized,
-        "cell",
-        "by name",
-        c => c with
-        {
-            Job = "job",
-            Piece = "part",
-            Serial = serial,
-            WorkOrder = "WO-1",
-            Identity = identity ?? $"identity {c.Id}",
-            Machine = "mill",
-            Slot = "1",
-            Program = "O1.nc"
-        });
-
-    protected CellStore Open(byte[]? auditKey = null)
-    {
-        var store = CellStore.Open(Settings, Clock, auditKey);
-        _opened.Add(store);
-        return store;
-    }
-
-    /// <summary>The store as another cell has it, where one is for several.</summary>
-    private protected virtual CellStore SecondCell(CellStore first) => Open();
-
-    public void Dispose()
-    {
-        Dispose(true);
-        GC.SuppressFinalize(this);
-    }
-
-    protected virtual void Dispose(bool disposing)
-    {
-        foreach (var each in _opened) each.Dispose();
     }
 }

@@ -38,25 +38,8 @@ public sealed partial class HouseTests
     private static readonly Dictionary<string, int> LongerStill = new(StringComparer.Ordinal)
     {
         ["ErrorMatching.Peers.Tests.RandomProgram"] = 969,
-        ["ErrorMatching.Cell.CellStore"] = 816,
-        ["ErrorMatching.Cell.Tests.StoreTests"] = 809,
-        ["ErrorMatching.Hmi.JobEditing"] = 766,
-        ["ErrorMatching.Hmi.PlotArea"] = 736,
-        ["ErrorMatching.Nc.ElementDisplacer"] = 696,
-        ["ErrorMatching.Hmi.SystemViewModel"] = 663,
         ["ErrorMatching.Freeform.PathPlanning"] = 646,
-        ["ErrorMatching.Hmi.ProgramText"] = 631,
-        ["ErrorMatching.Nc.ExpressionReader"] = 627,
-        ["ErrorMatching.Cell.JobEdits"] = 618,
-        ["ErrorMatching.Geometry.SplineSurface"] = 597,
-        ["ErrorMatching.Geometry.KnotVector"] = 498,
-        ["ErrorMatching.Nc.WordEditor"] = 498,
-        ["ErrorMatching.Hmi.PathPlot"] = 464,
-        ["ErrorMatching.Nc.FlowIndex"] = 455,
-        ["ErrorMatching.Nc.NcMotions"] = 453,
-        ["ErrorMatching.Cell.SqliteDatabase"] = 433,
         ["ErrorMatching.Freeform.Tests.CompensatorTests"] = 424,
-        ["ErrorMatching.Hmi.CompensationViewModel"] = 405,
     };
 
     private static readonly string[] TextEndings = [

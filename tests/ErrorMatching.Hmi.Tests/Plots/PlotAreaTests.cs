@@ -2,7 +2,7 @@ using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

@@ -1,6 +1,6 @@
 using System.Globalization;
 using Avalonia.Controls;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

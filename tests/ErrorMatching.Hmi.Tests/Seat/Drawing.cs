@@ -1,5 +1,6 @@
 using Avalonia;
 using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

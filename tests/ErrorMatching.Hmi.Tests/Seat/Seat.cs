@@ -4,7 +4,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -38,7 +38,7 @@ internal sealed class Seat : IAsyncDisposable
             Preferences = new(Path.Combine(_folder.Path, "preferences")),
             SamplesFolder = hasSamples ? Cell.SamplesFolder : null
         };
-        Shell = new(Station);
+        Shell = Screens.ShellOf(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
         User = new ScreenUser(Window).Settle();

@@ -4,7 +4,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 

@@ -59,9 +59,9 @@ internal sealed class Tour(Seat seat)
         look("overview");
         SetUp(look);
         Correct(look);
-        Open(Screens.Verification, "plot-errors");
+        Open(ScreenKeys.Verification, "plot-errors");
         Sides(look, "verification", "tab-", Piece);
-        Open(Screens.Freeform, "surface-title");
+        Open(ScreenKeys.Freeform, "surface-title");
         Sides(look, "freeform", "tab-", Surface);
         LookBack(look);
         Settings(look);
@@ -69,10 +69,10 @@ internal sealed class Tour(Seat seat)
 
     private void SetUp(Action<string> look)
     {
-        Open(Screens.Points, "points-drawing");
+        Open(ScreenKeys.Points, "points-drawing");
         new SetupSeat(seat).Settle();
         look("points");
-        Open(Screens.System, "coordinates");
+        Open(ScreenKeys.System, "coordinates");
         new SetupSeat(seat).Settle();
         Sides(look, "system", "side-", Setup);
         seat.Tap("dry-run").See("dry-run-back");
@@ -100,7 +100,7 @@ internal sealed class Tour(Seat seat)
 
     private void LookBack(Action<string> look)
     {
-        Open(Screens.History, "found-1");
+        Open(ScreenKeys.History, "found-1");
         look("history");
         seat.Tap("found-1").See("detail-title");
         look("history opened");
@@ -108,14 +108,14 @@ internal sealed class Tour(Seat seat)
         seat.Tap("history-choose-folder").See("chooser-confirm");
         look("chooser");
         seat.User.Press(Key.Escape);
-        Open(Screens.Messages, "audit");
+        Open(ScreenKeys.Messages, "audit");
         seat.WaitFor(() => ((MessagesViewModel)seat.Shell.Current!).Entries.Count > 0, "The trail stays empty.");
         look("messages");
     }
 
     private void Settings(Action<string> look)
     {
-        Open(Screens.Settings, "user-row-anna");
+        Open(ScreenKeys.Settings, "user-row-anna");
         seat.Tap("user-row-anna");
         look("settings, user");
         seat.Tap("users-new");

@@ -66,7 +66,7 @@ public sealed class FieldTests
     });
 
     [Fact]
-    public Task What_is_still_to_be_filled_in_says_so_in_the_empty_field_once_it_is_told() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task What_is_still_to_be_filled_in_says_so_in_the_empty_field_once_it_is_told() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var boxes = new[] { "edit-features[0].points[1]", "edit-features[0].points[0]/x", "edit-features[0].points[1]/y" };
         seat.Seat.Tap("setup-anew");

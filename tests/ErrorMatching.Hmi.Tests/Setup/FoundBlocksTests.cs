@@ -66,7 +66,7 @@ public sealed class FoundBlocksTests
 
     [Fact]
     public Task Who_may_not_edit_finds_none() => SetupSeat.AtAsync(
-        Screens.System,
+        ScreenKeys.System,
         seat =>
         {
             seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture is not null, "The program is not opened.");
@@ -75,7 +75,7 @@ public sealed class FoundBlocksTests
         },
         DemoCell.Operator);
 
-    private static Task At(Action<SetupSeat> test) => SetupSeat.AtAsync(Screens.System, seat =>
+    private static Task At(Action<SetupSeat> test) => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture is not null, "The program is not opened.");
         seat.Settle();

@@ -24,7 +24,7 @@ public sealed class KindTests
     });
 
     [Fact]
-    public Task A_feature_of_every_kind_is_added_and_drawn_and_its_keys_are_set() => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task A_feature_of_every_kind_is_added_and_drawn_and_its_keys_are_set() => SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         seat.Seat.Tap("setup-anew");
         foreach (var kind in FeatureKinds.All)

@@ -10,7 +10,7 @@ public sealed class MarksAfterImportTests
     private const int Reach = 6;
 
     [Fact]
-    public Task Features_stay_marked_after_two_imports_and_after_discarding_them() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Features_stay_marked_after_two_imports_and_after_discarding_them() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft.Counterpart.Program);
         using var made = new TemporaryFolder();

@@ -11,7 +11,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class NewJobTests
 {
     [Fact]
-    public Task A_new_job_is_read_from_the_first_side() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_is_read_from_the_first_side() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Seat.Tap("side-gauge").Tap("setup-anew");
         seat.Settle();
@@ -25,7 +25,7 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task The_box_has_the_name_of_the_draft_and_says_that_it_is_not_saved() => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task The_box_has_the_name_of_the_draft_and_says_that_it_is_not_saved() => SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         Assert.Equal(("Complex mating", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
         seat.Seat.Tap("setup-anew");
@@ -39,7 +39,7 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task A_new_job_is_saved_beside_the_one_that_runs_without_a_signature() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_new_job_is_saved_beside_the_one_that_runs_without_a_signature() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
         var before = Contents(folder);
@@ -88,7 +88,7 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task It_takes_the_place_of_the_one_that_runs_only_where_somebody_signs_that() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task It_takes_the_place_of_the_one_that_runs_only_where_somebody_signs_that() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var (job, here) = (File.ReadAllBytes(seat.JobFile), seat.Seat);
         here.Cell.Run();
@@ -132,7 +132,7 @@ public sealed class NewJobTests
 
     [Fact]
     public Task Where_the_station_locks_while_it_is_asked_nothing_is_put_in_use_and_it_can_be_later() =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var job = File.ReadAllBytes(seat.JobFile);
         SaveBeside(seat);
@@ -145,7 +145,7 @@ public sealed class NewJobTests
     });
 
     [Fact]
-    public Task A_name_that_is_taken_or_is_none_is_refused_in_words() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_name_that_is_taken_or_is_none_is_refused_in_words() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var (here, editing) = (seat.Seat, seat.Shell.Editing);
         SaveBeside(seat);
@@ -165,7 +165,7 @@ public sealed class NewJobTests
 
     [Fact]
     public Task A_new_job_that_was_kept_is_still_another_one_and_one_that_was_taken_back_is_not() =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         SetUp(seat);
         var kept = new DraftFolder(Path.Combine(
@@ -181,7 +181,7 @@ public sealed class NewJobTests
 
     [Fact]
     public Task A_new_job_leaves_the_files_of_the_one_before_alone_and_that_one_can_be_restored() =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
         var before = MatingDraftFiles.Open(seat.JobFile);

@@ -254,5 +254,5 @@ public sealed class PointSetupTests
         pictures.MustBeClean();
     });
 
-    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.Points, test, user);
+    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(ScreenKeys.Points, test, user);
 }

@@ -19,7 +19,7 @@ public sealed class PointTableTests
             + "label. Then read the table again.")]
     [InlineData(true, "未讀入任何座標：表格有 17 行，而尚無座標的點有 16 個。僅表格有 2a、3a、3b。僅特徵有 15、16。請在點位設定更正點數；不屬於特徵的點（例如頂點），請在此點選「新增點」並輸入其標籤。然後再讀取一次表格。")]
     public Task A_drawing_with_a_tip_of_no_feature_is_taken_once_the_tip_is_named(bool isChinese, string refused) =>
-        SetupSeat.AtAsync(Screens.Points, seat =>
+        SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         if (isChinese)
         {
@@ -52,7 +52,8 @@ public sealed class PointTableTests
     });
 
     [Fact]
-    public Task What_is_advised_where_a_table_has_other_points_leads_to_a_job_with_its_points() => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task What_is_advised_where_a_table_has_other_points_leads_to_a_job_with_its_points() =>
+        SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         Count(seat, 3);
         var drawing = DemoCell.Drawing(Drawing);
@@ -86,7 +87,7 @@ public sealed class PointTableTests
     [InlineData(true, "尚無特徵：請先在點位設定新增特徵，座標屬於特徵的點。", "點位設定")]
     public Task Before_there_are_features_the_screen_says_where_to_add_them_and_takes_nothing(
         bool isChinese, string sentence, string button) =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         if (isChinese)
         {
@@ -120,7 +121,8 @@ public sealed class PointTableTests
         "1\t1\n2\t2",
         "Nothing imported: 2 rows without labels for 17 points. Label each row with its point, or give every point a row, in the order "
             + "of the list.")]
-    public Task A_table_that_is_no_list_of_the_points_changes_none(string table, string told) => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_table_that_is_no_list_of_the_points_changes_none(string table, string told) =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var before = seat.Draft;
         Paste(seat, table);

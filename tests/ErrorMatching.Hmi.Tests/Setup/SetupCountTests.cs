@@ -19,10 +19,10 @@ public sealed class SetupCountTests
             d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
         seat.Settle();
         var place = seat.Shell.Editing.Problems.Select(p => ProblemPlace.Of(seat.Draft, p.Field)).ToArray();
-        Assert.Contains(place, p => p.Screen == Screens.Points);
+        Assert.Contains(place, p => p.ScreenKey == ScreenKeys.Points);
         for (var side = 0; side < Sides.Length; side++)
         {
-            var count = place.Count(p => p == new ProblemPlace(Screens.System, side));
+            var count = place.Count(p => p == new ProblemPlace(ScreenKeys.System, side));
             Assert.Equal(side is ProblemPlace.Tolerances or ProblemPlace.Machine ? 1 : 0, count);
             var head = seat.Seat.See("side-" + Sides[side]);
             Assert.Equal(count > 0 ? $"To correct: {count}" : null, AutomationProperties.GetHelpText(head));
@@ -175,7 +175,7 @@ public sealed class SetupCountTests
 
     [Fact]
     public Task The_count_of_a_screen_is_its_own_and_grows_by_nothing_that_is_to_be_filled_in_on_the_other() =>
-        SetupSeat.AtAsync(Screens.Points, seat =>
+        SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         // Name and features here; the program, the tool and the uncertainty are the next step's.
         seat.Seat.Tap("setup-anew");
@@ -201,13 +201,13 @@ public sealed class SetupCountTests
     public Task Each_step_leads_to_the_other() => At(seat =>
     {
         seat.Seat.Tap("setup-step");
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
         Assert.Equal("Next: System set-up", seat.Setup.StepText);
 
         // A tap right behind the first would be taken for its second half (TapTests).
         seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
         seat.Seat.Tap("setup-step");
-        Assert.Equal((Screens.System, "Back: Point set-up"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
+        Assert.Equal((ScreenKeys.System, "Back: Point set-up"), (seat.Shell.Chosen!.Screen.Key, seat.System.StepText));
     });
 
     [Fact]
@@ -218,14 +218,14 @@ public sealed class SetupCountTests
         Assert.Equal(("All filled in", "Back: 1 to fill in Point set-up"), (seat.System.ProblemCount, seat.System.StepText));
         seat.Seat.Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
-        Assert.Equal(Screens.Points, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
         seat.Seat.Type("edit-features[2].name", "C1");
         seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
         seat.Settle();
         seat.Seat.Tap("setup-problems");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-counterpart.frame.rotateDeg") is { IsFocused: true }, "The rotation has no focus.");
-        Assert.Equal(Screens.System, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal(ScreenKeys.System, seat.Shell.Chosen!.Screen.Key);
     });
 
-    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.System, test, user);
+    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(ScreenKeys.System, test, user);
 }

@@ -132,7 +132,7 @@ public sealed class SetupFilesTests
         seat.Settle();
     }
 
-    private static Task At(Action<SetupSeat, string> test) => SetupSeat.AtAsync(Screens.System, seat =>
+    private static Task At(Action<SetupSeat, string> test) => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         using var made = new TemporaryFolder();
         test(seat, made.Path);

@@ -7,7 +7,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class SetupHelpTests
 {
     [Fact]
-    public Task A_limit_in_micrometers_is_asked_about_at_its_field_and_not_saved() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_limit_in_micrometers_is_asked_about_at_its_field_and_not_saved() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Seat.Tap("side-tolerances").Type("edit-features[1].toleranceMm[1]", "50");
         seat.Settle();
@@ -18,7 +18,8 @@ public sealed class SetupHelpTests
     });
 
     [Fact]
-    public Task The_limits_of_the_first_feature_are_given_to_all_and_taken_back_in_one_step() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task The_limits_of_the_first_feature_are_given_to_all_and_taken_back_in_one_step() =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "-0.01").Type("edit-features[0].toleranceMm[1]", "0.02");
         seat.Seat.Tap("limits-same");
@@ -29,7 +30,7 @@ public sealed class SetupHelpTests
     });
 
     [Fact]
-    public Task What_holds_while_a_field_is_empty_is_said_in_the_language_of_the_screen() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task What_holds_while_a_field_is_empty_is_said_in_the_language_of_the_screen() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f.WithKey("degree", "").WithKey("ridge", "")));
         seat.Settle();

@@ -11,7 +11,7 @@ public sealed class SetupLayoutTests
     private const double Slack = 2;
 
     [Fact]
-    public Task A_check_box_stands_beside_its_words_at_the_height_of_the_field_beside_it() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_check_box_stands_beside_its_words_at_the_height_of_the_field_beside_it() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Shell.Editing.Change("", d => d with { Alignment = d.Alignment with { Kind = "best-fit" } });
         seat.Settle().Seat.Tap("side-machine");
@@ -27,7 +27,7 @@ public sealed class SetupLayoutTests
 
     [Fact]
     public Task Coordinates_stand_with_their_decimal_signs_under_each_other_and_are_not_changed_by_it() =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         string[] typed = ["-31.950", "76", "5.1234", "-0.5"];
         seat.Shell.Editing.Change(
@@ -55,7 +55,7 @@ public sealed class SetupLayoutTests
     });
 
     [Fact]
-    public Task Most_points_of_the_sample_are_seen_at_once() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Most_points_of_the_sample_are_seen_at_once() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         // While the cell runs: that it does not takes a line above.
         seat.Seat.RunCell();
@@ -66,7 +66,7 @@ public sealed class SetupLayoutTests
     });
 
     [Fact]
-    public Task Lines_of_a_program_are_whole_targets_for_whoever_takes_the_largest() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Lines_of_a_program_are_whole_targets_for_whoever_takes_the_largest() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         const double Target = 15 / 25.4 * 96;
         seat.Seat.Tap("side-blocks").WaitFor(() => seat.System.Picture is not null, "The program is not opened.");
@@ -79,7 +79,7 @@ public sealed class SetupLayoutTests
     });
 
     [Fact]
-    public Task Points_with_three_coordinates_have_the_whole_width() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Points_with_three_coordinates_have_the_whole_width() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         seat.Shell.Editing.Change("", d => d.WithFeature(0, f => f with { Plane = "ZX" }));
         seat.Settle().Seat.See("edit-features[0].points[1]/z");
@@ -91,7 +91,7 @@ public sealed class SetupLayoutTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public Task What_is_said_of_the_last_step_moves_nothing_below_it(bool isChinese) => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task What_is_said_of_the_last_step_moves_nothing_below_it(bool isChinese) => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         if (isChinese)
         {
@@ -127,7 +127,7 @@ public sealed class SetupLayoutTests
     [InlineData(false)]
     [InlineData(true)]
     public Task Buttons_of_the_bar_stay_where_they_are_whatever_is_to_be_corrected(bool isChinese) =>
-        SetupSeat.AtAsync(Screens.Points, seat =>
+        SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         if (isChinese)
         {

@@ -163,7 +163,7 @@ public sealed class SystemSetupTests
     });
 
     [Fact]
-    public Task Changes_outlive_the_station() => SetupSeat.AtAsync(Screens.Points, seat =>
+    public Task Changes_outlive_the_station() => SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
         seat.Seat.Type("edit-name", "Kept");
         seat.Shell.Editing.Change("", d => d with { Program = DraftProgram.Of("N10 G0 X0\n"u8.ToArray()) });
@@ -171,7 +171,7 @@ public sealed class SystemSetupTests
 
         // The next station finds what this one never saved, as after a crash.
         using var next = new Station(seat.Seat.Cell.Settings, seat.Seat.Clock, Station.DefaultIdle);
-        using var shell = new ShellViewModel(next);
+        using var shell = Screens.ShellOf(next);
         shell.Editing.Choose(shell.Editing.Jobs[0]);
         seat.Seat.WaitFor(() => shell.Editing.Loading.IsCompleted, "It is not opened.");
         Assert.Equal(("anna", "Kept"), (shell.Editing.Kept!.By, shell.Editing.Kept.Draft.Name));
@@ -385,5 +385,5 @@ public sealed class SystemSetupTests
     private static string[] Lines(byte[] program) =>
         System.Text.Encoding.Latin1.GetString(program).TrimEnd('\n').Split('\n').Select(l => l.TrimEnd('\r')).ToArray();
 
-    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(Screens.System, test, user);
+    private static Task At(Action<SetupSeat> test, string user = DemoCell.Setter) => SetupSeat.AtAsync(ScreenKeys.System, test, user);
 }

@@ -78,7 +78,7 @@ public sealed partial class ValidationTests
     ];
 
     [Fact]
-    public Task A_mistake_on_any_side_of_the_set_up_is_gone_to_and_told() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task A_mistake_on_any_side_of_the_set_up_is_gone_to_and_told() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         // One of a list and one of no list on each side, one side behind the other: to show one takes longest.
         var (draft, job) = (seat.Draft, seat.Shell.Editing.Job!);
@@ -117,7 +117,7 @@ public sealed partial class ValidationTests
     }
 
     [Fact]
-    public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(Screens.System, seat =>
+    public Task Every_message_has_its_words_in_both_languages_and_every_word_its_cause() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var caused = new HashSet<string>(StringComparer.Ordinal);
         Func<MatingDraft, MatingDraft>[] doubtful = [
@@ -153,7 +153,7 @@ public sealed partial class ValidationTests
     [InlineData("missing-program", "N121 M98 P9999", "所呼叫的程式不存在。（原文：N121: ")]
     [InlineData("expression", "N121 G1 X#500", "要修改的座標由控制器計算（變數或運算式）。（原文：L1, N121: ")]
     public Task A_refusal_of_the_program_is_said_in_the_language_of_the_screen(string code, string line, string chinese) =>
-        SetupSeat.AtAsync(Screens.System, seat =>
+        SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         var program = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "counterpart.nc"));

@@ -1,23 +1,23 @@
-using ErrorMatching.Cell;
 using ErrorMatching.Cell.Tests;
 
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>The tests of every store, with a real PostgreSQL server.</summary>
 [Collection(PostgresTests.Name)]
-public sealed class PostgresStoreTests : StoreTests
-{
-    private readonly PostgresServer _server;
+public sealed class PostgresStoreTests(PostgresServer server) : StoreTests(new PostgresKind(server));
 
-    public PostgresStoreTests(PostgresServer server)
-    {
-        PostgresServer.IsNeeded();
-        _server = server;
-    }
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreSlotTests(PostgresServer server) : StoreSlotTests(new PostgresKind(server));
 
-    private protected override string TablesSql => "SELECT tablename FROM pg_tables WHERE schemaname = current_schema() ORDER BY tablename";
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreLineTests(PostgresServer server) : StoreLineTests(new PostgresKind(server));
 
-    protected override StoreSettings NewSettings() => _server.NewDatabase();
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreHistoryTests(PostgresServer server) : StoreHistoryTests(new PostgresKind(server));
 
-    private protected override void RemoveTriggers(CellStore store) => store.Write(t => t.Execute("DROP TRIGGER audit_change ON audit"));
-}
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreMigrationTests(PostgresServer server) : StoreMigrationTests(new PostgresKind(server));

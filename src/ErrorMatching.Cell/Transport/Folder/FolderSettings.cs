@@ -2,7 +2,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>A folder or network share.</summary>
 /// <param name="Folder">The folder. It must exist, so that an unmounted share is not mistaken for an empty one.</param>
-public sealed record FolderSettings(string Folder) : TransportSettings
+internal sealed record FolderSettings(string Folder) : TransportSettings
 {
     /// <inheritdoc/>
     public override string Address => Folder;

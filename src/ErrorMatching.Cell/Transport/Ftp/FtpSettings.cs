@@ -10,7 +10,7 @@ namespace ErrorMatching.Cell;
 /// <param name="Tls">Whether the connection is encrypted.</param>
 /// <param name="PinnedKey">The server's public key as <c>sha256//</c> and base64, required for every TLS connection; null for plain
 /// FTP.</param>
-public sealed record FtpSettings(string Host, int Port, string User, string Folder, FtpTls Tls, string? PinnedKey) : TransportSettings
+internal sealed record FtpSettings(string Host, int Port, string User, string Folder, FtpTls Tls, string? PinnedKey) : TransportSettings
 {
     /// <inheritdoc/>
     public override string Address => string.Create(
@@ -24,4 +24,17 @@ public sealed record FtpSettings(string Host, int Port, string User, string Fold
 
     internal override IMachineFolder Open(string machine, Func<string?> secret, TimeSpan limit) =>
         new FtpTransport(machine, this, secret, limit);
+}
+
+/// <summary>Whether an FTP connection is encrypted.</summary>
+internal enum FtpTls
+{
+    /// <summary>Not encrypted: anyone on the network can read and change programs.</summary>
+    None,
+
+    /// <summary>Encrypted with <c>AUTH TLS</c> before the login, including data connections.</summary>
+    Explicit,
+
+    /// <summary>Encrypted from the first byte.</summary>
+    Implicit,
 }

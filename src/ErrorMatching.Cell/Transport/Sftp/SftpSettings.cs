@@ -9,7 +9,7 @@ namespace ErrorMatching.Cell;
 /// <param name="Folder">The program folder, as the server names it.</param>
 /// <param name="HostKey">The server's key as in <c>known_hosts</c>, such as <c>ssh-ed25519 AAAA...</c>; no other key is accepted.</param>
 /// <param name="KeyFile">The private key for the login; null for a password.</param>
-public sealed record SftpSettings(string Host, int Port, string User, string Folder, string HostKey, string? KeyFile) : TransportSettings
+internal sealed record SftpSettings(string Host, int Port, string User, string Folder, string HostKey, string? KeyFile) : TransportSettings
 {
     /// <inheritdoc/>
     public override string? SignInKey => KeyFile;

@@ -29,7 +29,7 @@ internal static class LinePass
         for (var i = 0; i < parameters.Length; i++)
         {
             var span = knots.SpanAt(parameters[i]);
-            knots.Basis(span, parameters[i], 0, factors);
+            knots.Basis.WithDerivatives(span, parameters[i], 0, factors);
             data.Slice(i * columns, columns).CopyTo(rights);
             equations.Add(span - p, factors, rights);
         }

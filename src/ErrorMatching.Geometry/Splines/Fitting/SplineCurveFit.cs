@@ -82,14 +82,14 @@ public static class SplineCurveFit
         for (var i = 0; i < points.Length; i++)
         {
             var span = knots.SpanAt(parameters[i]);
-            knots.Basis(span, parameters[i], 0, basis);
+            knots.Basis.WithDerivatives(span, parameters[i], 0, basis);
             fit.AddPoint(span - p, basis[..(p + 1)], points[i]);
         }
 
         foreach (var (t, weight) in GaussPoints.Of(knots))
         {
             var span = knots.SpanAt(t);
-            knots.Basis(span, t, 2, basis);
+            knots.Basis.WithDerivatives(span, t, 2, basis);
             fit.AddBending(span - p, basis[(2 * (p + 1))..], weight);
         }
 

@@ -84,8 +84,8 @@ public static partial class SplineSurfaceFit
         foreach (var k in order)
         {
             var (spanU, spanV) = (knotsU.SpanAt(us[k]), knotsV.SpanAt(vs[k]));
-            knotsU.Basis(spanU, us[k], 0, basisU);
-            knotsV.Basis(spanV, vs[k], 0, basisV);
+            knotsU.Basis.WithDerivatives(spanU, us[k], 0, basisU);
+            knotsV.Basis.WithDerivatives(spanV, vs[k], 0, basisV);
             Array.Clear(factors);
             for (var i = 0; i <= p; i++)
             {

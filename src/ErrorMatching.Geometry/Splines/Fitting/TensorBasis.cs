@@ -13,8 +13,8 @@ internal sealed class TensorBasis(KnotVector knotsU, KnotVector knotsV)
     public void MoveTo(double u, double v, int order)
     {
         var (spanU, spanV) = (knotsU.SpanAt(u), knotsV.SpanAt(v));
-        knotsU.Basis(spanU, u, order, _u);
-        knotsV.Basis(spanV, v, order, _v);
+        knotsU.Basis.WithDerivatives(spanU, u, order, _u);
+        knotsV.Basis.WithDerivatives(spanV, v, order, _v);
         (_firstU, _firstV) = (spanU - knotsU.Degree, spanV - knotsV.Degree);
     }
 

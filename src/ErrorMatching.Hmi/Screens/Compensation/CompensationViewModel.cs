@@ -6,13 +6,10 @@ namespace ErrorMatching.Hmi;
 public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
+    private readonly CorrectionChoice _choice;
     private readonly Pause _pause;
     private string? _undone;
     private CorrectionRow? _chosen;
-    private long? _looked;
-    private long? _byItself;
-    private HashSet<long> _waiting = [];
-    private bool _isOpened;
     private bool _isExpected = true;
     private CorrectionDetail? _detail;
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
@@ -22,7 +19,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
-        (_looked, _byItself) = (shell.Looked.Correction, shell.Looked.Shown);
+        _choice = new(shell);
         _pause = new(Station.Clock, SayDecisions);
         Approve = Decision(
             Act.Approve,
@@ -167,7 +164,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     public void LookAt(long correction)
     {
-        _isOpened = true;
+        _choice.Open();
         Look(correction);
         Refresh();
     }
@@ -239,7 +236,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private async Task ComputeAnewAsync()
     {
         var (id, by) = (Detail!.Kept.Correction.Id, _shell.Who!);
-        (_shell.Looked.Correction, _looked, Undone) = (id, id, null);
+        _choice.Look(id);
+        Undone = null;
         Correction? given = null;
         var failure = await Failures.OfAsync(
             () =>
@@ -248,7 +246,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                 given = new ComputingAnew(Station.Settings, Station.Store).GiveAgain(id, by.Name, null);
             },
             Station.Clock);
-        if (Current != id)
+        if (_choice.Current != id)
         {
             return;
         }
@@ -268,12 +266,12 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private void Sign(Func<StoredCorrection, SigningViewModel> signing)
     {
         var kept = Detail!.Kept;
-        _shell.Looked.Correction = _looked = kept.Correction.Id;
+        _choice.Look(kept.Correction.Id);
         _shell.Sign(signing(kept));
     }
 
     // The selected correction is shown, and has been for a while.
-    private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Kept.Correction.Id == Current;
+    private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Kept.Correction.Id == _choice.Current;
 
     private void Refresh()
     {
@@ -293,33 +291,20 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                     .ThenBy(c => c.Id)
                     .Select(Row)]);
         Say(nameof(IsEmpty));
-        _waiting = [
-            .. (_shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided).Select(c => c.Id)];
-
-        // A returning user finds the last selection, unless that correction is gone. One being recalculated will still appear.
-        _looked = _isOpened || Rows.Any(r => r.Id == _looked) || status.InWork.Any(c => c.Id == _looked) ? _looked : null;
-        _isOpened = true;
-        Choose(_looked ?? ByItself());
-    }
-
-    // A waiting correction stays selected until it is decided; then the next one is. If none is left, the last one stays visible.
-    private long? ByItself()
-    {
-        var now = Rows.FirstOrDefault(r => r.Id == _byItself);
-        var row = now is not null && _waiting.Contains(now.Id)
-            ? now
-            : Rows.FirstOrDefault(r => _waiting.Contains(r.Id)) ?? now ?? (_byItself is null ? Rows.FirstOrDefault() : null);
-        return _byItself = row?.Id ?? _byItself;
+        var waiting = _shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided;
+        Choose(_choice.Follow(Rows, waiting, status.InWork));
     }
 
     private bool IsOfChangedJob(long id) => Station.State.OfChangedJob.Contains(id);
 
-    private long? Current => _looked ?? _byItself;
-
     private bool HasSlot(long id) => Station.State.Status?.Slots.Any(s => s.Held?.Id == id) == true;
 
     // The user's own choice needs no pause.
-    private void Look(long id) => (_shell.Looked.Correction, _looked, _isExpected, Undone) = (id, id, true, null);
+    private void Look(long id)
+    {
+        _choice.Look(id);
+        (_isExpected, Undone) = (true, null);
+    }
 
     private void Choose(long? id)
     {
@@ -353,7 +338,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         });
 
         // Another one may have been selected meanwhile.
-        if (!isRead || Current != id)
+        if (!isRead || _choice.Current != id)
         {
             return;
         }
@@ -378,7 +363,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         // Not if the screen is only being rehearsed.
         if (_shell.Current == this)
         {
-            _shell.Looked.Shown = _byItself;
+            _choice.Remember();
         }
     }
 

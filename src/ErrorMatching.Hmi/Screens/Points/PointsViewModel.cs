@@ -65,7 +65,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         _ => Texts.Current.With("Points.DrawnTrue", Drawing.Total),
     };
 
-    protected override string Key => Screens.Points;
+    protected override string Key => ScreenKeys.Points;
 
     protected override IEnumerable<EditField> Fields => [WorkOrder, Workpiece, _features, .. Features.SelectMany(f => f.Fields)];
 

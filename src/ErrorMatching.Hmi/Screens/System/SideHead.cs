@@ -19,7 +19,7 @@ public sealed class SideHead(string title) : Observable
                 " · ",
                 new[]
                 {
-                    JobEditing.CountOf(_wrong, _missing),
+                    DraftProblems.CountOf(_wrong, _missing),
                     HasAsked ? Texts.Current.With("Setup.Asked", _asked) : ""
                 }.Where(t => t.Length > 0))
             : null;

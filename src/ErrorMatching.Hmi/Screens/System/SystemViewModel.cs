@@ -1,19 +1,20 @@
 using System.Collections.ObjectModel;
-using System.Text;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>System setup: coordinates of each point, blocks of each feature, and how deviations are judged and compensated; tried out
 /// before saving.</summary>
-public sealed partial class SystemViewModel : SetupViewModel
+public sealed class SystemViewModel : SetupViewModel
 {
     // The number that fits in two lines; the others are marked at their fields.
     private const int MostCorners = 6;
 
     private readonly SystemFields _fields;
+    private readonly BlockPicking _picking;
+    private readonly DryRunning _running;
+    private readonly DraftFiles _files;
     private int _side;
 
     public SystemViewModel(ShellViewModel shell)
@@ -21,6 +22,10 @@ public sealed partial class SystemViewModel : SetupViewModel
     {
         _side = Shell.Looked.SystemSide;
         _fields = new(Editing);
+        _picking = new(Editing, () => Say(nameof(Picture)));
+        _running = new(this, shell);
+        _running.Shown += SayDetail;
+        _files = new(this, shell);
         Points = new(Editing, "$.part.theoretical", "System.Coordinates");
         Program = new(Editing, MatingDraftCheck.Program, "System.Program");
         Dialect = new(Editing, "$.counterpart.dialect", "System.Program");
@@ -42,20 +47,7 @@ public sealed partial class SystemViewModel : SetupViewModel
                     Uncertainty = ""
                 }
             }));
-        ReadPoints = new(_ => ReadPointsAsync(), () => Editing.CanEdit);
-        ReadProgram = new(
-            async _ => await ReadAsync(
-                new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"])
-                {
-                    Sample = DemoCell.ProgramFile
-                },
-                ImportProgramAsync),
-            () => Editing.CanEdit);
-        FindBlocks = new(
-            FindBlocksAsync, () => Editing.CanEdit && Picture is not null && Editing.Draft.Features.Any(f => f.BlockList.Count == 0));
-        DryRun = new(DryRunAsync, CanTry);
-        DryRunFile = new(DryRunFileAsync, CanTry);
-        Back = new(() => Detail = null);
+        Back = new(() => _running.Detail = null);
         Begin();
         Editing.Begun += GoToFirstSide;
     }
@@ -112,7 +104,7 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft.Counterpart.Dialect);
 
-    public IReadOnlyList<BlocksRow> Blocks { get; private set; } = [];
+    public IReadOnlyList<BlocksRow> Blocks => _picking.Rows;
 
     public IReadOnlyList<FieldRow> Tolerances { get; private set; } = [];
 
@@ -146,14 +138,37 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     public Command AddContribution { get; }
 
-    public LongCommand ReadPoints { get; }
+    public LongCommand ReadPoints => _files.ReadPoints;
 
-    public LongCommand ReadProgram { get; }
+    public LongCommand ReadProgram => _files.ReadProgram;
 
     /// <summary>Finds the blocks of features without blocks by their key points.</summary>
-    public LongCommand FindBlocks { get; }
+    public LongCommand FindBlocks => _picking.FindBlocks;
 
-    protected override string Key => Screens.System;
+    /// <summary>The program; null while there is none, or while it is being opened.</summary>
+    public ProgramPicture? Picture => _picking.Picture;
+
+    /// <summary>The result of the dry run; null while none is shown.</summary>
+    public CorrectionDetail? Detail => _running.Detail;
+
+    /// <summary>True while the form is shown instead of a dry run.</summary>
+    public bool IsForm => Detail is null;
+
+    /// <summary>Warning that the dry run probably used a drawing; null otherwise.</summary>
+    public string? DryRunDoubt => _running.Doubt;
+
+    /// <summary>Tries the draft with the job's last measurement in the store.</summary>
+    public LongCommand DryRun => _running.Last;
+
+    public LongCommand DryRunFile => _running.File;
+
+    /// <summary>Returns from the dry run to the form.</summary>
+    public Command Back { get; }
+
+    /// <summary>Completes when the program is open and its features are marked.</summary>
+    internal Task Opening => _picking.Opening;
+
+    protected override string Key => ScreenKeys.System;
 
     protected override int OpenSide => Side;
 
@@ -164,33 +179,9 @@ public sealed partial class SystemViewModel : SetupViewModel
         .. Gauge, .. Contributions.Concat(Comparisons).SelectMany(r => r.Cells), Rules,
     ];
 
-    public void Paste(string? text)
-    {
-        if (Editing.CanEdit)
-        {
-            Take(PointTable.Read(text ?? ""));
-        }
-    }
+    public void Paste(string? text) => _files.Paste(text);
 
-    public async Task ImportPointsAsync(string path)
-    {
-        PointTable? table = null;
-        if (await TryAsync(
-            () => table = PointTable.Read(
-                Encoding.UTF8.GetString(InputFile.Bytes(path, MeasurementFormat.Points.MaxBytes)).TrimStart('\uFEFF'))))
-        {
-            Take(table!, Path.GetFileName(path));
-        }
-    }
-
-    public async Task ImportProgramAsync(string path)
-    {
-        DraftProgram? program = null;
-        if (await TryAsync(() => program = DraftProgram.Of(InputFile.Program(path))))
-        {
-            Editing.Change("", d => d with { Program = program, Counterpart = d.Counterpart with { Program = Path.GetFileName(path) } });
-        }
-    }
+    public Task ImportProgramAsync(string path) => _files.ImportProgramAsync(path);
 
     /// <summary>The row of <see cref="Pairs"/> that contains a field; -1 if it is not a coordinate's.</summary>
     internal int RowOf(string automationId) => Pairs.ToList().FindIndex(
@@ -216,7 +207,8 @@ public sealed partial class SystemViewModel : SetupViewModel
             Pairs.Add(pair);
         }
 
-        (Blocks, Tolerances, Chain) = (MakeBlocks(), _fields.Tolerances(), _fields.Chain());
+        _picking.MakeRows(_fields.Blocks());
+        (Tolerances, Chain) = (_fields.Tolerances(), _fields.Chain());
         (Frame, Alignment, Compensation) = (_fields.Frame(), _fields.Alignment(), _fields.Compensation());
         (Gauge, Contributions, Comparisons) = (_fields.Gauge(), _fields.Contributions(), _fields.Comparisons());
     }
@@ -245,22 +237,30 @@ public sealed partial class SystemViewModel : SetupViewModel
         Decimals.Align(Coordinates.Select(c => c.Y));
         Decimals.Align(Coordinates.Select(c => c.Z).OfType<TextField>());
         var sides = Editing.Problems.Select(p => (Problem: p, Place: ProblemPlace.Of(Editing.Draft, p.Field)))
-            .Where(p => p.Place.Screen == Key)
+            .Where(p => p.Place.ScreenKey == Key)
             .ToLookup(p => p.Place.Side);
-        var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field)).Where(p => p.Screen == Key).ToLookup(p => p.Side);
+        var asked = Editing.Doubts.Select(d => ProblemPlace.Of(Editing.Draft, d.Field))
+            .Where(p => p.ScreenKey == Key)
+            .ToLookup(p => p.Side);
         for (var side = 0; side < Heads.Count; side++)
         {
             Heads[side].Show(
                 sides[side].Count(p => !p.Problem.IsMissing), sides[side].Count(p => p.Problem.IsMissing), asked[side].Count());
         }
 
-        ShowPicture();
+        _picking.Show();
     }
 
     protected override void Turn(int side)
     {
-        Detail = null;
+        _running.Detail = null;
         TurnTo(side);
+    }
+
+    protected override void Translate()
+    {
+        _running.Translate();
+        _picking.Continue(base.Translate);
     }
 
     private bool TurnTo(int side)
@@ -282,14 +282,6 @@ public sealed partial class SystemViewModel : SetupViewModel
 
     private Command Doing(Action act) => new(act, () => Editing.CanEdit);
 
-    private async Task ReadAsync(FileChoice choice, Func<string, Task> import)
-    {
-        if (await Shell.ChooseAsync(choice) is { } path)
-        {
-            await import(path);
-        }
-    }
-
     // Go to the new point: it is at the end of the list, usually out of sight, and has no label yet.
     private void AddOtherPoint()
     {
@@ -297,40 +289,10 @@ public sealed partial class SystemViewModel : SetupViewModel
         GoTo(Coordinates[^1].Label);
     }
 
-    // Without features, do not ask for a file.
-    private async Task ReadPointsAsync()
+    private void SayDetail()
     {
-        if (NeedsFeatures)
-        {
-            Tell(() => Texts.Current["System.NoFeatures"]);
-            Show();
-            return;
-        }
-
-        await ReadAsync(
-            new(FileChoiceKind.Open, "System.ChooseDrawing", [".csv", ".txt"]) { Sample = DemoCell.DrawingFile }, ImportPointsAsync);
+        Say(nameof(Detail));
+        Say(nameof(IsForm));
+        Say(nameof(DryRunDoubt));
     }
-
-    private void Take(PointTable table, string? file = null)
-    {
-        var taken = table.Into(Editing.Draft);
-        Editing.Change("", _ => taken.Draft);
-        var refused = TableText.Refused(table, taken);
-        Tell(refused);
-
-        // Clear the note on the previous table even if nothing was taken from this one.
-        Editing.Note(refused is not null ? null : () => Sentence.Joined(
-            file is not null && IsMeasurement(file) ? Texts.Current.With("System.TableMeasured", file) : "",
-            TableText.Taken(table, taken)));
-
-        Show();
-    }
-
-    // A measurement has the format of a drawing but must not be used as one. The job names its measurements.
-    private bool IsMeasurement(string file) =>
-        new[]
-        {
-            Editing.Draft.MeasuredFile,
-            Editing.Draft.Counterpart.Measured
-        }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
 }

@@ -143,7 +143,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         if (shown != _shown || !isKnown)
         {
             _shown = shown;
-            Detail = piece is null ? null : new(piece, pieces) { ReadWarnings = new(() => _shell.LookAtWarnings(piece.Correction.Id)) };
+            Detail = piece is null ? null : new(piece, pieces) { ReadWarnings = new(() => LookAtWarnings(piece.Correction.Id)) };
         }
 
         if (Detail is { } detail && piece is { IsMeasured: false })
@@ -157,6 +157,9 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             Station.See(piece);
         }
     }
+
+    private void LookAtWarnings(long correction) =>
+        _shell.Open(ScreenKeys.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
 
     private static PieceRow Row(StoredPiece piece) =>
         new(

@@ -1,0 +1,119 @@
+using System.Data.Common;
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Rows of slots, which change with the states of corrections in the same transaction.</summary>
+internal static class SlotRow
+{
+    public const string Select =
+        "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
+
+    private const string Take =
+        "INSERT INTO slot (machine, slot, correction) VALUES (@Machine, @Slot, @Id) "
+        + "ON CONFLICT (machine, slot) DO UPDATE SET correction = excluded.correction WHERE slot.correction IS NULL OR slot.correction = "
+            + "excluded.correction";
+
+    private const string GiveBack = "UPDATE slot SET correction = NULL WHERE machine = @Machine AND slot = @Slot AND correction = @Id";
+
+    private const string Verify =
+        "UPDATE slot SET previous_sha256 = COALESCE(@PreviousSha256, program_sha256), program_sha256 = @ProgramSha256 WHERE machine = "
+            + "@Machine AND slot = @Slot AND correction = @Id";
+
+    private const string Revert =
+        "UPDATE slot SET program_sha256 = previous_sha256, previous_sha256 = NULL, correction = @Id "
+        + "WHERE machine = @Machine AND slot = @Slot AND program_sha256 = @ProgramSha256 AND (correction IS NULL OR correction = @Id)";
+
+    public const string SelectKept = "SELECT machine, slot, correction, program_sha256, previous_sha256, row_code FROM slot";
+
+    /// <summary>The condition that selects one slot.</summary>
+    public const string One = " WHERE machine = @Machine AND slot = @Slot";
+
+    /// <summary>The row in coded form.</summary>
+    public static CodedRow Coded(SlotHolding slot) => new(
+        NameOf(slot.Machine, slot.Slot), [slot.Machine, slot.Slot, CodedRow.Number(slot.Correction), slot.ProgramSha256,
+            slot.PreviousSha256]);
+
+    /// <summary>The row's name among coded rows.</summary>
+    public static string NameOf(string machine, string slot) =>
+        string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine.ReplaceLineEndings(" ")} "
+            + $"{slot.ReplaceLineEndings(" ")}");
+
+    /// <summary>The row with its code.</summary>
+    public static KeptRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
+
+    /// <summary>Codes a slot's current row; the audit entry that follows names the code.</summary>
+    public static void Code(StoreTransaction transaction, string machine, string slot)
+    {
+        var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot });
+        transaction.Execute("UPDATE slot SET row_code = @Code" + One,
+            new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
+    }
+
+    /// <summary>Verifies that a slot's row is as the cell wrote it, before it is changed.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/>.</exception>
+    public static void Demand(StoreTransaction transaction, string machine, string slot)
+    {
+        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot }) is { } row
+            && !row.Holds(transaction.Key))
+        {
+            throw Tampered(row);
+        }
+    }
+
+    /// <summary>The error for a row that was changed outside the cell.</summary>
+    public static StoreException Tampered(KeptRow<SlotHolding> row) =>
+        new(StoreError.Tampered, Recorded.SlotTampered.With(row.Value.Slot, row.Value.Machine));
+
+    /// <summary>Frees a slot of the correction that has it; otherwise the slot stays as it is.</summary>
+    /// <returns>True if it was freed.</returns>
+    public static bool Free(StoreTransaction transaction, string machine, string slot, long correction, string by, string basis)
+    {
+        Demand(transaction, machine, slot);
+        if (transaction.Execute(GiveBack, new { Machine = machine, Slot = slot, Id = correction }) != 1) return false;
+        Code(transaction, machine, slot);
+        transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
+        return true;
+    }
+
+    public static SlotHolding Read(DbDataReader row) =>
+        new(row.GetString(0), row.GetString(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
+
+    /// <summary>Applies a correction's step to its slot.</summary>
+    public static void Follow(StoreTransaction transaction, CorrectionState from, Correction to)
+    {
+        var sql = (from, to.State) switch
+        {
+            (_, CorrectionState.Uploading) => Take,
+            (CorrectionState.Uploading, CorrectionState.Approved or CorrectionState.Failed) => GiveBack,
+            (_, CorrectionState.Verified) => Verify,
+            (_, CorrectionState.Released) => GiveBack,
+            (_, CorrectionState.Reverted) => Revert,
+            _ => null,
+        };
+        if (sql is null) return;
+        if (to.Machine is null || to.Slot is null || to.ProgramSha256 is null)
+        {
+            throw new ArgumentException(
+                string.Create(
+                    CultureInfo.InvariantCulture, $"Correction {to.Id} cannot become {to.State} without machine, slot and program."),
+                nameof(to));
+        }
+
+        Demand(transaction, to.Machine, to.Slot);
+        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256 }) == 1)
+        {
+            Code(transaction, to.Machine, to.Slot);
+            return;
+        }
+
+        var slot = transaction.First(Select, Read, new { to.Machine, to.Slot });
+        if (slot?.Correction is { } holder && holder != to.Id) throw new SlotTakenException(to.Machine, to.Slot, holder);
+        throw new StoreException(
+            StoreError.Conflict,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Slot {to.Slot} of {to.Machine} no longer holds the program of correction {to.Id}, which therefore cannot become "
+                    + $"{CorrectionRow.Word(to.State)}."));
+    }
+}

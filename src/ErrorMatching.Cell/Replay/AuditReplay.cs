@@ -1,0 +1,233 @@
+using System.Globalization;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The state that results from the entries of an audit trail: the state and program of each correction, each user's rights, and
+/// the codes of all rows. It finds what must not have happened: a step that is not allowed, an approval without the right to approve, a
+/// program other than the computed one. It takes the entries as they are; <see cref="AuditChain"/> verifies that they are as
+/// written.</summary>
+internal sealed class AuditReplay
+{
+    private const string Console = "console";
+    private readonly Dictionary<string, (string Code, long Seq)> _codes = new(StringComparer.Ordinal);
+    private readonly Dictionary<long, RecordedCorrection> _corrections = [];
+    private readonly Dictionary<string, RecordedPerson> _people = new(StringComparer.Ordinal);
+
+    /// <summary>The first entry that must not exist; null if there is none.</summary>
+    public AuditFault? Fault { get; private set; }
+
+    /// <summary>The corrections by their numbers.</summary>
+    public IReadOnlyDictionary<long, RecordedCorrection> Corrections => _corrections;
+
+    /// <summary>The users by name key.</summary>
+    public IReadOnlyDictionary<string, RecordedPerson> People => _people;
+
+    /// <summary>The names of rows with codes.</summary>
+    public IEnumerable<string> CodedRows => _codes.Keys;
+
+    /// <summary>Called with each step of a correction: its entry, its number, the state before and after.</summary>
+    public Action<AuditEntry, long, CorrectionState?, CorrectionState>? Stepped { get; init; }
+
+    /// <summary>Replays the trail as a change sees it.</summary>
+    /// <returns>Null if the trail is not intact.</returns>
+    public static AuditReplay? Of(StoreTransaction change)
+    {
+        var replay = new AuditReplay();
+        return AuditChain.Verify(replay.Added(change.Query(AuditRow.Select + " ORDER BY seq", AuditRow.Read)), change.Head,
+            change.Key) is null ? replay : null;
+    }
+
+    /// <summary>Adds entries while the caller enumerates them.</summary>
+    public IEnumerable<AuditEntry> Added(IEnumerable<AuditEntry> entries)
+    {
+        foreach (var entry in entries)
+        {
+            Add(entry);
+            yield return entry;
+        }
+    }
+
+    /// <summary>Adds the next entry.</summary>
+    public void Add(AuditEntry entry)
+    {
+        foreach (var (name, code) in CodedRow.Read(entry.RowCodes ?? ""))
+        {
+            _codes[name] = (code, entry.Seq);
+        }
+
+        if (CorrectionRow.StateOrNull(entry.What) is { } state)
+        {
+            AddStep(entry, state);
+        }
+        else if (entry.What is "user-added" or "role-set" or "user-disabled" or "user-enabled" or "password-set")
+        {
+            AddPerson(entry);
+        }
+    }
+
+    /// <summary>The required code of a row, and the number of the entry that names it; null if no entry does.</summary>
+    public (string Code, long Seq)? CodeOf(string row) => _codes.TryGetValue(row, out var code) ? code : null;
+
+    private void AddStep(AuditEntry entry, CorrectionState to)
+    {
+        if (Subject(entry.Subject ?? "") is not var (id, file, program))
+        {
+            Fault ??= Of(entry, Recorded.NoCorrection.With(entry.Seq, entry.What, entry.Subject ?? ""));
+            return;
+        }
+
+        var known = _corrections.GetValueOrDefault(id);
+        var from = known?.State;
+        if (known is null)
+        {
+            _corrections.Add(id, known = new(file ?? ""));
+            if (file is null || to is not (CorrectionState.Archived or CorrectionState.Refused))
+            {
+                Mark(known, Of(entry, Recorded.NeverArrived.With(entry.Seq, id, entry.What)));
+            }
+        }
+        else if (!CorrectionSteps.Allows(known.State, to))
+        {
+            Mark(known, Of(entry, Recorded.StepNotAllowed.With(entry.Seq, id, entry.What, CorrectionRow.Word(known.State))));
+        }
+
+        if (to == CorrectionState.Computed)
+        {
+            known.Program = program;
+        }
+
+        if (to is CorrectionState.Approved && ApprovalProblem(entry, from) is { } problem)
+        {
+            Mark(known, Of(entry, Recorded.ApprovalNotAllowed.With(entry.Seq, id, entry.Who, problem)));
+        }
+        else if (HasProgram(to) && (program is null || program != known.Program))
+        {
+            Mark(known, Of(entry, Recorded.OtherProgram.With(entry.Seq, id, program ?? "none", known.Program ?? "none")));
+        }
+
+        if (CorrectionSteps.IsEnd(to) && to != CorrectionState.Reverted)
+        {
+            // A tampered program ends with its correction: no further step uses it.
+            known.Program = program ?? known.Program;
+        }
+
+        (known.State, known.Seq) = (to, entry.Seq);
+        Stepped?.Invoke(entry, id, from, to);
+    }
+
+    private static bool HasProgram(CorrectionState state) => state is CorrectionState.Proposed or CorrectionState.Approved
+        or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted;
+
+    // Null if the approval is valid: by the policy, by a person who had the right at that time, or an earlier one that continues when a
+    // slot is given back.
+    private string? ApprovalProblem(AuditEntry entry, CorrectionState? from)
+    {
+        if (entry.Who == AuditEntry.ByCell)
+        {
+            var isPolicy = Recorded.Policy.Read(entry.Basis) is not null || Recorded.PolicyWithin.Read(entry.Basis) is not null;
+            return from == CorrectionState.Uploading || (from == CorrectionState.Proposed && isPolicy) ? null : Recorded.NotByPolicy.With();
+        }
+
+        return NotEntitled(entry.Who, Act.Approve);
+    }
+
+    private string? NotEntitled(string who, Act act) => _people.GetValueOrDefault(UserName.Key(who)) switch
+    {
+        null => Recorded.WasNobody.With(),
+        { IsDisabled: true } => Recorded.WasDisabled.With(),
+        var person when !person.May(act) => Recorded.WasOfRole.With(Rights.Word(person.Role), Rights.Word(Rights.LeastFor(act))),
+        _ => null,
+    };
+
+    private void AddPerson(AuditEntry entry)
+    {
+        var (name, key) = (entry.Subject ?? "", UserName.Key(entry.Subject ?? ""));
+        if (entry is { What: "user-added", Who: Console })
+        {
+            // Anyone who can write the store and has its keys may start over with new users; the entry itself shows it.
+            _people.Clear();
+            foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))
+                .ToArray())
+            {
+                _codes.Remove(row);
+            }
+
+            _people[key] = new(name, Role.Administrator, false, entry.Seq);
+            return;
+        }
+
+        var isOwn = entry.What == "password-set" && UserName.Key(entry.Who) == key;
+        if (!isOwn && NotEntitled(entry.Who, Act.ManageUsers) is { } problem)
+        {
+            Fault ??= Of(entry, Recorded.UserNotAllowed.With(entry.Seq, entry.What, name, entry.Who, problem));
+            return;
+        }
+
+        var role = (Recorded.AsRole.Read(entry.Basis) ?? Recorded.ToRole.Read(entry.Basis)) is [var word] ? Rights.RoleOf(word) : null;
+        var before = _people.GetValueOrDefault(key);
+        var after = entry.What switch
+        {
+            "user-added" when before is null && role is { } given => new RecordedPerson(name, given, false, entry.Seq),
+            "role-set" when role is { } given => before is null ? null : before with { Role = given, Seq = entry.Seq },
+            "user-disabled" => before is null ? null : before with { IsDisabled = true, Seq = entry.Seq },
+            "user-enabled" => before is null ? null : before with { IsDisabled = false, Seq = entry.Seq },
+            "password-set" => before,
+            _ => null,
+        };
+        if (after is null)
+        {
+            Fault ??= Of(entry, Recorded.UserUnknown.With(entry.Seq, entry.What, name));
+            return;
+        }
+
+        _people[key] = after;
+    }
+
+    private void Mark(RecordedCorrection correction, AuditFault fault)
+    {
+        correction.Fault ??= fault;
+        Fault ??= fault;
+    }
+
+    private static AuditFault Of(AuditEntry entry, string message) => new(AuditFaultKind.NotAllowed, entry.Seq, message);
+
+    private static (long Id, string? File, string? Program)? Subject(string subject) =>
+        Recorded.File.Read(subject) is [var ofFile, var file] && Number(ofFile) is { } arrived ? (arrived, file, null)
+        : Recorded.Program.Read(subject) is [var ofProgram, var program] && Number(ofProgram) is { } computed ? (computed, null, program)
+        : Recorded.Correction.Read(subject) is [var alone] && Number(alone) is { } other ? (other, null, null)
+        : null;
+
+    private static long? Number(string digits) =>
+        long.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : null;
+}
+
+/// <summary>What the audit trail says of a correction.</summary>
+/// <param name="file">SHA-256 of the file that it arrived with.</param>
+internal sealed class RecordedCorrection(string file)
+{
+    /// <summary>SHA-256 of the file that it arrived with.</summary>
+    public string File => file;
+
+    /// <summary>Its state.</summary>
+    public CorrectionState State { get; set; }
+
+    /// <summary>The computed program; null before that.</summary>
+    public string? Program { get; set; }
+
+    /// <summary>Number of the entry of its last step.</summary>
+    public long Seq { get; set; }
+
+    /// <summary>The first of its steps that was not allowed; null if there is none.</summary>
+    public AuditFault? Fault { get; set; }
+}
+
+/// <summary>What the audit trail says of a user.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Role">The user's role.</param>
+/// <param name="IsDisabled">True if the user may not sign in.</param>
+/// <param name="Seq">Number of the entry that says so.</param>
+internal sealed record RecordedPerson(string Name, Role Role, bool IsDisabled, long Seq)
+{
+    /// <summary>True if the user has the right.</summary>
+    public bool May(Act act) => !IsDisabled && Rights.Allows(Role, act);
+}

@@ -1,0 +1,172 @@
+using System.Data.Common;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Compares the rows of a store with what its audit trail says of them.</summary>
+/// <param name="connection">The store.</param>
+/// <param name="transaction">One snapshot of it.</param>
+/// <param name="replay">The state by the trail.</param>
+/// <param name="key">The key of the row codes; null if missing: then codes are compared with the trail's, but not with the rows.</param>
+internal sealed class RecordedRows(DbConnection connection, DbTransaction transaction, AuditReplay replay, byte[]? key)
+{
+    /// <summary>The same, within a change.</summary>
+    public RecordedRows(StoreTransaction change, AuditReplay replay, byte[]? key)
+        : this(change.Connection, change.Transaction, replay, key)
+    {
+    }
+
+    /// <summary>The first row that differs from the trail; null if none does.</summary>
+    public AuditFault? Compare()
+    {
+        var slots = Query(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot");
+        var holders = slots.Where(s => s.Row?.Value.Correction is not null)
+            .ToLookup(s => s.Row!.Value.Correction!.Value, s => (s.Row!.Value.Machine, s.Row.Value.Slot));
+        return Corrections(holders)
+            ?? slots.Select(s => s.Row is { } row ? OfSlot(row) : s.Fault).FirstOrDefault(f => f is not null)
+            ?? People()
+            ?? Missing(slots.Select(s => s.Row!.Coded.Name));
+    }
+
+    /// <summary>What is wrong with the row of a correction; null if nothing is.</summary>
+    public AuditFault? OfCorrection(KeptRow<Correction> row)
+    {
+        var c = row.Value;
+        if (replay.Corrections.GetValueOrDefault(c.Id) is not { } recorded)
+        {
+            return Differs(0, Recorded.CorrectionUnrecorded.With(c.Id, c.State.ToString().ToLowerInvariant()));
+        }
+
+        if (c.State != recorded.State)
+        {
+            return Differs(recorded.Seq, Recorded.StateDiffers.With(c.Id, CorrectionRow.Word(c.State), recorded.Seq,
+                CorrectionRow.Word(recorded.State)));
+        }
+
+        // A correction that ended without being sent may have lost its program, or never had one.
+        if (c.ProgramSha256 != recorded.Program && !(c.ProgramSha256 is null && recorded.State is CorrectionState.Failed))
+        {
+            return Differs(recorded.Seq, Recorded.ProgramDiffers.With(c.Id, c.ProgramSha256 ?? "none", recorded.Seq, recorded.Program
+                ?? "none"));
+        }
+
+        return c.MeasurementSha256 != recorded.File
+            ? Differs(recorded.Seq, Recorded.FileDiffers.With(c.Id, c.MeasurementSha256, recorded.File))
+            : OfCode(row.Coded, row.Code, seq => Recorded.CorrectionDiffers.With(c.Id, seq));
+    }
+
+    /// <summary>What is wrong with the row of a slot; null if nothing is.</summary>
+    public AuditFault? OfSlot(KeptRow<SlotHolding> row)
+    {
+        var slot = row.Value;
+        var holder = slot.Correction is { } id ? replay.Corrections.GetValueOrDefault(id) : null;
+        return holder is { State: not (CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Reverted) }
+            && slot.Correction is { } held
+            ? Differs(holder.Seq, Recorded.SlotHeldByOther.With(slot.Slot, slot.Machine, held, CorrectionRow.Word(holder.State)))
+            : OfCode(row.Coded, row.Code, seq => Recorded.SlotDiffers.With(slot.Slot, slot.Machine, seq));
+    }
+
+    /// <summary>The same, and whether the slot has the correction that it must have.</summary>
+    public AuditFault? OfSlotAndHolder(KeptRow<SlotHolding> row) => OfSlot(row) ?? Query(
+        CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionState.Uploading, CorrectionState.Verified)}",
+            CorrectionRow.ReadKept, "correction")
+        .Select(c => c.Row?.Value).OfType<Correction>()
+            .Where(c => c.Machine == row.Value.Machine && c.Slot == row.Value.Slot && c.Id != row.Value.Correction)
+        .Select(c => Differs(0, Recorded.SlotNotHeld.With(c.Slot, c.Machine, c.Id, CorrectionRow.Word(c.State)))).FirstOrDefault();
+
+    /// <summary>What is wrong with a missing slot row; null if the trail has no such row either.</summary>
+    public AuditFault? OfNoSlot(string machine, string slot) =>
+        replay.CodeOf(SlotRow.NameOf(machine, slot)) is { } code ? Differs(code.Seq, Recorded.SlotDiffers.With(slot, machine, code.Seq))
+            : null;
+
+    /// <summary>What is wrong with the row of a user; null if nothing is.</summary>
+    public AuditFault? OfPerson(KeptRow<Person> row)
+    {
+        var person = row.Value;
+        if (replay.People.GetValueOrDefault(UserName.Key(person.Name)) is not { } recorded)
+        {
+            return Differs(0, Recorded.UserUnrecorded.With(person.Name));
+        }
+
+        if (person.Role != recorded.Role)
+        {
+            return Differs(recorded.Seq, Recorded.RoleDiffers.With(person.Name, person.RoleWord, recorded.Seq,
+                Rights.Word(recorded.Role)));
+        }
+
+        return person.IsDisabled != recorded.IsDisabled
+            ? Differs(recorded.Seq, Recorded.DisabledDiffers.With(person.Name, person.IsDisabled ? "disabled" : "enabled", recorded.Seq))
+            : OfCode(row.Coded, row.Code, seq => Recorded.UserDiffers.With(person.Name, seq));
+    }
+
+    /// <summary>The fault of a row that cannot be parsed.</summary>
+    public static AuditFault Unreadable(string kind, string name) => Differs(0, Recorded.RowUnreadable.With(kind, name));
+
+    /// <summary>Reads a row; one that cannot be parsed is a fault.</summary>
+    public static (KeptRow<T>? Row, AuditFault? Fault) Read<T>(DbDataReader row, Func<DbDataReader, KeptRow<T>> read, string kind)
+    {
+        try
+        {
+            return (read(row), null);
+        }
+        catch (Exception e) when (e is InvalidCastException or FormatException or ArgumentException or OverflowException
+            or InvalidOperationException or StoreException)
+        {
+            return (null, Unreadable(kind, row.GetValue(0) is IFormattable f
+                ? f.ToString(null, System.Globalization.CultureInfo.InvariantCulture) : $"{row.GetValue(0)}"));
+        }
+    }
+
+    private AuditFault? Corrections(ILookup<long, (string Machine, string Slot)> holders)
+    {
+        var seen = new HashSet<long>();
+        foreach (var (row, fault) in Stream(CorrectionRow.SelectKept + " ORDER BY id", CorrectionRow.ReadKept, "correction"))
+        {
+            if (fault is not null || OfCorrection(row!) is not null)
+            {
+                return fault ?? OfCorrection(row!);
+            }
+
+            var c = row!.Value;
+            seen.Add(c.Id);
+            if (c.State is CorrectionState.Uploading or CorrectionState.Verified
+                && !holders[c.Id].Contains((c.Machine ?? "", c.Slot ?? "")))
+            {
+                return Differs(replay.Corrections[c.Id].Seq,
+                    Recorded.SlotNotHeld.With(c.Slot ?? "", c.Machine ?? "", c.Id, CorrectionRow.Word(c.State)));
+            }
+        }
+
+        return replay.Corrections.Where(c => !seen.Contains(c.Key)).OrderBy(c => c.Key)
+            .Select(c => Differs(c.Value.Seq, Recorded.CorrectionMissing.With(c.Key, c.Value.Seq))).FirstOrDefault();
+    }
+
+    private AuditFault? People()
+    {
+        var rows = Query(Person.SelectKept + " ORDER BY name_key", Person.ReadKept, "user");
+        var seen = rows.Select(r => r.Row?.Value.Name).OfType<string>().Select(UserName.Key).ToHashSet(StringComparer.Ordinal);
+        return rows.Select(r => r.Row is { } row ? OfPerson(row) : r.Fault).FirstOrDefault(f => f is not null)
+            ?? replay.People.Where(p => !seen.Contains(p.Key)).OrderBy(p => p.Key, StringComparer.Ordinal)
+                .Select(p => Differs(p.Value.Seq, Recorded.UserMissing.With(p.Value.Name, p.Value.Seq))).FirstOrDefault();
+    }
+
+    // The trail knows slots only by their codes.
+    private AuditFault? Missing(IEnumerable<string> slots)
+    {
+        var there = slots.ToHashSet(StringComparer.Ordinal);
+        return replay.CodedRows.Where(r => r.StartsWith("slot ", StringComparison.Ordinal) && !there.Contains(r))
+            .Order(StringComparer.Ordinal)
+            .Select(r => Differs(replay.CodeOf(r)!.Value.Seq, Recorded.RowMissing.With(r, replay.CodeOf(r)!.Value.Seq))).FirstOrDefault();
+    }
+
+    private AuditFault? OfCode(CodedRow coded, string? code, Func<long, string> message) => replay.CodeOf(coded.Name) is var (expected, seq)
+        ? code == expected && (key is null || coded.Code(key) == expected) ? null : Differs(seq, message(seq))
+        : code is null ? null : Differs(0, message(0));
+
+    private List<(KeptRow<T>? Row, AuditFault? Fault)> Query<T>(string sql, Func<DbDataReader, KeptRow<T>> read, string kind) =>
+        [.. Stream(sql, read, kind)];
+
+    private IEnumerable<(KeptRow<T>? Row, AuditFault? Fault)> Stream<T>(string sql, Func<DbDataReader, KeptRow<T>> read, string kind) =>
+        Rows.Stream(connection, sql, r => Read(r, read, kind), null, transaction);
+
+    private static AuditFault Differs(long seq, string message) => new(AuditFaultKind.RowDiffers, seq, message);
+}

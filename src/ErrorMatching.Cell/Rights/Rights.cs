@@ -1,0 +1,36 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>The table of roles and acts. Anything that it does not allow is refused.</summary>
+public static class Rights
+{
+    private static readonly Dictionary<Act, (Role Least, bool IsSigned)> Table = new()
+    {
+        [Act.See] = (Role.Operator, false),
+        [Act.Release] = (Role.Operator, false),
+        [Act.Reject] = (Role.Operator, false),
+        [Act.Approve] = (Role.Setter, true),
+        [Act.Revert] = (Role.Setter, true),
+        [Act.EditJobs] = (Role.Setter, true),
+        [Act.PrepareJobs] = (Role.Setter, false),
+        [Act.ManageUsers] = (Role.Administrator, true),
+        [Act.ManageMachines] = (Role.Administrator, true),
+        [Act.ManagePolicy] = (Role.Administrator, true),
+    };
+
+    /// <summary>The role's name in the audit trail and in messages.</summary>
+    internal static string Word(Role role) => role.ToString().ToLowerInvariant();
+
+    /// <summary>The role for a word of the audit trail or the store; null if the word is not a role.</summary>
+    internal static Role? RoleOf(string word) =>
+        Enum.GetValues<Role>().Where(r => r.ToString().Equals(word, StringComparison.OrdinalIgnoreCase)).Select(r => (Role?)r)
+        .FirstOrDefault();
+
+    /// <summary>The lowest role with this right. Every higher one has it too.</summary>
+    public static Role LeastFor(Act act) => Table[act].Least;
+
+    /// <summary>True if the role has the right.</summary>
+    public static bool Allows(Role role, Act act) => role >= Table[act].Least;
+
+    /// <summary>True if the act requires its own password entry, however recently the user signed in.</summary>
+    public static bool IsSigned(Act act) => Table[act].IsSigned;
+}

@@ -1,0 +1,83 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>Stores what arrives as new corrections.</summary>
+internal static class ArrivalWriter
+{
+    /// <summary>Stores a file as a new correction.</summary>
+    /// <returns>The correction, and whether it is new.</returns>
+    public static (Correction Correction, bool IsNew) Archive(StoreTransaction transaction, Arrival arrival, string sha256)
+    {
+        if (Known(transaction, arrival.Key) is { } known) return (known, false);
+        StoredContent.Keep(transaction, sha256, arrival.Bytes);
+        return (
+            Arrive(
+                transaction,
+                New(transaction, CorrectionState.Archived, arrival.Gauge, arrival.FileName, sha256, arrival.Bytes.Length) with
+                {
+                    Trace = arrival.Trace
+                },
+                arrival.Key),
+            true);
+    }
+
+    /// <summary>Records a file that is refused without being stored.</summary>
+    /// <returns>The correction, and whether it is new.</returns>
+    public static (Correction Correction, bool IsNew) ArchiveUnread(StoreTransaction transaction, UnreadArrival arrival) =>
+        Known(transaction, arrival.Key) is { } known
+            ? (known, false)
+            : (Arrive(
+                transaction,
+                New(transaction, CorrectionState.Refused, arrival.Gauge, arrival.FileName, arrival.Sha256, arrival.Length) with
+                {
+                    Code = arrival.Code,
+                    Reason = arrival.Reason,
+                    Trace = arrival.Trace
+                },
+                arrival.Key), true);
+
+    /// <summary>A correction that is about to be stored.</summary>
+    public static Correction New(
+        StoreTransaction transaction, CorrectionState state, string gauge, string fileName, string sha256, long length) =>
+        new(0, state, 1, StoredText.Name(gauge), StoredText.Name(fileName), transaction.Now, sha256, length)
+        {
+            ChangedAt = transaction.Now
+        };
+
+    /// <summary>Stores a new correction with its first step. Without a basis, the cell itself took it from its gauge.</summary>
+    public static Correction Arrive(
+        StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, string? basis = null)
+    {
+        var arrived = CorrectionRow.Kept(arriving);
+        var id = transaction.Value<long>(CorrectionRow.Insert, new
+        {
+            State = CorrectionRow.Word(arrived.State),
+            Arrival = KeyOf(key),
+            arrived.Gauge,
+            arrived.FileName,
+            At = StoredTime.Of(transaction.Now),
+            arrived.MeasurementSha256,
+            arrived.MeasurementBytes,
+            arrived.Code,
+            arrived.Reason,
+            arrived.Trace,
+            arrived.Job,
+            arrived.Piece,
+            arrived.Serial,
+            arrived.WorkOrder,
+            arrived.Machine,
+            arrived.Slot,
+            arrived.Program,
+            arrived.MeasuredAs,
+        });
+        arrived = arrived with { Id = id };
+        if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
+            "UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
+        StepWriter.Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
+        return arrived;
+    }
+
+    private static Correction? Known(StoreTransaction transaction, string key) =>
+        transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, new { Arrival = KeyOf(key) });
+
+    private static string KeyOf(string key) => StoredContent.Sha256(System.Text.Encoding.UTF8.GetBytes(key));
+}

@@ -1,0 +1,159 @@
+using System.Data.Common;
+using System.Globalization;
+using Dapper;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Reads corrections: by number, by state, in line for a slot, and the latest of a job.</summary>
+/// <param name="database">The store's database.</param>
+internal sealed class CorrectionQueries(CellDatabase database)
+{
+    /// <inheritdoc cref="CellStore.Find"/>
+    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
+
+    /// <inheritdoc cref="CellStore.InState"/>
+    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
+        ? []
+        : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
+
+    /// <inheritdoc cref="CellStore.StepsOf"/>
+    public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
+        Read(
+            "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
+            CorrectionRow.ReadStep,
+            new { id });
+
+    /// <inheritdoc cref="CellStore.Line"/>
+    public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
+        CorrectionRow.Select
+            + " WHERE machine = @machine AND slot = @slot AND ("
+            + CorrectionRow.IsIn(
+                "state",
+                CorrectionState.Archived,
+                CorrectionState.Recognized,
+                CorrectionState.Computed,
+                CorrectionState.Proposed,
+                CorrectionState.Approved)
+            + " OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
+        CorrectionRow.Read,
+        new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
+
+    /// <inheritdoc cref="CellStore.First(CorrectionState, int, IReadOnlyList{string}?, IReadOnlyList{string}?)"/>
+    public IReadOnlyList<Correction> First(
+        CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
+    {
+        var parameters = new DynamicParameters(new { State = CorrectionRow.Word(state), most });
+        var where = " WHERE state = @State" + IsOneOf("gauge", gauges, parameters) + IsOneOf("job", jobs, parameters);
+        return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
+    }
+
+    /// <inheritdoc cref="CellStore.Reported"/>
+    public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
+    {
+        var parameters = new DynamicParameters(new { most });
+        var where = " WHERE report_sha256 IS NOT NULL" + IsOneOf("job", jobs, parameters);
+        return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
+    }
+
+    /// <inheritdoc cref="CellStore.Counts"/>
+    public IReadOnlyDictionary<CorrectionState, long> Counts() =>
+        Read(
+            "SELECT state, count(*) FROM correction GROUP BY state",
+            r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1)))
+            .ToDictionary(c => c.State, c => c.Count);
+
+    /// <inheritdoc cref="CellStore.LastSent"/>
+    public Correction? LastSent(string job, string? serial)
+    {
+        var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
+        var found = Read(
+            $"SELECT {columns} FROM correction JOIN step ON step.correction = correction.id AND step.to_state = @Verified "
+            + $"WHERE correction.job = @job AND "
+                + $"{CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}"
+                + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
+            CorrectionRow.Read,
+            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified) });
+        return found is [var last] ? last : null;
+    }
+
+    /// <inheritdoc cref="CellStore.LastPart"/>
+    public Correction? LastPart(string job, string? serial, string? workOrder)
+    {
+        var known = string.Join(
+            " OR ",
+            new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>());
+        var found = Read(
+            CorrectionRow.Select
+                + $" WHERE job = @job AND piece = 'part' AND "
+                    + $"{CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
+            + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)")
+                + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")
+            + (known.Length == 0 ? "" : $" AND ({known})")
+            + " ORDER BY COALESCE(measured_as, id) DESC, id DESC LIMIT 1",
+            CorrectionRow.Read,
+            new { job, serial, workOrder });
+        return found is [var last] ? last : null;
+    }
+
+    /// <inheritdoc cref="CellStore.OfMeasurement"/>
+    public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
+        Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
+
+    /// <inheritdoc cref="CellStore.OfProgram"/>
+    public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
+        Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
+
+    /// <inheritdoc cref="CellStore.Waiting"/>
+    public IReadOnlyList<WaitingCorrections> Waiting() => Read(
+        "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
+        + CorrectionRow.IsIn(
+            "state",
+            CorrectionState.Archived,
+            CorrectionState.Recognized,
+            CorrectionState.Computed,
+            CorrectionState.Proposed,
+            CorrectionState.Approved,
+            CorrectionState.Uploading)
+        + " GROUP BY state, gauge, job, machine, slot",
+        r => new WaitingCorrections(
+            Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true),
+            r.GetString(1),
+            r.TextOrNull(2),
+            r.TextOrNull(3),
+            r.TextOrNull(4),
+            r.GetInt64(5),
+            r.GetInt64(6)));
+
+    // One parameter each: the two engines take a list as a single parameter in different ways.
+    private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)
+    {
+        if (names is null)
+        {
+            return "";
+        }
+
+        var marks = names.Select((_, i) => string.Create(CultureInfo.InvariantCulture, $"@{column}{i}")).ToArray();
+        for (var i = 0; i < marks.Length; i++)
+        {
+            parameters.Add(marks[i], names[i]);
+        }
+
+        return marks.Length == 0 ? " AND 1 = 0" : $" AND {column} IN ({string.Join(", ", marks)})";
+    }
+    private IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+        database.Read(connection => Rows.Query(connection, sql, row, parameters));
+
+    private Correction? First(string sql, Func<DbDataReader, Correction> row, object? parameters) =>
+        database.Read(connection => Rows.First(connection, sql, row, parameters));
+}
+
+/// <summary>Corrections that have not ended and wait for the same thing.</summary>
+/// <param name="State">Their state.</param>
+/// <param name="Gauge">The gauge that they came from.</param>
+/// <param name="Job">Their job; null before they are recognized.</param>
+/// <param name="Machine">Their machine; null before they are recognized.</param>
+/// <param name="Slot">Its slot; null before they are recognized.</param>
+/// <param name="Count">How many.</param>
+/// <param name="First">Number of the first.</param>
+internal sealed record WaitingCorrections(
+    CorrectionState State, string Gauge, string? Job, string? Machine, string? Slot, long Count, long First);

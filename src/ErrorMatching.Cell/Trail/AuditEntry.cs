@@ -1,0 +1,64 @@
+using System.Buffers.Binary;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>One entry of the audit trail: who did what, when, on what basis. Its hash covers every field and the hash of the entry before
+/// it.</summary>
+/// <param name="Seq">Its number, counting from 1 without gaps.</param>
+/// <param name="At">When, by the clock, to the microsecond. The order of entries is that of their numbers, whatever the clock says.</param>
+/// <param name="Who">The user's name, or <c>cell</c> for what the cell does by its policy.</param>
+/// <param name="What">What was done, in one word.</param>
+/// <param name="Subject">What it was done to; null if nothing in particular.</param>
+/// <param name="Basis">The basis, in words.</param>
+/// <param name="Previous">Hash of the previous entry; 64 zeros for the first.</param>
+/// <param name="Hash">SHA-256 over all other fields, as 64 lowercase hexadecimal digits.</param>
+public sealed record AuditEntry(
+    long Seq, DateTimeOffset At, string Who, string What, string? Subject, string Basis, string Previous, string Hash)
+{
+    /// <summary>The user name for what the cell does by its policy.</summary>
+    internal const string ByCell = "cell";
+
+    /// <summary>The previous hash of the first entry.</summary>
+    public const string NoHash = "0000000000000000000000000000000000000000000000000000000000000000";
+
+    private const string Form = "errormatch audit 1";
+    private const string FormWithRows = "errormatch audit 2";
+
+    /// <summary>The rows of the store that the entry wrote, one per line: the row's code and its name. Null if it wrote none, and for
+    /// entries of versions without row codes.</summary>
+    public string? RowCodes { get; init; }
+
+    /// <summary>Creates the entry that follows the one with the given hash.</summary>
+    internal static AuditEntry After(string previous, long seq, DateTimeOffset at, string who, string what, string? subject, string basis,
+        string? rowCodes = null)
+    {
+        var entry = new AuditEntry(seq, at, who, what, subject, basis, previous, "") { RowCodes = rowCodes };
+        return entry with { Hash = entry.HashAs(seq) };
+    }
+
+    /// <summary>The correct hash of this entry if its number is <paramref name="seq"/>. The hashed bytes are unambiguous: the format's
+    /// name, then number and time as 8 big-endian bytes each, then each text as its byte count (4 bytes, big-endian; -1 for null) and its
+    /// UTF-8 bytes, in the order previous, who, what, subject, basis. An entry with row codes uses another format name, and the codes
+    /// follow the basis.</summary>
+    internal string HashAs(long seq)
+    {
+        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        Span<byte> number = stackalloc byte[8];
+        hash.AppendData(Encoding.UTF8.GetBytes(RowCodes is null ? Form : FormWithRows));
+        BinaryPrimitives.WriteInt64BigEndian(number, seq);
+        hash.AppendData(number);
+        BinaryPrimitives.WriteInt64BigEndian(number, StoredTime.Of(At));
+        hash.AppendData(number);
+        foreach (var text in (string?[])[Previous, Who, What, Subject, Basis, .. RowCodes is null ? Array.Empty<string>() : [RowCodes]])
+        {
+            var bytes = text is null ? null : Encoding.UTF8.GetBytes(text);
+            BinaryPrimitives.WriteInt32BigEndian(number, bytes?.Length ?? -1);
+            hash.AppendData(number[..4]);
+            hash.AppendData(bytes.AsSpan());
+        }
+
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
+    }
+}

@@ -1,0 +1,53 @@
+using Avalonia.Automation;
+using Avalonia.Controls;
+using Avalonia.Data;
+using Avalonia.Layout;
+using Avalonia.Markup.Xaml.MarkupExtensions;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys.</summary>
+internal static class PlotButtons
+{
+    /// <summary>Creates them, in the plot's upper right corner.</summary>
+    /// <param name="nearer">Zooms in.</param>
+    /// <param name="further">Zooms out.</param>
+    /// <param name="all">Shows everything.</param>
+    public static StackPanel Of(Action nearer, Action further, Action all)
+    {
+        var buttons = new StackPanel
+        {
+            Classes = { "near", "buttons" },
+            HorizontalAlignment = HorizontalAlignment.Right,
+            VerticalAlignment = VerticalAlignment.Top
+        };
+        buttons.Children.AddRange(
+            [Make("Plot.Nearer", "plus", nearer), Make("Plot.Further", "minus", further), Make("Plot.All", "all", all)]);
+        return buttons;
+    }
+
+    /// <summary>Gives them the AutomationIds that belong to their plot's.</summary>
+    public static void Name(StackPanel buttons, string? plot)
+    {
+        foreach (var (button, part) in buttons.Children.Zip(["nearer", "further", "all"]))
+        {
+            AutomationProperties.SetAutomationId(button, $"{plot}-{part}");
+        }
+    }
+
+    private static Button Make(string text, string icon, Action act)
+    {
+        var button = new Button
+        {
+            Classes = { "plot" },
+            Content = new Avalonia.Controls.Shapes.Path
+            {
+                Classes = { "icon" },
+                [!Avalonia.Controls.Shapes.Path.DataProperty] = new DynamicResourceExtension("Icon." + icon)
+            },
+            [!AutomationProperties.NameProperty] = new ReflectionBinding($"[{text}]") { Source = Texts.Current, Mode = BindingMode.OneWay },
+        };
+        button.Click += (_, _) => act();
+        return button;
+    }
+}

@@ -1,0 +1,228 @@
+namespace ErrorMatching.Nc;
+
+/// <summary>Calls by number of ISO controls and LinuxCNC: M98, M97, G65, G66, and their returns.</summary>
+internal sealed class MacroCalls(
+    NcSyntax syntax,
+    CallStack calls,
+    FlowReport report,
+    FlowMemory memory,
+    FlowCourse course,
+    FlowLibrary library,
+    IsoWords words,
+    FlowSettings settings)
+{
+    private readonly List<ModalCall> _modal = [];
+
+    // Local variables of the letters A to Z; 0 if a letter is not an argument (Fanuc, argument specification I).
+    private static ReadOnlySpan<byte> LocalOfLetter =>
+        [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
+
+    /// <summary>True while a macro is called after every motion.</summary>
+    public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
+
+    public FlowAction CallNumber(int block, NcValue program)
+    {
+        if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (passes == 0)
+        {
+            return FlowAction.Continue;
+        }
+
+        return UnitOf(number) is { } unit ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
+            : report.Missing(block, FlowIndex.NumberName(number));
+    }
+
+    // M97 P100: the blocks of this program from N100 on.
+    public FlowAction CallLocal(int block, NcValue program)
+    {
+        if (!TryProgram(block, program, isLocal: true, out var number, out var passes))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (passes == 0)
+        {
+            return FlowAction.Continue;
+        }
+
+        var target = calls.Unit.Index.FindNumber(calls.Unit, block, number);
+        if (target < 0)
+        {
+            var message = FormattableString.Invariant($"the call goes to block N{number}, which does not exist in this program.");
+            return report.Refuse(NcRefusalCodes.MissingLabel, block, message);
+        }
+
+        // If the number is unique, searching for it from the found block returns that block.
+        if (calls.Unit.Index.FindNumber(calls.Unit, target, number) != target)
+        {
+            var message = FormattableString.Invariant($"the call goes to block N{number}, which stands more than once in this program.");
+            return report.Refuse(NcRefusalCodes.BlockAmbiguous, block, message);
+        }
+
+        return course.Enter(new() { Unit = calls.Unit, First = target, Caller = block, Passes = passes });
+    }
+
+    public FlowAction CallMacro(int block, int at, bool modal)
+    {
+        var program = NcValue.Vacant;
+        foreach (var (letter, value) in words.Collected)
+        {
+            program = letter == 'P' ? value : program;
+        }
+
+        if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (UnitOf(number) is not { } unit)
+        {
+            return report.Missing(block, FlowIndex.NumberName(number));
+        }
+
+        var arguments = Arguments(at);
+        if (!modal)
+        {
+            return course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes, Arguments = arguments });
+        }
+
+        _modal.Add(new(unit, passes, arguments));
+        calls.Frame.ModalCalls = _modal.Count;
+        course.Change();
+        return _modal.Count > settings.Depth ? report.Refuse(NcRefusalCodes.CallTooDeep, block, "too many modal calls are active.")
+            : FlowAction.Continue;
+    }
+
+    public FlowAction EndModal()
+    {
+        if (_modal.Count > 0)
+        {
+            _modal.RemoveAt(_modal.Count - 1);
+            course.Change();
+        }
+
+        calls.Frame.ModalCalls = Math.Min(calls.Frame.ModalCalls, _modal.Count);
+        return FlowAction.Continue;
+    }
+
+    public FlowAction CallModal(int block)
+    {
+        var level = Math.Min(calls.Frame.ModalCalls, _modal.Count) - 1;
+        var call = _modal[level];
+        return course.Enter(new()
+        {
+            Unit = call.Unit,
+            First = call.Unit.First,
+            Caller = block,
+            Passes = call.Passes,
+            Arguments = call.Arguments,
+            IsModalMacro = true,
+            ModalCalls = level,
+        });
+    }
+
+    public FlowAction ReturnTo(int block, NcValue program)
+    {
+        var number = -1L;
+        if (!program.IsVacant && !memory.TryCount(block, program, "the block to return to", out number))
+        {
+            return FlowAction.Stop;
+        }
+
+        if (calls.Frames.Count > 1)
+        {
+            return course.Return(block, number);
+        }
+
+        if (number >= 0)
+        {
+            return course.JumpToNumber(block, number);
+        }
+
+        report.Note("endless-program", block, "M99 in the main program begins it again; one pass is read.");
+        return course.Ended();
+    }
+
+    // Number and repetitions of a call. M98 P51002 is the older form of M98 P1002 L5.
+    private bool TryProgram(int block, NcValue program, bool isLocal, out long number, out long passes)
+    {
+        (number, passes) = (0, 1);
+        if (program.IsVacant)
+        {
+            report.Refuse(NcRefusalCodes.BadExpression, block, $"the call names no {(isLocal ? "block" : "program")}: P is missing.");
+            return false;
+        }
+
+        if (!memory.TryCount(block, program, "the number of the called program", out number))
+        {
+            return false;
+        }
+
+        var hasCount = false;
+        foreach (var (letter, value) in words.Collected)
+        {
+            if (letter == 'L' && !value.IsVacant)
+            {
+                hasCount = true;
+                if (!memory.TryCount(block, value, "the number of repetitions", out passes))
+                {
+                    return false;
+                }
+            }
+        }
+
+        if (!isLocal && !hasCount && number > 9999 && UnitOf(number) is null)
+        {
+            (passes, number) = (number / 10_000, number % 10_000);
+        }
+
+        // In LinuxCNC, L0 calls nothing.
+        if (passes < (syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
+        {
+            report.Refuse(NcRefusalCodes.BadExpression, block,
+                "the call has a number of repetitions, or of a program, that is not positive.");
+        }
+
+        return report.Refusal is null;
+    }
+
+    private FlowUnit? UnitOf(long number)
+    {
+        var name = FlowIndex.NumberName(number);
+        return calls.Unit.Index.Unit(name) ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
+            ? index.Unit(name) ?? index.Main : null);
+    }
+
+    // Assigns letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).
+    private List<(VariablePlace, NcValue)> Arguments(int at)
+    {
+        var (arguments, set, last) = (new List<(VariablePlace, NcValue)>(), 0, 0);
+        foreach (var (letter, value) in words.Collected.Skip(at))
+        {
+            var local = letter is >= (byte)'A' and <= (byte)'Z' ? LocalOfLetter[letter - 'A'] : 0;
+            if (letter is (byte)'I' or (byte)'J' or (byte)'K')
+            {
+                set += local <= last ? 1 : 0;
+                last = local;
+                local += 3 * set;
+            }
+
+            if (local is > 0 and <= 33)
+            {
+                arguments.Add((VariablePlace.Numbered(local), value));
+            }
+        }
+
+        return arguments;
+    }
+
+    /// <summary>A macro that is called after every motion (Fanuc G66).</summary>
+    /// <param name="Unit">The macro.</param>
+    /// <param name="Passes">Number of passes per call.</param>
+    /// <param name="Arguments">Values of its local variables in each call.</param>
+    private sealed record ModalCall(FlowUnit Unit, long Passes, IReadOnlyList<(VariablePlace Place, NcValue Value)> Arguments);
+}

@@ -1,0 +1,159 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>The words of arcs: centers on the grid of increments, and radii as long as they can describe the arc.</summary>
+/// <param name="change">New joints and centers.</param>
+/// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
+/// <param name="grid">The numbers that words can express.</param>
+/// <param name="edit">The opened block.</param>
+internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGrid grid, BlockEdit edit)
+{
+    private readonly NcPath _path = change.Path;
+
+    /// <summary>Sets the words of an arc.</summary>
+    public void Set(int index, in NcMotion motion)
+    {
+        var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
+        var exact = change.CenterOf(index, motion);
+        if (IsShift(index, motion, exact - motion.Center))
+        {
+            ShiftCenter(index, motion);
+            return;
+        }
+
+        var wanted = Arc2.Between(
+            motion.PlaneStart + change.PlaneMoveOf(index, motion.Plane),
+            motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane),
+            exact,
+            motion.Kind == MotionKind.ArcCounterClockwise);
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < grid.Increment)
+        {
+            // The control cannot resolve so small a wish.
+            return;
+        }
+
+        if (motion.Has(MotionFlags.ByRadius))
+        {
+            SetRadius(motion, start, end, wanted);
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = CenterOrigin(motion, start, first, second);
+        var was = new Vector2((edit.Number(first)?.Value ?? 0) * grid.Unit, (edit.Number(second)?.Value ?? 0) * grid.Unit);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, grid.Increment);
+        SetCenterWord(first, i);
+        SetCenterWord(second, j);
+    }
+
+    // Origin of the center words: the start, or the origin of the program's coordinates.
+    private Point2 CenterOrigin(in NcMotion motion, Point2 start, byte first, byte second)
+    {
+        var zero = motion.Plane.Project(default(Point3) + _path.Frames[motion.Frame].ProgramShift);
+        return new(IsAbsolute(motion, first) ? zero.X : start.X, IsAbsolute(motion, second) ? zero.Y : start.Y);
+    }
+
+    private bool IsAbsolute(in NcMotion motion, byte letter) =>
+        edit.Distance(letter) switch
+        {
+            WordDistance.Absolute => true,
+            WordDistance.Incremental => false,
+            _ => motion.Has(MotionFlags.AbsoluteCenter)
+        };
+
+    // An arc that moves as a whole keeps its words, even if its radii already disagreed; absolute center words move along.
+    private bool IsShift(int index, in NcMotion motion, Vector2 centerMove) =>
+        (change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
+            && (change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
+
+    private void ShiftCenter(int index, in NcMotion motion)
+    {
+        if (motion.Has(MotionFlags.ByRadius))
+        {
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        foreach (var letter in (ReadOnlySpan<byte>)[first, second])
+        {
+            if (IsAbsolute(motion, letter) && grid.Steps(index, (byte)(letter - 'I' + 'X')) is not 0 and var steps)
+            {
+                edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + grid.Number(steps));
+            }
+        }
+    }
+
+    private void SetCenterWord(byte letter, long? steps)
+    {
+        if (steps is { } value && (value != 0 || edit.Number(letter) is not null))
+        {
+            edit.Set(letter, grid.Number(value));
+        }
+    }
+
+    // A radius keeps its word while it can. Near half a turn, the arc's height depends on the radius by a square root, so a center is
+    // more accurate.
+    private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
+    {
+        var letter = edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
+        var old = edit.Number(letter)!.Value;
+        var sign = old.Digits < 0 ? -1 : 1;
+        var oldRadius = Math.Abs(old.Value) * grid.Unit;
+        if (keepRadii
+            && Sweep(start, end, sign * oldRadius, motion) is { } kept
+            && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        {
+            return;
+        }
+
+        if (Math.Abs(wanted.Radius - oldRadius) < grid.Increment / 2
+            && HeightError(start, end, sign * oldRadius, wanted, motion) < grid.Increment)
+        {
+            return;
+        }
+
+        // For moved end points the radius is rounded up, so that it surely reaches; for elements it is rounded to nearest.
+        var exactSteps = wanted.Radius / grid.Increment;
+        var steps = NcNumber.Round(keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
+        sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
+        while (2 * steps * grid.Increment < start.DistanceTo(end))
+        {
+            steps++;
+        }
+
+        if (keepRadii || HeightError(start, end, sign * steps * grid.Increment, wanted, motion) < grid.Increment)
+        {
+            edit.Set(letter, grid.Number(sign * steps));
+            return;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        var origin = CenterOrigin(motion, start, first, second);
+        var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, grid.Increment);
+        edit.Replace(letter, (first, grid.Number(i!.Value)), (second, grid.Number(j!.Value)));
+    }
+
+    private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
+            ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians
+            : null;
+    }
+
+    private static double HeightError(Point2 start, Point2 end, double radius, Arc2 wanted, in NcMotion motion)
+    {
+        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
+        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
+            ? Math.Abs(Arc2.Between(start, end, center, counterClockwise).Circle.SignedDistance(wanted.Middle))
+            : double.PositiveInfinity;
+    }
+
+    private static (byte First, byte Second) CenterLetters(CoordinatePlane plane) => plane switch
+    {
+        CoordinatePlane.ZX => ((byte)'K', (byte)'I'),
+        CoordinatePlane.YZ => ((byte)'J', (byte)'K'),
+        _ => ((byte)'I', (byte)'J'),
+    };
+}

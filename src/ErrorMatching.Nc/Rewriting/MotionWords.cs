@@ -1,0 +1,140 @@
+using ErrorMatching.Refusals;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Changes the words of one motion's block at a time. Adds rounded displacements to the exact decimals of the original, so a chain
+/// of increments keeps its sum, however long.</summary>
+/// <param name="change">New joints and centers.</param>
+/// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
+/// <param name="grid">The numbers that words can express.</param>
+/// <param name="edit">Edits the blocks.</param>
+internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGrid grid, BlockEdit edit)
+{
+    private readonly NcPath _path = change.Path;
+    private readonly CircleWords _circles = new(change, keepRadii, grid, edit);
+
+    /// <summary>Patches of the opened block.</summary>
+    public List<NcPatch> Patches => edit.Patches;
+
+    /// <summary>Spelling of all opened blocks.</summary>
+    public (int Decimals, bool IsFixed) Spelling => edit.Spelling;
+
+    /// <summary>The same for other blocks, on another thread.</summary>
+    public MotionWords ForOthers() => new(change, keepRadii, grid, new(edit));
+
+    /// <summary>Adds the spelling of the blocks that others have opened.</summary>
+    public void Join(MotionWords other) => edit.Join(other.Edited);
+
+    private BlockEdit Edited => edit;
+
+    /// <summary>Opens the block of a motion and changes its words.</summary>
+    /// <returns>The reason why they cannot change, or null.</returns>
+    /// <remarks>Exact decimals end at 18 digits. If a program's own number leaves no room, the edit is refused.</remarks>
+    public Refusal? Edit(int index)
+    {
+        try
+        {
+            return EditWords(index);
+        }
+        catch (InputException e) when (e.Code == NcRefusalCodes.NumberTooLong)
+        {
+            return BlockRefusal.At(_path.Program, _path.Motions[index].Block, NcRefusalCodes.NumberTooLong, e.Message);
+        }
+    }
+
+    private Refusal? EditWords(int index)
+    {
+        var motion = _path.Motions[index];
+        edit.Open(_path.Program[motion.Block]);
+        if (motion.Has(MotionFlags.MachineMove))
+        {
+            // It ends at a machine position regardless of its start, or in other axes where it begins.
+            var known = ~motion.UnknownEnd;
+            var carried = Positioning.Only(known & motion.CarriedAxes, change.MoveOf(index));
+            return Positioning.Only(known, change.MoveOf(index + 1)) == carried ? null : Obstacles.Of(_path, motion);
+        }
+
+        if (SetCoordinates(index, motion) is { } unknown)
+        {
+            return unknown;
+        }
+
+        if (motion.IsArc)
+        {
+            _circles.Set(index, motion);
+        }
+
+        if (edit.Patches.Count == 0)
+        {
+            return null;
+        }
+
+        if (Obstacles.Of(_path, motion) is { } obstacle)
+        {
+            return obstacle;
+        }
+
+        return motion.Has(MotionFlags.Inch) != grid.IsInch
+            ? BlockRefusal.At(
+                _path.Program,
+                motion.Block,
+                NcRefusalCodes.UnknownState,
+                "the unit changes (G20/G21) between blocks that must change together.")
+            : null;
+    }
+
+    private Refusal? SetCoordinates(int index, in NcMotion motion)
+    {
+        foreach (var axis in "XYZ"u8)
+        {
+            var (from, to) = (grid.Steps(index, axis), grid.Steps(index + 1, axis));
+            var incremental = edit.Distance(axis) switch
+            {
+                WordDistance.Absolute => false,
+                WordDistance.Incremental => true,
+                _ => motion.Has(MotionFlags.Incremental)
+            };
+            var steps = incremental ? to - from : to;
+            if (steps != 0 && incremental && motion.Has(MotionFlags.StartsElsewhere) && (motion.UnknownStart & Axis(axis)) != AxisSet.None)
+            {
+                // Something unknown is between the moved place and this increment.
+                return Obstacles.UnknownPlace(_path, index);
+            }
+
+            if (edit.Number(axis) is { } number)
+            {
+                if (steps != 0)
+                {
+                    edit.Set(axis, number + grid.Number(steps));
+                }
+            }
+            else if (from != to && edit.Computed(axis) is { } distance)
+            {
+                // A computed position stays. A computed increment, or a position that would move, cannot be written.
+                if (to != 0
+                    || distance == WordDistance.Incremental
+                    || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
+                {
+                    return Obstacles.Of(_path, index);
+                }
+            }
+            else if (from != to)
+            {
+                if (!incremental && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)
+                {
+                    return Obstacles.UnknownPlace(_path, index);
+                }
+
+                var end = motion.End + (_path.Frames[motion.Frame].ProgramShift * -1);
+                var original = incremental
+                    ? new NcNumber(0, 0)
+                    : NcNumber.Round(IncrementGrid.Coordinate(end, axis) / grid.Unit, 6).Trim();
+                edit.Set(axis, original + grid.Number(steps));
+            }
+        }
+
+        return null;
+    }
+
+    private static AxisSet Axis(byte letter) => letter switch { (byte)'X' => AxisSet.X, (byte)'Y' => AxisSet.Y, _ => AxisSet.Z };
+}

@@ -1,0 +1,66 @@
+namespace ErrorMatching.Cell.Tests;
+
+/// <summary>Corrections in line, and the first and the latest of them.</summary>
+public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
+{
+    [Fact]
+    public void In_line_for_a_slot_stands_what_may_still_be_sent_in_order_of_arrival()
+    {
+        var store = Open();
+        store.Archive(Arrival("nobody", "0"));
+        var cut = Release(store, "one", "G1");
+        var failed = store.Step(Up(store, Approve(store, "two", "G2")), CorrectionState.Failed, "cell", "the disk is full");
+        var known = Recognize(store, store.Archive(Arrival("three", "3")).Correction, "A-3");
+        var approved = Approve(store, "four", "G4");
+        store.Step(Recognize(store, store.Archive(Arrival("five", "5")).Correction, "A-5"), CorrectionState.Failed, "cell", "no file");
+        Assert.Equal([failed.Id, known.Id, approved.Id], store.Line("mill", "1").Select(c => c.Id));
+        Assert.Empty(store.Line("mill", "2"));
+        Assert.Equal(cut.Id, store.LastSent("job", null)!.Id);
+        Assert.Equal(cut.Id, store.LastSent("job", cut.Serial)!.Id);
+        Assert.Null(store.LastSent("job", "A-5"));
+        Assert.Null(store.LastSent("other", null));
+        Assert.Equal(known.Id, store.LastPart("job", null, null)!.Id);
+        Assert.Equal(known.Id, store.LastPart("job", "A-3", "WO-1")!.Id);
+        Assert.Null(store.LastPart("job", "A-3", "WO-2"));
+        Assert.Equal([known.Id], store.OfMeasurement(known.MeasurementSha256).Select(c => c.Id));
+    }
+
+    [Fact]
+    public void The_first_in_a_state_are_those_of_the_gauges_and_jobs_that_are_asked_for()
+    {
+        var store = Open();
+        var (one, two) = (store.Archive(Arrival("one", "1")).Correction, store.Archive(Arrival("two", "2")).Correction);
+        Assert.Equal([one.Id, two.Id], store.First(CorrectionState.Archived, 10).Select(c => c.Id));
+        Assert.Equal([one.Id], store.First(CorrectionState.Archived, 1, ["other", "gauge"]).Select(c => c.Id));
+        Assert.Empty(store.First(CorrectionState.Archived, 10, ["other"]));
+        Assert.Empty(store.First(CorrectionState.Archived, 10, []));
+        Recognize(store, two, "A-2");
+        Assert.Equal([two.Id], store.First(CorrectionState.Recognized, 10, jobs: ["job", "other"]).Select(c => c.Id));
+        Assert.Empty(store.First(CorrectionState.Recognized, 10, ["gauge"], ["other"]));
+    }
+
+    [Fact]
+    public void Reported_are_the_latest_of_some_jobs_that_have_a_report()
+    {
+        var store = Open();
+        var ids = new List<long>();
+        foreach (var name in new[] { "one", "two", "three" })
+        {
+            var known = Recognize(store, store.Archive(Arrival(name, name)).Correction, name);
+            ids.Add(
+                store.Step(
+                    known,
+                    CorrectionState.Computed,
+                    "cell",
+                    "computed",
+                    c => c with { ReportSha256 = Hash("report " + name) },
+                    [Bytes("report " + name)]).Id);
+        }
+
+        Recognize(store, store.Archive(Arrival("four", "4")).Correction, "A-4");
+        Assert.Equal(ids.AsEnumerable().Reverse(), store.Reported(["job", "other"], 10).Select(c => c.Id));
+        Assert.Equal([ids[2], ids[1]], store.Reported(["job"], 2).Select(c => c.Id));
+        Assert.Empty(store.Reported(["other"], 10));
+        Assert.Empty(store.Reported([], 10));
+    }
+}

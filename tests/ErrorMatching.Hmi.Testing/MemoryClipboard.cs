@@ -1,0 +1,26 @@
+using Avalonia.Input;
+using Avalonia.Input.Platform;
+using ErrorMatching.Hmi.Cairo;
+
+namespace ErrorMatching.Hmi.Testing;
+
+/// <summary>A clipboard inside the process.</summary>
+internal sealed class MemoryClipboard : IClipboard
+{
+    private IAsyncDataTransfer? _data;
+
+    public Task ClearAsync() => SetDataAsync(null);
+
+    public Task SetDataAsync(IAsyncDataTransfer? dataTransfer)
+    {
+        _data = dataTransfer;
+        return Task.CompletedTask;
+    }
+
+    public Task FlushAsync() => Task.CompletedTask;
+
+    public Task<IAsyncDataTransfer?> TryGetDataAsync() =>
+        Task.FromResult<IAsyncDataTransfer?>(_data is null ? null : new KeptTransfer(_data));
+
+    public Task<IAsyncDataTransfer?> TryGetInProcessDataAsync() => Task.FromResult(_data);
+}
