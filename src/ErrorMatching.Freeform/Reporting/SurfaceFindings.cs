@@ -7,8 +7,6 @@ namespace ErrorMatching.Freeform;
 /// that both documents share. Lengths in millimeters; in the document, in micrometers if the key says so.</summary>
 public sealed record SurfaceFindings
 {
-    private const string Mirrored = "mirror", ByToolRadius = "tool-radius";
-
     /// <summary>The program that cut the measured piece; not stated in older reports.</summary>
     public required MeasuredPieceProgram CutBy { get; init; }
 
@@ -122,7 +120,7 @@ public sealed record SurfaceFindings
         json.Object("structure", () => WriteStructure(json, Structure));
         json.Object("compensation", () =>
         {
-            json.Text("method", IsMirror ? Mirrored : ByToolRadius);
+            json.Text("method", Method(IsMirror));
             json.Number("gain", Gain);
             json.Number("limitMm", LimitMm);
             json.Text("of", OfError ? "error" : "points");
@@ -161,7 +159,7 @@ public sealed record SurfaceFindings
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
             Before = EvaluationReportJson.ReadStatistics(json.Object("before")),
             Structure = ReadStructure(json.Object("structure")),
-            IsMirror = compensation.Word("method", [true, false], m => m ? Mirrored : ByToolRadius),
+            IsMirror = compensation.Word("method", [true, false], Method),
             Gain = compensation.Number("gain"),
             LimitMm = compensation.Number("limitMm"),
             OfError = compensation.Word("of", [true, false], e => e ? "error" : "points"),
@@ -170,13 +168,15 @@ public sealed record SurfaceFindings
             Model = compensation.Text("model"),
             FieldFit = FindingsFit.Read(compensation),
             Surface = FindingsSurface.Read(json.Object("surface")),
-            Mirror = ReadPrediction(predicted.Object("mirror"), Mirrored, [.. points.Select(p => p.MirrorMm)]),
-            ToolRadius = ReadPrediction(predicted.Object("toolRadius"), ByToolRadius, [.. points.Select(p => p.ToolRadiusMm)]),
+            Mirror = ReadPrediction(predicted.Object("mirror"), Method(true), [.. points.Select(p => p.MirrorMm)]),
+            ToolRadius = ReadPrediction(predicted.Object("toolRadius"), Method(false), [.. points.Select(p => p.ToolRadiusMm)]),
             Samples = [.. points.Select(p => p.Sample)],
             Compensated = [.. points.Select(p => p.Compensated)],
             Map = MapJson.Read(map),
         };
     }
+
+    private static string Method(bool isMirror) => isMirror ? "mirror" : "tool-radius";
 
     private static void WriteStructure(ReportWriter json, SpatialStructure structure)
     {

@@ -100,7 +100,8 @@ public sealed class StoredReportTests
         var problem = Assert.Single(e.Refusals);
         Assert.Equal((code, path, "report.json"), (problem.Code, problem.Place.Path, e.File));
         var member = text[..at].Count(c => c == '\n') + 1;
-        Assert.InRange(problem.Place.Line!.Value, member - (code is "missing-key" or "too-few-items" or "reversed-tolerance" ? 1 : 0), member);
+        var before = code is "missing-key" or "too-few-items" or "reversed-tolerance" ? 1 : 0;
+        Assert.InRange(problem.Place.Line!.Value, member - before, member);
         Assert.True(problem.Place.Column > 1);
     }
 
