@@ -101,7 +101,8 @@ public sealed partial class TextTests
             .. Enum.GetNames<FileChoiceKind>().Select(k => "Chooser." + k),
             .. new[] { Act.Approve, Act.Reject, Act.Release, Act.Revert }.SelectMany(a => new[] { "Act." + a, $"Act.{a}.Consequence" }),
             .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
-            .. typeof(NcRefusalCodes).GetFields().Concat(typeof(NcInputCodes).GetFields()).Select(f => "Meaning." + f.GetRawConstantValue()),
+            .. typeof(NcRefusalCodes).GetFields().Concat(typeof(NcInputCodes).GetFields())
+                .Select(f => "Meaning." + f.GetRawConstantValue()),
             .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
             .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name),
             .. RefusalForms.All.Select(f => "Refusal." + f.Name),

@@ -42,7 +42,8 @@ public sealed class NumberTests
         Assert.Equal(NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => NcNumber.Round(1e18, 0)).Code);
         Assert.Equal(NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => NcNumber.Round(double.NaN, 3)).Code);
         Assert.Equal(
-            NcRefusalCodes.NumberTooLong, Assert.Throws<InputException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
+            NcRefusalCodes.NumberTooLong,
+            Assert.Throws<InputException>(() => new NcNumber(123_456_789_012_345_678, 0).WithDecimals(3)).Code);
     }
 
     [Theory]

@@ -53,7 +53,9 @@ internal static class FailureOf
 
     /// <summary>An output that cannot be written, or must not be.</summary>
     public static Failure Output(OutputException e) =>
-        new(e.Code == OutputException.Unwritable ? ExitCode.Outside : ExitCode.WrongInput, new Refusal(e.Code, e.Message, new() { File = e.File }));
+        new(
+            e.Code == OutputException.Unwritable ? ExitCode.Outside : ExitCode.WrongInput,
+            new Refusal(e.Code, e.Message, new() { File = e.File }));
 
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(

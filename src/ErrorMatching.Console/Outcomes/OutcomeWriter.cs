@@ -134,6 +134,7 @@ internal static class OutcomeWriter
 
         // A block without a number is named by its line, which the place in front has already.
         var name = place.Line is { } first ? string.Create(CultureInfo.InvariantCulture, $"line {first}: ") : "";
-        return line.Append(error.Message.StartsWith(name, StringComparison.Ordinal) ? error.Message[name.Length..] : error.Message).ToString();
+        var start = error.Message.StartsWith(name, StringComparison.Ordinal) ? name.Length : 0;
+        return line.Append(error.Message.AsSpan(start)).ToString();
     }
 }

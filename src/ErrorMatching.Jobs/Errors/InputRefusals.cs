@@ -21,7 +21,10 @@ public static class InputRefusals
     {
         var (found, wanted) = expected == SourceSide.Part ? ("counterpart", "part") : ("part", "counterpart");
         return new(Refusal.Of(
-            "wrong-piece", $"a measurement of the {found} by the job's rules of recognition", $"one of the {wanted}", new() { File = file }));
+            "wrong-piece",
+            $"a measurement of the {found} by the job's rules of recognition",
+            $"one of the {wanted}",
+            new() { File = file }));
     }
 
     /// <summary>A file that cannot be opened, reported where a job names it, because the job is the file to correct.</summary>

@@ -15,7 +15,8 @@ public static class JsonRefusal
 
     /// <summary>Line, column and JSON path of a value.</summary>
     /// <param name="item">The value.</param>
-    /// <param name="inside">Path inside the value, as if it were a document of its own, such as <c>$.columns.x</c>; null for the value.</param>
+    /// <param name="inside">Path inside the value, as if it were a document of its own, such as <c>$.columns.x</c>; null for the
+    /// value.</param>
     public static InputPlace PlaceOf(JsonItem item, string? inside = null)
     {
         ArgumentNullException.ThrowIfNull(item);

@@ -34,6 +34,7 @@ public sealed class JsonSchema
         SchemaChecker.Check(_root, document, findings);
 
         // Identical findings of two rules are reported once. The sort is stable, so problems at one place keep the order of the rules.
-        return ProblemList.Shortened([.. findings.Select(f => f.Problem).Distinct().OrderBy(p => p.Place.Line).ThenBy(p => p.Place.Column)]);
+        var problems = findings.Select(f => f.Problem).Distinct();
+        return ProblemList.Shortened([.. problems.OrderBy(p => p.Place.Line).ThenBy(p => p.Place.Column)]);
     }
 }

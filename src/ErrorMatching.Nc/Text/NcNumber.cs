@@ -40,7 +40,8 @@ public readonly record struct NcNumber(long Digits, int Decimals)
         var factor = Powers[decimals - Decimals];
         return Math.Abs(Digits) <= 900_000_000_000_000_000 / factor
             ? new(Digits * factor, decimals)
-            : throw new InputException(new Refusal(NcRefusalCodes.NumberTooLong, $"The number {this} has no room for {decimals} decimals."));
+            : throw new InputException(
+                new Refusal(NcRefusalCodes.NumberTooLong, $"The number {this} has no room for {decimals} decimals."));
     }
 
     /// <summary>The same value without trailing zeros.</summary>

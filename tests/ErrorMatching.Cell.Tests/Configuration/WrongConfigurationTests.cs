@@ -321,7 +321,8 @@ public sealed class WrongConfigurationTests : IDisposable
             .Replace("\"gain\": 1.0", "\"gain\": 5", StringComparison.Ordinal));
         var problems = Problems(CellFolder.Right);
         Assert.Equal(
-            [("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)], problems.Select(p => (p.Code, p.Place.Path, p.Place.Line)));
+            [("unknown-key", "$.jobs[0].job", 19), ("too-large", "$.jobs[0].job", 19)],
+            problems.Select(p => (p.Code, p.Place.Path, p.Place.Line)));
         Assert.StartsWith($"in {job}, line 3, column 21, $.knid: ", problems[0].Message, StringComparison.Ordinal);
         Assert.Contains("$.compensation.gain: ", problems[1].Message, StringComparison.Ordinal);
     }

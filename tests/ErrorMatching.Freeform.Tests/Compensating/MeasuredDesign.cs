@@ -41,7 +41,8 @@ internal sealed class MeasuredDesign
             []);
     }
 
-    public Outcome<CompensationResult> Compensate(params MeasuredPoints[] measured) => Compensator.Compensate(new(Job, Surface, Plan, measured));
+    public Outcome<CompensationResult> Compensate(params MeasuredPoints[] measured) =>
+        Compensator.Compensate(new(Job, Surface, Plan, measured));
 
     /// <summary>Largest distance of a surface from the nominal one moved by -gain error, at the same parameters.</summary>
     public double Off(SplineSurface surface, Func<double, double, double> error, double gain = 1)

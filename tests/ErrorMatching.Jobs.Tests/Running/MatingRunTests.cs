@@ -82,7 +82,8 @@ public sealed class MatingRunTests
             "feedback.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
         var item = Assert.Single(Assert.Throws<InputException>(() => Run(feedback, new())).Refusals);
         Assert.Equal(
-            ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"), (item.Code, item.Place.File, item.Place.Line, item.Place.Column, item.Place.Path));
+            ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"),
+            (item.Code, item.Place.File, item.Place.Line, item.Place.Column, item.Place.Path));
         Assert.Contains(
             $"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
         Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));

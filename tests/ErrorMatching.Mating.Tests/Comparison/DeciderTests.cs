@@ -100,7 +100,9 @@ public sealed class DeciderTests
         var decision = Decide([0, 1.001]);
 
         var refusal = Assert.Single(decision.Refusals);
-        Assert.Equal(("implausible-deviation", "L1", "2", false), (refusal.Code, refusal.Place.Feature, refusal.Place.Point, decision.IsUsable));
+        Assert.Equal(
+            ("implausible-deviation", "L1", "2", false),
+            (refusal.Code, refusal.Place.Feature, refusal.Place.Point, decision.IsUsable));
         Assert.Contains("Point 2 of L1 is 1.001 mm off, more than the 1 mm", refusal.Message, StringComparison.Ordinal);
         Assert.Equal(Decision.Compensated, decision.Features[0].Decision);
     }

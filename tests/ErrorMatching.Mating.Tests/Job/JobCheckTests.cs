@@ -205,7 +205,8 @@ public sealed class JobCheckTests
         Assert.Equal("folder/job.json", e.File);
         Assert.Equal(
             "folder/job.json, line 11, column 18, $.counterpart: found no key \"dialect\"; expected the key \"dialect\".\n"
-                + "folder/job.json, line 12, column 34, $.counterpart.dialekt: the key \"dialekt\" is not known here; did you mean \"dialect\"?",
+                + "folder/job.json, line 12, column 34, $.counterpart.dialekt: the key \"dialekt\" is not known here; "
+                + "did you mean \"dialect\"?",
             e.Message);
     }
 

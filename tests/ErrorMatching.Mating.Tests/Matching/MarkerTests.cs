@@ -163,7 +163,8 @@ public sealed class MarkerTests
     private static string Inserted(string program) =>
         Encoding.ASCII.GetString(new Marker(new('a', 64), new('b', 64)).InsertInto(NcProgram.FromText(program)));
 
-    private static (string Code, string? Block, int? Line) Place(Refusal refusal) => (refusal.Code, refusal.Place.Block, refusal.Place.Line);
+    private static (string Code, string? Block, int? Line) Place(Refusal refusal) =>
+        (refusal.Code, refusal.Place.Block, refusal.Place.Line);
 
     private static string Hash(string text) => Convert.ToHexString(SHA256.HashData(Encoding.ASCII.GetBytes(text)));
 }

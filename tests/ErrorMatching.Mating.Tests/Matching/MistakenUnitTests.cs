@@ -51,7 +51,9 @@ public sealed class MistakenUnitTests
     public void A_gauge_that_can_tell_no_deviation_from_noise_is_no_job(string uncertainty, string from, bool isRefused)
     {
         var match = Off with { Gauge = $"\"uncertaintyMm\": {uncertainty}", Compensation = $$"""{ "from": "{{from}}" }""" };
-        Assert.Equal(isRefused ? ["uncertainty-implausible $.gauge.uncertaintyMm"] : [], Problems(match).Select(p => $"{p.Code} {p.Place.Path}"));
+        Assert.Equal(
+            isRefused ? ["uncertainty-implausible $.gauge.uncertaintyMm"] : [],
+            Problems(match).Select(p => $"{p.Code} {p.Place.Path}"));
     }
 
     [Fact]

@@ -191,7 +191,9 @@ public sealed class RefusalMatchTests
             Features = [MatchCase.Line("L1", "N50", "1", "2"), MatchCase.Line("L2", "N60", "3", "4")],
         }).Refusal();
 
-        Assert.Equal((NcRefusalCodes.NoIntersection, "L2", "N60", 4), (refusal.Code, refusal.Place.Feature, refusal.Place.Block, refusal.Place.Line));
+        Assert.Equal(
+            (NcRefusalCodes.NoIntersection, "L2", "N60", 4),
+            (refusal.Code, refusal.Place.Feature, refusal.Place.Block, refusal.Place.Line));
     }
 
     private static void Refused(MatchCase match, string code, string? feature, string? point, string? block, int? line, string says = "")

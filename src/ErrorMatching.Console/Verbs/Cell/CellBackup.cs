@@ -25,7 +25,10 @@ internal sealed class CellBackup : CellVerb
         {
             return new Failure(
                 ExitCode.WrongInput,
-                new Refusal("output-exists", $"{file} is there already: a backup replaces nothing. Name another file.", new() { File = file }));
+                new Refusal(
+                    "output-exists",
+                    $"{file} is there already: a backup replaces nothing. Name another file.",
+                    new() { File = file }));
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);

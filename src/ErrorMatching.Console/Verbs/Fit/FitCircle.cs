@@ -15,5 +15,6 @@ internal sealed class FitCircle : FitVerb
     {
     }
 
-    protected override VerbResult Fit(NumberTable table, ParseResult arguments) => new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
+    protected override VerbResult Fit(NumberTable table, ParseResult arguments) =>
+        new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
 }
