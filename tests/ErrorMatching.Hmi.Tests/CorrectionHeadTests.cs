@@ -5,6 +5,7 @@ using Avalonia.Controls;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -164,7 +165,7 @@ public sealed class CorrectionHeadTests
         return ((CompensationViewModel)seat.Shell.Current!).Detail!;
     }
 
-    private static KeptReport Report(string limits)
+    private static MatchReport Report(string limits)
     {
         using var folder = new TemporaryFolder();
         foreach (var file in Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating")))
@@ -174,6 +175,6 @@ public sealed class CorrectionHeadTests
 
         var job = folder["job.json"];
         File.WriteAllText(job, File.ReadAllText(job).Replace("[-0.05, 0.05]", limits, StringComparison.Ordinal));
-        return KeptReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson())!;
+        return StoredReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson()).Match!;
     }
 }

@@ -34,10 +34,10 @@ public sealed class DemonstrationTests
         new CorrectionDecisions(seat.Station.Store).Approve(1, DemoCell.Setter, null);
         seat.WaitFor(1, CorrectionState.Verified);
         seat.Cell.FinishPiece();
-        KeptPiece? piece = null;
+        StoredPiece? piece = null;
         seat.WaitFor(
             () => (
-                piece = new KeptPieces().Read(
+                piece = new StoredPieces().Read(
                     seat.Station.Store, [.. seat.Station.Settings.Jobs.Select(j => j.Name)], 100).FirstOrDefault(p => p.IsMeasured))
                 is not null,
             "The counterpart is not measured.");

@@ -198,9 +198,10 @@ public sealed class HistoryTests
                 .Tap("history-search")
                 .WaitFor(() => seat.Find("found-2") is null && seat.Find("found-1") is not null, "It is not found.");
             seat.Tap("found-1").See("detail-title");
-            var (history, kept) = ((HistoryViewModel)seat.Shell.Current!, KeptReport.Read(seat.Station.Store.Content(sent.ReportSha256!))!);
-            Assert.Equal(kept.Points.Select(p => p.Correction), history.Detail!.Kept.Report!.Points.Select(p => p.Correction));
-            Assert.Contains(history.Detail.Kept.Report.Points, p => p.Correction.Length > 0.1);
+            var (history, kept) = (
+                (HistoryViewModel)seat.Shell.Current!, StoredReport.Read(seat.Station.Store.Content(sent.ReportSha256!)).Match!);
+            Assert.Equal(kept.KeyPoints.Select(p => p.Correction), history.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
+            Assert.Contains(history.Detail.Kept.Report.KeyPoints, p => p.Correction.Length > 0.1);
             Assert.Equal(
                 System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sent.ProgramSha256!))
                     .TrimEnd('\n')

@@ -35,7 +35,7 @@ public sealed partial class HouseOfScreensTests
                 t => typeof(Observable).IsAssignableFrom(t)
                     || t.Name.EndsWith("Row", StringComparison.Ordinal)
                     || t.Name.EndsWith("Tile", StringComparison.Ordinal)
-                    || t.Name.StartsWith("Kept", StringComparison.Ordinal))
+                    || t.Name.StartsWith("Stored", StringComparison.Ordinal))
             .ToArray();
         Assert.True(models.Length > 15);
         Assert.All(

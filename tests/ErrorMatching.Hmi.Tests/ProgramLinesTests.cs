@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -9,7 +10,10 @@ public sealed class ProgramLinesTests
     [Fact]
     public void Changed_and_inserted_blocks_stand_beside_the_original_ones()
     {
-        var lines = Of("%\nN10 G0\nN20 X1.\nM30\n", "%\n(MARK)\nN10 G0\nN20 X1.5\nM30\n", new KeptBlock(3, "N20 X1.", [(4, 3)], [(4, 4)]));
+        var lines = Of(
+            "%\nN10 G0\nN20 X1.\nM30\n",
+            "%\n(MARK)\nN10 G0\nN20 X1.5\nM30\n",
+            new ReportBlock("N20", 3, "N20 X1.", "N20 X1.5", [new(4, 3)], [new(4, 4)]));
         Assert.Equal(["%|%", "|(MARK)", "N10 G0|N10 G0", "N20 X1.|N20 X1.5", "M30|M30"], lines.Select(l => $"{l.Original}|{l.Modified}"));
         Assert.Equal([1, 3], lines.Changes);
     }
@@ -46,11 +50,11 @@ public sealed class ProgramLinesTests
             new() { Measured = [new(Path.Combine(folder, "measured.csv"))] },
             new("cam.nc", cam),
             TestContext.Current.CancellationToken).Result!;
-        var kept = KeptSurface.Read(displaced.ReportJson())!;
+        var kept = StoredReport.Read(displaced.ReportJson()).Surface!;
         Assert.StartsWith("; ERRORMATCH MEASUREMENT=", kept.Proof!.Marker, StringComparison.Ordinal);
         Assert.Empty(new ProgramLines(cam, displaced.Program, [], kept.Proof.Marker).Changes);
     }
 
-    private static ProgramLines Of(string original, string modified, params KeptBlock[] blocks) =>
+    private static ProgramLines Of(string original, string modified, params ReportBlock[] blocks) =>
         new(Encoding.ASCII.GetBytes(original), Encoding.ASCII.GetBytes(modified), blocks);
 }

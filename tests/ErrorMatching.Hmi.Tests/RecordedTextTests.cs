@@ -140,7 +140,7 @@ public sealed partial class RecordedTextTests
             e => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{e.Who} {e.What} {e.Subject} {e.Basis}", ""), names)));
         foreach (var id in Enumerable.Range(1, 9))
         {
-            var detail = new CorrectionDetail(KeptCorrection.Read(store, store.Find(id)!), seat.Clock);
+            var detail = new CorrectionDetail(StoredCorrection.Read(store, store.Find(id)!), seat.Clock);
             Assert.All(
                 detail.Steps, s => Assert.DoesNotMatch(English(), Without(NameOrHash().Replace($"{s.By} {s.State} {s.Basis}", ""), names)));
         }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement.Tests;
@@ -75,6 +76,32 @@ public class FormatTests
         Assert.Equal((MeasurementError.BadFormat, path), (error.Code, error.Place.Path));
         Assert.StartsWith(path, error.Message, StringComparison.Ordinal);
     }
+
+    [Fact]
+    public void Everything_wrong_in_a_description_of_a_larger_document_is_named()
+    {
+        var document = JsonInput.Read(
+            """
+            {
+              "format": { "unti": "mm",
+                "delimiter": "#" }
+            }
+            """u8,
+            "job.json");
+        var problems = new List<Refusal>();
+        Assert.Null(MeasurementFormat.Read(document["format"], problems));
+        Assert.Equal(
+            [
+                "line 2, column 15, $.format.unti: the key \"unti\" is not known here; did you mean \"unit\"?",
+                "line 3, column 18, $.format.delimiter: found the text \"#\"; expected one of \",\", \";\", \"\t\" or \"|\".",
+            ],
+            problems.Select(p => p.ToString()));
+        Assert.All(problems, p => Assert.Equal(MeasurementError.BadFormat, p.Code));
+    }
+
+    [Fact]
+    public void Every_encoding_can_be_described() => Assert.All(
+        MeasurementFormat.EncodingNames, n => Assert.Equal(n, Text.Format($$"""{ "encoding": "{{n}}" }""").Encoding));
 
     [Fact]
     public void Column_positions_count_from_one() => Assert.Throws<ArgumentOutOfRangeException>(() => ColumnSelector.At(0));

@@ -31,7 +31,7 @@ public sealed record LargestMove(double Mm, Statement At, string? Block)
         }
 
         // Between and next to the points a block may have to move further than they do. Rounding alone does not count.
-        var (before, increment) = (matched.Match.Before, MatingCorrection.LeastIncrement(matched.Match));
+        var (before, increment) = (matched.Match.Before, matched.Match.LeastIncrementMm);
         foreach (var element in matched.Match.Wish!.Elements)
         {
             var mm = Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));

@@ -182,7 +182,7 @@ internal sealed class MatingCorrection
 
         (double Mm, Statement At) atPoints =
             sums.Largest is { } largest ? (largest.LengthMm, Recorded.AtPoint.With(largest.Point)) : (0, "");
-        if (elsewhere.Mm <= atPoints.Mm + LeastIncrement(match))
+        if (elsewhere.Mm <= atPoints.Mm + match.LeastIncrementMm)
         {
             return (atPoints.Mm, atPoints.At, null);
         }
@@ -190,7 +190,4 @@ internal sealed class MatingCorrection
         var name = match.After.Program.NameOf(match.After.Program[elsewhere.Block]);
         return (elsewhere.Mm, Recorded.AtBlock.With(name), name);
     }
-
-    internal static double LeastIncrement(MatchResult match) =>
-        match.Rewrite?.LeastIncrementMm ?? Math.Pow(10, -match.Before.Dialect.MetricDecimals);
 }

@@ -115,18 +115,13 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             return null;
         }
 
-        try
-        {
-            return MeasurementFormat.FromJson(item.ToJson());
-        }
-        catch (InputException e)
-        {
-            var expected = item.Kind == JsonItemKind.Text
-                ? "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table"
-                : e.Refusals[0].Expected;
-            problems.AddRange(
-                [Refusal.Of("bad-format", e.Refusals[0].Found, expected, JsonRefusal.PlaceOf(item, e.Place.Path))]);
-            return MeasurementFormat.Points;
-        }
+        var found = new List<Refusal>();
+        var format = MeasurementFormat.Read(item, found);
+        problems.AddRange(item.Kind == JsonItemKind.Text ? found.Select(NameOfFormat) : found);
+        return format ?? MeasurementFormat.Points;
+
+        // A cell also reads the log of a probing program, which is no table.
+        Refusal NameOfFormat(Refusal problem) => JsonRefusal.At(
+            item, problem.Code, problem.Found, "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table");
     }
 }

@@ -11,8 +11,8 @@ public static class CompensationReportHtml
     {
         ArgumentNullException.ThrowIfNull(report);
         return ReportPage.Write(
-            $"{report.Job.Name}: compensated surface",
-            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            report.Job,
+            "compensated surface",
             [
                 new("summary", "Summary", html => WriteSummary(html, report)),
                 new("predicted", "Before, and what is expected after", html => WritePredictions(html, report.Result)),

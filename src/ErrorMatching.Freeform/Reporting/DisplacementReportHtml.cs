@@ -10,8 +10,8 @@ public static class DisplacementReportHtml
 
     /// <summary>The page: UTF-8 without a byte order mark; the same report always gives the same bytes.</summary>
     public static byte[] Write(DisplacementReport report) => ReportPage.Write(
-        $"{report.Job.Name}: displaced finishing program",
-        report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+        report.Job,
+        "displaced finishing program",
         [
             new("summary", "Summary", html => WriteSummary(html, report)),
             new("points", "Measured points", html => WritePoints(html, report)),

@@ -10,8 +10,8 @@ public static class EvaluationReportHtml
     {
         ArgumentNullException.ThrowIfNull(report);
         return ReportPage.Write(
-            $"{report.Job.Name}: the surface as measured",
-            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            report.Job,
+            "the surface as measured",
             [
                 new("summary", "Summary", html => WriteSummary(html, report)),
                 new("statistics", "Mean, standard deviation, profile", html => WriteStatistics(html, report)),

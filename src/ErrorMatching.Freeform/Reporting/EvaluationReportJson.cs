@@ -35,6 +35,14 @@ public static class EvaluationReportJson
         json.Number("profileRangeUm", statistics.ProfileRangeMm * 1000);
     }
 
+    /// <summary>Reads what <see cref="Statistics"/> writes.</summary>
+    internal static DeviationStatistics ReadStatistics(ReportReader json) => new(
+        json.Count("count"),
+        json.Micrometers("meanUm"),
+        json.Micrometers("standardDeviationUm"),
+        json.Micrometers("profileIsoUm"),
+        json.Micrometers("profileRangeUm"));
+
     /// <summary>Writes the members of an alignment.</summary>
     internal static void Alignment(ReportWriter json, SurfaceAlignment? alignment)
     {
@@ -46,6 +54,11 @@ public static class EvaluationReportJson
             json.Numbers("centerMm", [a.Center.X, a.Center.Y, a.Center.Z]);
         });
     }
+
+    /// <summary>Reads what <see cref="Alignment"/> writes.</summary>
+    internal static SurfaceAlignment? ReadAlignment(ReportReader json) => json.OptionalObject("transform") is { } transform
+        ? new(transform.Vector3("translateMm"), transform.Vector3("rotateDegrees"), transform.Point3("centerMm"))
+        : null;
 
     private static void Improvement(ReportWriter json, SurfaceImprovement? improvement) => json.Optional("improvement", improvement, i =>
     {

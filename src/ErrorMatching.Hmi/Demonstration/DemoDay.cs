@@ -98,12 +98,12 @@ public sealed class DemoDay(DemoCell cell, TimeProvider clock)
     {
         if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report }
             && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
-            && KeptReport.Read(store.Content(report)) is { } match && _measured.Add(number))
+            && StoredReport.Read(store.Content(report)).Match is { } match && _measured.Add(number))
         {
             cell.DeliverCounterpart(
                 number,
                 CutSpreadMm,
-                KeptPiece.Predicted(cut, match).Result.Points.ToDictionary(p => p.Label, p => p.After, StringComparer.Ordinal));
+                StoredPiece.Predicted(cut, match).Result.Points.ToDictionary(p => p.Label, p => p.After, StringComparer.Ordinal));
         }
     }
 

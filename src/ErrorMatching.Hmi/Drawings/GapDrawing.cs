@@ -44,13 +44,13 @@ public sealed record GapDrawing(
     }
 
     /// <summary>The assembly without compensation.</summary>
-    public static GapDrawing Before(KeptPiece piece) => Of(piece, p => p.BeforeError);
+    public static GapDrawing Before(StoredPiece piece) => Of(piece, p => p.BeforeError);
 
     /// <summary>The assembly with compensation.</summary>
-    public static GapDrawing After(KeptPiece piece) => Of(piece, p => p.AfterError);
+    public static GapDrawing After(StoredPiece piece) => Of(piece, p => p.AfterError);
 
     // A mating error is counterpart - part along the normal. The gap has the opposite sign: part - counterpart.
-    private static GapDrawing Of(KeptPiece piece, Func<VerifiedPoint, MatingError> error)
+    private static GapDrawing Of(StoredPiece piece, Func<VerifiedPoint, MatingError> error)
     {
         var factor = FactorOf(piece);
         var (width, height) = SizeOf(piece);
@@ -61,7 +61,7 @@ public sealed record GapDrawing(
             new List<(string, Point2, Point2, double, double, bool)>());
         var all = new List<Point2>();
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
-        foreach (var boundary in piece.Boundaries)
+        foreach (var boundary in piece.Result.Boundaries)
         {
             var points = boundary.Points.Select(
                 p => (Point: byLabel[p.Label], p.Theoretical, PartMm: (byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)))
@@ -73,7 +73,7 @@ public sealed record GapDrawing(
                     Off(p.Theoretical, p.Point, p.PartMm + error(p.Point).NormalMm),
                     -error(p.Point).NormalMm,
                     p.PartMm,
-                    piece.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
+                    piece.Result.IsOutside(p.Point.Label, error(p.Point).NormalMm))));
             all.AddRange(points.SelectMany(
                 p => new[]
                 {
@@ -108,17 +108,17 @@ public sealed record GapDrawing(
         Point2 Lying(Point2 place) => isTurned ? new(place.Y, -place.X) : place;
     }
 
-    private static (double Width, double Height) SizeOf(KeptPiece piece) =>
-        PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points.Select(p => p.Theoretical).Concat(b.Outline))) is { IsEmpty: false } box
+    private static (double Width, double Height) SizeOf(StoredPiece piece) =>
+        PlotBox.Of(piece.Result.Boundaries.SelectMany(b => b.Points.Select(p => p.Theoretical).Concat(b.Outline))) is { IsEmpty: false } box
             ? (box.Right - box.Left, box.High - box.Low)
             : (0, 0);
 
     // The same before and after, so that the two can be compared.
-    private static double FactorOf(KeptPiece piece)
+    private static double FactorOf(StoredPiece piece)
     {
-        var places = PlotBox.Of(piece.Boundaries.SelectMany(b => b.Points).Select(p => p.Theoretical));
+        var places = PlotBox.Of(piece.Result.Boundaries.SelectMany(b => b.Points).Select(p => p.Theoretical));
         var byLabel = piece.Result.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
-        var largest = piece.Boundaries.SelectMany(b => b.Points)
+        var largest = piece.Result.Boundaries.SelectMany(b => b.Points)
             .Select(p => Math.Max(
                 Math.Abs((byLabel[p.Label].Part - p.Theoretical).Dot(byLabel[p.Label].Normal)),
                 Math.Abs(byLabel[p.Label].BeforeError.NormalMm)))

@@ -6,13 +6,13 @@ namespace ErrorMatching.Hmi;
 internal static class RevertSigning
 {
     /// <summary>True if it can be restored: the correction's program is at the machine, or was cut and is still in the slot.</summary>
-    public static bool IsPossible(KeptCorrection? kept) =>
+    public static bool IsPossible(StoredCorrection? kept) =>
         kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, PreviousSha256: not null } };
 
     /// <summary>Creates the signing dialog.</summary>
     /// <param name="shell">The shell that shows it, and its current user.</param>
     /// <param name="kept">The correction.</param>
-    public static SigningViewModel Of(ShellViewModel shell, KeptCorrection kept)
+    public static SigningViewModel Of(ShellViewModel shell, StoredCorrection kept)
     {
         var (station, correction) = (shell.Station, kept.Correction);
         return new(

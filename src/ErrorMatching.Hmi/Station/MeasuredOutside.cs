@@ -9,19 +9,19 @@ internal sealed class MeasuredOutside(CellSettings settings)
 {
     private readonly IReadOnlyList<MatingChoice> _matings = MatingChoice.Of(settings);
     private readonly Dictionary<string, long> _since = new(StringComparer.Ordinal);
-    private Dictionary<long, KeptPiece?> _read = [];
+    private Dictionary<long, StoredPiece?> _read = [];
 
     /// <summary>The counterparts outside their limits, by mating in the order of the configuration, newest first. It considers
     /// the last measurement at the first call and all later ones. A newer measurement of the same piece replaces an older one,
     /// even if all of its points are within their limits.</summary>
     /// <param name="store">The store.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
-    public IReadOnlyList<KeptPiece> Now(CellStore store)
+    public IReadOnlyList<StoredPiece> Now(CellStore store)
     {
         // Only recent measurements stay cached: the station may run for months.
-        Dictionary<long, KeptPiece?> read = [];
-        KeptPiece[] outside = [.. _matings.SelectMany(m => Measured(store, m)
-            .Select(c => read[c.Id] = _read.TryGetValue(c.Id, out var known) ? known : Read(store, c)).OfType<KeptPiece>()
+        Dictionary<long, StoredPiece?> read = [];
+        StoredPiece[] outside = [.. _matings.SelectMany(m => Measured(store, m)
+            .Select(c => read[c.Id] = _read.TryGetValue(c.Id, out var known) ? known : Read(store, c)).OfType<StoredPiece>()
             .DistinctBy(p => p.Counterpart!.PartSha256 ?? Shown.Id(p.LastId))
             .Where(p => !p.IsWithin))];
         _read = read;
@@ -32,7 +32,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
     private IEnumerable<Correction> Measured(CellStore store, MatingChoice mating)
     {
         Correction[] measured = [
-            .. store.Reported(mating.Jobs, KeptPieces.Most).Where(
+            .. store.Reported(mating.Jobs, StoredPieces.Most).Where(
                 c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
         if (!_since.TryGetValue(mating.Name, out var since))
         {
@@ -43,8 +43,8 @@ internal sealed class MeasuredOutside(CellSettings settings)
     }
 
     // A counterpart compensated on its own has the report of a match, and nothing was verified.
-    private static KeptPiece? Read(CellStore store, Correction counterpart) =>
-        KeptVerification.Read(store.Content(counterpart.ReportSha256!)) is { } v
-            ? new(counterpart, counterpart, v.JobName, v.Result, v.Boundaries, v.IsBeforeMeasured) { Before = v.Before }
+    private static StoredPiece? Read(CellStore store, Correction counterpart) =>
+        StoredReport.Read(store.Content(counterpart.ReportSha256!)).Verification is { } verification
+            ? StoredPiece.Measured(counterpart, counterpart, verification)
             : null;
 }

@@ -62,10 +62,10 @@ public sealed class Station : IDisposable
 
     /// <summary>Counterparts outside their limits that have not been viewed here since the station started: the latest ones of
     /// each mating, newest first.</summary>
-    public IReadOnlyList<KeptPiece> Outside => [.. State.Outside.Where(p => !_lookedAt.Contains(p.LastId))];
+    public IReadOnlyList<StoredPiece> Outside => [.. State.Outside.Where(p => !_lookedAt.Contains(p.LastId))];
 
     /// <summary>Marks a measured piece as viewed. Call it on the UI thread.</summary>
-    public void See(KeptPiece piece)
+    public void See(StoredPiece piece)
     {
         ArgumentNullException.ThrowIfNull(piece);
         _lookedAt.Add(piece.LastId);

@@ -20,5 +20,5 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
         new Dictionary<(string Machine, string Slot), LastCut>();
 
     /// <summary>The measured counterparts outside their limits, newest first within each mating.</summary>
-    public IReadOnlyList<KeptPiece> Outside { get; init; } = [];
+    public IReadOnlyList<StoredPiece> Outside { get; init; } = [];
 }

@@ -10,7 +10,7 @@ internal sealed class StationWatch(Station station)
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(250);
     private readonly ChangedJobs _changedJobs = new(station.Settings);
     private readonly MeasuredOutside _measured = new(station.Settings);
-    private IReadOnlyList<KeptPiece> _outside = [];
+    private IReadOnlyList<StoredPiece> _outside = [];
     private IReadOnlyDictionary<(string Machine, string Slot), LastCut> _lastCut = new Dictionary<(string Machine, string Slot), LastCut>();
     private long _seen = -1;
     private CellStatus? _last;

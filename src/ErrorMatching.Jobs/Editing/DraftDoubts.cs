@@ -43,7 +43,7 @@ internal static class DraftDoubts
             .Zip(draft.Points)
             .DistinctBy(p => p.Second.Label.Trim())
             .ToDictionary(p => p.Second.Label.Trim(), p => p.First, StringComparer.Ordinal);
-        foreach (var foot in match.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && fields.ContainsKey(f.Label)))
+        foreach (var foot in match.OnCorners.Where(f => fields.ContainsKey(f.Label)))
         {
             // Round up: at a smaller distance the question would come again.
             var mm = string.Create(CultureInfo.InvariantCulture, $"{Math.Ceiling(foot.BeyondEndMm * 10) / 10:0.0} mm");

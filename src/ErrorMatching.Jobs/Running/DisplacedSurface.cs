@@ -10,7 +10,7 @@ public sealed record DisplacedSurface(DisplacementReport Report)
     public ReadOnlyMemory<byte> Program => Report.Displaced.Program.Bytes;
 
     /// <summary>The report as JSON: the document <c>errormatch/surface-displace/1</c>.</summary>
-    public byte[] ReportJson() => DisplacementReportJson.Write(Report);
+    public byte[] ReportJson() => DisplacementDocument.Of(Report).Write();
 
     /// <summary>The report as an HTML page.</summary>
     public byte[] ReportHtml() => DisplacementReportHtml.Write(Report);

@@ -11,7 +11,7 @@ public sealed record FinishedSurface(ReadOnlyMemory<byte> Program, CompensationR
     public const string Name = "finishing.nc";
 
     /// <summary>The report as <c>report.json</c>.</summary>
-    public byte[] ReportJson() => CompensationReportJson.Write(Report);
+    public byte[] ReportJson() => CompensationDocument.Of(Report).Write();
 
     /// <summary>The report as <c>report.html</c>.</summary>
     public byte[] ReportHtml() => CompensationReportHtml.Write(Report);

@@ -83,6 +83,9 @@ public sealed class JsonItem
         return Encoding.UTF8.GetString(buffer.ToArray());
     }
 
+    /// <summary>The value in words, for messages: <c>the text "lime"</c>, <c>a list of 3</c>.</summary>
+    public override string ToString() => ValueText.Of(this);
+
     private static string PathOf(string name, JsonItem parent) => IsPlainWord(name)
         ? $"{parent.Path}.{name}"
         : $"{parent.Path}['{name.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("'", "\\'", StringComparison.Ordinal)}']";

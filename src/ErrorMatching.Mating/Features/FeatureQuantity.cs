@@ -10,6 +10,9 @@ public sealed record FeatureQuantity(string Name, double Theoretical, double Act
     /// <summary>The direction of cutting along a straight element.</summary>
     internal const string Direction = "directionDeg";
 
+    /// <summary>True for an angle in degrees, false for a length in mm.</summary>
+    public bool IsAngle => Name.EndsWith("Deg", StringComparison.Ordinal);
+
     /// <summary>Theoretical - actual, as in the paper's tables; directions are in (-180, 180] degrees.</summary>
     public double Deviation =>
         Name == Direction ? Geometry.Angle.FromDegrees(Theoretical - Actual).Normalized.Degrees : Theoretical - Actual;

@@ -68,7 +68,7 @@ internal sealed class JobReader(JsonItem root)
         }
 
         return new(
-            ReadFormat(item["format"]),
+            MeasurementFormat.Read(item["format"], Problems) ?? MeasurementFormat.Points,
             uncertainty.Kind == JsonItemKind.Number
                 ? UncertaintyBudget.Of(uncertainty.Number)
                 : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number))]),
@@ -79,19 +79,6 @@ internal sealed class JobReader(JsonItem root)
                 measuring?.Find("probingDistanceMm")?.Number ?? MeasuringTime.Default.ProbingDistanceMm,
                 measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS,
                 (int?)measuring?.Find("touches")?.Number));
-    }
-
-    private MeasurementFormat ReadFormat(JsonItem item)
-    {
-        try
-        {
-            return MeasurementFormat.FromJson(item.ToJson());
-        }
-        catch (InputException e)
-        {
-            _problems.Add(e.Refusals[0] with { Code = "bad-format", Place = JsonRefusal.PlaceOf(item, e.Place.Path) });
-            return MeasurementFormat.Points;
-        }
     }
 
     private JobAlignment ReadAlignment(JsonItem item)

@@ -30,10 +30,16 @@ public sealed record MatchResult(
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 
+    /// <summary>Increment to which new coordinates are rounded, mm.</summary>
+    public double LeastIncrementMm => Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals);
+
+    /// <summary>The key points on rounded corners: no program can meet their own deviation.</summary>
+    public IEnumerable<KeyPointFoot> OnCorners => Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner);
+
     /// <summary>The wish as a file from which the proof can be repeated; empty if nothing is compensated.</summary>
     public WishFile WishFile() => Nc.WishFile.Of(
         Before,
         Wish ?? DisplacementWish.OfElements([]),
-        Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals),
+        LeastIncrementMm,
         Marker?.TextIn(Before.Dialect.Syntax));
 }

@@ -25,7 +25,7 @@ public sealed record MatchReport
     public required UncertaintyBudget Uncertainty { get; init; }
 
     /// <summary>The tolerance chain; null if the job has none.</summary>
-    public ToleranceChain? Chain { get; init; }
+    public ReportChain? Chain { get; init; }
 
     /// <summary>The features in the order of cutting.</summary>
     public required IReadOnlyList<ReportFeature> Features { get; init; }
@@ -54,8 +54,61 @@ public sealed record MatchReport
     /// <summary>Additional information.</summary>
     public IReadOnlyList<string> Notes { get; init; } = [];
 
-    /// <summary>The given key points that the program is predicted to leave outside their limits.</summary>
-    internal OutsideLimits OutsideOf(IEnumerable<ReportKeyPoint> points) =>
-        OutsideLimits.Of(points.Select(
-            p => (p.Point, Features.FirstOrDefault(f => f.Name == p.Feature)?.Tolerance.Band.OfMatingError, -p.DecidedMm, p.PredictedMm)));
+    /// <summary>True if the program is the original, byte for byte.</summary>
+    public bool IsUnchanged => Program.ChangedBlocks == 0 && Proof.Marker is null;
+
+    /// <summary>The key points that a warning reports on rounded corners: no program can meet their own deviation.</summary>
+    public IReadOnlyList<string> OnCorners =>
+        [.. Warnings.Where(w => w.Code == WarningForms.PointOnCorner.Name && w.Values.Count > 0).Select(w => w.Values[0])];
+
+    /// <summary>The prediction in the form of a verification: without compensation, the deviation that the decision is based on; with it,
+    /// what the program as written is predicted to leave.</summary>
+    public VerificationResult Prediction
+    {
+        get
+        {
+            VerifiedPoint[] points = [
+                .. KeyPoints.Select(p => new VerifiedPoint(
+                    p.Point, p.Actual, p.Actual + (p.UncompensatedMm * p.Normal), p.Actual + (p.PredictedMm * p.Normal), p.Normal))];
+            var byFeature = points.Zip(KeyPoints).ToLookup(p => p.Second.Feature, p => p.First, StringComparer.Ordinal);
+            return new(points, [.. Features.Select(f => VerifiedFeature.DeviationOf(f.Name, [.. byFeature[f.Name]]))])
+            {
+                Boundaries = [
+                    .. Features.Select(f => new VerifiedBoundary(
+                        f.Name, f.Tolerance.Band, [.. PointsOf(f).Select(p => (p.Point, p.Theoretical))], f.TheoreticalOutline))],
+            };
+        }
+    }
+
+    /// <summary>The key points of a feature, in the order of cutting.</summary>
+    public IEnumerable<ReportKeyPoint> PointsOf(ReportFeature feature) => KeyPoints.Where(p => p.Feature == feature.Name);
+
+    /// <summary>The key points of a feature that the program is predicted to leave outside their limits.</summary>
+    public OutsideLimits OutsideOf(ReportFeature feature) => OutsideOf(PointsOf(feature));
+
+    /// <summary>The key points of a feature whose deviation is outside the tolerance, the furthest first.</summary>
+    public IReadOnlyList<ReportKeyPoint> BeyondTolerance(ReportFeature feature) =>
+        [.. PointsOf(feature).Where(p => p.ExcessMm != 0).OrderByDescending(p => Math.Abs(p.ExcessMm))];
+
+    /// <summary>The mating error with the largest magnitude that the program is predicted to leave at a feature; null if it has no
+    /// points.</summary>
+    public double? LeftMm(ReportFeature feature) => PointsOf(feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
+
+    /// <summary>The measured mating errors of the counterpart compared with the predicted ones, in the order of cutting.</summary>
+    public IReadOnlyList<PredictionMiss> MissesOf(VerificationResult measured)
+    {
+        ArgumentNullException.ThrowIfNull(measured);
+        var errors = measured.Points.ToDictionary(p => p.Label, p => p.AfterError.NormalMm, StringComparer.Ordinal);
+        var uncertainty = Features.ToDictionary(f => f.Name, f => f.UncertaintyMm, StringComparer.Ordinal);
+        return [
+            .. KeyPoints.Where(p => errors.ContainsKey(p.Point)).Select(
+                p => new PredictionMiss(p.Point, p.PredictedMm, errors[p.Point], uncertainty[p.Feature]))];
+    }
+
+    private OutsideLimits OutsideOf(IEnumerable<ReportKeyPoint> points)
+    {
+        var bands = Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
+        return OutsideLimits.Of(points.Select(
+            p => (p.Point, bands.TryGetValue(p.Feature, out var band) ? band : (ToleranceBand?)null, p.UncompensatedMm, p.PredictedMm)));
+    }
 }

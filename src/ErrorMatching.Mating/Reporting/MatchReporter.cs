@@ -34,7 +34,7 @@ public static class MatchReporter
                 : null,
             Compensation = job.Compensation,
             Uncertainty = job.Gauge.Uncertainty,
-            Chain = job.Chain,
+            Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
             Features = [.. result.Maps.Select((map, i) => Feature(result, map, result.Decision.Features[i], evaluations[i]))],
             KeyPoints = [.. result.Maps.SelectMany((map, i) => KeyPoints(result, map, result.Decision.Features[i]))],
             Program = Program(result, programFile),
@@ -179,7 +179,7 @@ public static class MatchReporter
             yield return new("nc-" + problem.Code, $"{block}: {problem.Message}", block, problem.Message);
         }
 
-        foreach (var foot in result.Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner && result.Decision.Compensates))
+        foreach (var foot in result.OnCorners.Where(_ => result.Decision.Compensates))
         {
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
             yield return WarningForms.Warning(WarningForms.PointOnCorner, foot.Label, block);

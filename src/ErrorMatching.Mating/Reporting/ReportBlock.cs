@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>A block of the program before and after, to show side by side.</summary>
@@ -13,4 +15,29 @@ public sealed record ReportBlock(
     string Original,
     string Modified,
     IReadOnlyList<TextSpan> OriginalSpans,
-    IReadOnlyList<TextSpan> ModifiedSpans);
+    IReadOnlyList<TextSpan> ModifiedSpans)
+{
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("number", Number);
+        w.Count("line", Line);
+        w.Text("original", Original);
+        w.Text("modified", Modified);
+        w.List("originalSpans", OriginalSpans, s => s.Write(w));
+        w.List("modifiedSpans", ModifiedSpans, s => s.Write(w));
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    internal static ReportBlock Read(ReportReader r)
+    {
+        var (original, modified) = (r.Text("original"), r.Text("modified"));
+        return new(
+            r.Text("number"),
+            r.Count("line"),
+            original,
+            modified,
+            r.List("originalSpans", s => TextSpan.Read(s, original)),
+            r.List("modifiedSpans", s => TextSpan.Read(s, modified)));
+    }
+}

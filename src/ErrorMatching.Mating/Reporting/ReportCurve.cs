@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -15,4 +16,17 @@ public sealed record ReportCurve(int Degree, double Ridge, double? LeaveOneOutMm
         ArgumentNullException.ThrowIfNull(fit);
         return new(fit.Polynomial.Degree, fit.Polynomial.Ridge, fit.Polynomial.LeaveOneOutRms, fit.ResidualStandardDeviation);
     }
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Count("degree", Degree);
+        w.Exact("ridge", Ridge);
+        w.Number("leaveOneOutMm", LeaveOneOutMm);
+        w.Number("residualStandardDeviationMm", ResidualStandardDeviationMm);
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    internal static ReportCurve Read(ReportReader r) => new(
+        r.Count("degree"), r.Number("ridge"), r.OptionalNumber("leaveOneOutMm"), r.Number("residualStandardDeviationMm"));
 }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -32,7 +33,8 @@ public sealed record ReportFeature
     /// <summary>The fit of a curve; null for straight features and curves without a fit.</summary>
     public ReportCurve? Curve { get; init; }
 
-    /// <summary>The boundary that the new program cuts as a polyline in the part's frame, for drawing.</summary>
+    /// <summary>The boundary that the new program cuts as a polyline in the part's frame, for drawing. The document does not contain
+    /// it.</summary>
     public IReadOnlyList<Point2> CorrectedOutline { get; init; } = [];
 
     /// <summary>The boundary that the original program cuts as a polyline in the part's frame, for drawing.</summary>
@@ -44,4 +46,76 @@ public sealed record ReportFeature
     /// <summary>Largest distance of its measured points from its plane, without sign; null if the files have no third
     /// coordinate.</summary>
     public double? StandsOutMm { get; init; }
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("name", Name);
+        w.Text("kind", Kind.Word);
+        WriteQuantities("theoretical", q => q.Quantity.Theoretical);
+        WriteQuantities("actual", q => q.Quantity.Actual);
+        WriteQuantities("deviation", q => q.Quantity.Deviation);
+        WriteQuantities("corrected", q => q.Corrected);
+        WriteQuantities("uncertainty", q => q.Quantity.StandardUncertainty);
+        w.Numbers("toleranceMm", [Tolerance.Band.LowerMm, Tolerance.Band.UpperMm]);
+        w.Text("toleranceFrom", ReportWords.Of(Tolerance.Source));
+        w.Number("largestMm", LargestMm);
+        w.Number("uncertaintyMm", UncertaintyMm);
+        w.Text("decision", ReportWords.Of(Decision));
+        w.Numbers("residualsMm", ResidualsMm);
+        w.Optional("fit", Curve, c => c.Write(w));
+        w.Number("standsOutMm", StandsOutMm);
+        w.Object("outline", () =>
+        {
+            w.Points("theoretical", TheoreticalOutline);
+            w.Points("actual", ActualOutline);
+        });
+
+        void WriteQuantities(string name, Func<ReportQuantity, double?> value) => w.Object(name, () =>
+        {
+            foreach (var quantity in Quantities)
+            {
+                w.Number(quantity.Quantity.Name, value(quantity));
+            }
+        });
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes, without what follows from it.</summary>
+    internal static ReportFeature Read(ReportReader r)
+    {
+        var outline = r.Object("outline");
+        return new()
+        {
+            Name = r.Text("name"),
+            Kind = r.Word("kind", FeatureKinds.All, k => k.Word),
+            Tolerance = new(ReadBand(r), r.Word<ToleranceSource>("toleranceFrom", ReportWords.Of)),
+            Quantities = ReadQuantities(r),
+            Decision = r.Word<Decision>("decision", ReportWords.Of),
+            LargestMm = r.Number("largestMm"),
+            UncertaintyMm = r.Number("uncertaintyMm"),
+            ResidualsMm = r.Numbers("residualsMm"),
+            Curve = r.OptionalObject("fit") is { } curve ? ReportCurve.Read(curve) : null,
+            TheoreticalOutline = outline.Points("theoretical"),
+            ActualOutline = outline.Points("actual"),
+            StandsOutMm = r.OptionalNumber("standsOutMm"),
+        };
+    }
+
+    /// <summary>Reads the limits <c>toleranceMm</c>.</summary>
+    internal static ToleranceBand ReadBand(ReportReader r)
+    {
+        var limits = r.Numbers("toleranceMm", 2);
+        return limits[0] <= limits[1]
+            ? new(limits[0], limits[1])
+            : throw r.Refusal("toleranceMm", "reversed-tolerance", "the lower limit first");
+    }
+
+    private static ReportQuantity[] ReadQuantities(ReportReader r)
+    {
+        var (theoretical, actual, uncertainty, corrected) = (
+            r.Object("theoretical"), r.Object("actual"), r.Object("uncertainty"), r.Object("corrected"));
+        return [
+            .. theoretical.Names.Select(n => new ReportQuantity(
+                new(n, theoretical.Number(n), actual.Number(n), uncertainty.Number(n)), corrected.OptionalNumber(n)))];
+    }
 }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -44,4 +45,46 @@ public sealed record ReportKeyPoint
 
     /// <summary>Actual - theoretical along the normal.</summary>
     public double NormalMm => -Deviation.Dot(Normal);
+
+    /// <summary>The mating error without compensation, counterpart - part along the normal; <see cref="PredictedMm"/> is the one with
+    /// it.</summary>
+    public double UncompensatedMm => -DecidedMm;
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("point", Point);
+        w.Text("feature", Feature);
+        w.Point("theoretical", Theoretical);
+        w.Point("actual", Actual);
+        if (Counterpart is { } counterpart)
+        {
+            w.Point("counterpart", counterpart);
+        }
+
+        w.Vector("deviation", Deviation);
+        w.Vector("correction", Correction);
+        w.Vector("normal", Normal);
+        w.Number("normalMm", NormalMm);
+        w.Number("decidedMm", DecidedMm);
+        w.Number("excessMm", ExcessMm);
+        w.Number("predictedMm", PredictedMm);
+        w.Texts("blocks", Blocks);
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes, without what follows from it.</summary>
+    internal static ReportKeyPoint Read(ReportReader r) => new()
+    {
+        Point = r.Text("point"),
+        Feature = r.Text("feature"),
+        Theoretical = r.Point("theoretical"),
+        Actual = r.Point("actual"),
+        Counterpart = r.OptionalPoint("counterpart"),
+        Normal = r.Vector("normal"),
+        Correction = r.Vector("correction"),
+        DecidedMm = r.Number("decidedMm"),
+        ExcessMm = r.Number("excessMm"),
+        PredictedMm = r.Number("predictedMm"),
+        Blocks = r.Texts("blocks"),
+    };
 }

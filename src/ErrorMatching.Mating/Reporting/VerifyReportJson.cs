@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -18,42 +19,61 @@ public static class VerifyReportJson
         {
             w.Job("mating", report.Job);
             w.Inputs(report.Inputs);
-            w.List("points", report.Result.Points, p =>
-            {
-                w.Text("point", p.Label);
-                w.Point("part", p.Part);
-                w.Vector("normal", p.Normal);
-                w.Object("before", () => WriteError(w, p.BeforeError));
-                w.Object("after", () => WriteError(w, p.AfterError));
-            });
-            w.List("features", report.Result.Features, f =>
-            {
-                w.Text("name", f.Name);
-                w.Text("quantity", f.Quantity.Word);
-                w.Number("wanted", f.Wanted);
-                w.Number("before", f.Before);
-                w.Number("after", f.After);
-                w.Number("improvementPercent", f.ImprovementPercent);
-                w.Texts("points", f.Points);
-            });
+            w.List("points", report.Result.Points, p => WritePoint(w, p));
+            w.List("features", report.Result.Features, f => WriteFeature(w, f));
             w.Flag("beforeMeasured", report.IsBeforeMeasured);
             w.Number("maxBeforeMm", report.Result.MaxBeforeMm);
             w.Number("maxAfterMm", report.Result.MaxAfterMm);
             w.Number("rmsBeforeMm", report.Result.RmsBeforeMm);
             w.Number("rmsAfterMm", report.Result.RmsAfterMm);
-            w.List("boundaries", report.Boundaries, b =>
-            {
-                w.Text("name", b.Name);
-                w.Numbers("toleranceMm", [b.Band.LowerMm, b.Band.UpperMm]);
-                w.List("points", b.Points, p =>
-                {
-                    w.Text("point", p.Label);
-                    w.Point("theoretical", p.Theoretical);
-                });
-                w.Points("outline", b.Outline);
-            });
+            w.List("boundaries", report.Result.Boundaries, b => WriteBoundary(w, b));
             w.Texts("warnings", report.Warnings);
         });
+    }
+
+    /// <summary>Reads a document. In older reports, the features have no points.</summary>
+    /// <param name="document">The document, of this schema.</param>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
+    public static VerifyReport Read(ReportReader document)
+    {
+        ArgumentNullException.ThrowIfNull(document);
+        var points = ReadPoints(document);
+        var free = points.Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
+        return new(
+            document.Job(),
+            document.Inputs(),
+            new(points, document.List("features", ReadFeature))
+            {
+                Boundaries = document.List("boundaries", b => ReadBoundary(b, free)),
+            },
+            document.Texts("warnings"))
+        {
+            IsBeforeMeasured = document.Flag("beforeMeasured"),
+        };
+    }
+
+    private static void WritePoint(ReportWriter w, VerifiedPoint point)
+    {
+        w.Text("point", point.Label);
+        w.Point("part", point.Part);
+        w.Vector("normal", point.Normal);
+        w.Object("before", () => WriteError(w, point.BeforeError));
+        w.Object("after", () => WriteError(w, point.AfterError));
+    }
+
+    private static IReadOnlyList<VerifiedPoint> ReadPoints(ReportReader document)
+    {
+        var labels = new HashSet<string>(StringComparer.Ordinal);
+        var points = document.List("points", r => labels.Add(r.Text("point"))
+            ? ReadPoint(r)
+            : throw r.Refusal("point", "duplicate-name", "each point once"));
+        return points.Count > 0 ? points : throw document.Refusal("points", "too-few-items", "at least one point");
+    }
+
+    private static VerifiedPoint ReadPoint(ReportReader r)
+    {
+        var part = r.Point("part");
+        return new(r.Text("point"), part, part + ReadError(r.Object("before")), part + ReadError(r.Object("after")), r.Vector("normal"));
     }
 
     private static void WriteError(ReportWriter w, MatingError error)
@@ -62,4 +82,48 @@ public static class VerifyReportJson
         w.Number("dy", error.Vector.Y);
         w.Number("normalMm", error.NormalMm);
     }
+
+    private static Vector2 ReadError(ReportReader r) => new(r.Number("dx"), r.Number("dy"));
+
+    private static void WriteFeature(ReportWriter w, VerifiedFeature feature)
+    {
+        w.Text("name", feature.Name);
+        w.Text("quantity", feature.Quantity.Word);
+        w.Number("wanted", feature.Wanted);
+        w.Number("before", feature.Before);
+        w.Number("after", feature.After);
+        w.Number("improvementPercent", feature.ImprovementPercent);
+        w.Texts("points", feature.Points);
+    }
+
+    private static VerifiedFeature ReadFeature(ReportReader r) => new(
+        r.Text("name"),
+        r.Word("quantity", VerifiedQuantity.All, q => q.Word),
+        r.Number("wanted"),
+        r.Number("before"),
+        r.Number("after"))
+    {
+        Points = r.OptionalTexts("points"),
+    };
+
+    private static void WriteBoundary(ReportWriter w, VerifiedBoundary boundary)
+    {
+        w.Text("name", boundary.Name);
+        w.Numbers("toleranceMm", [boundary.Band.LowerMm, boundary.Band.UpperMm]);
+        w.List("points", boundary.Points, p =>
+        {
+            w.Text("point", p.Label);
+            w.Point("theoretical", p.Theoretical);
+        });
+        w.Points("outline", boundary.Outline);
+    }
+
+    // A boundary has points of the report, and each of them has at most one boundary.
+    private static VerifiedBoundary ReadBoundary(ReportReader r, HashSet<string> free) => new(
+        r.Text("name"),
+        ReportFeature.ReadBand(r),
+        r.List("points", p => free.Remove(p.Text("point"))
+            ? (p.Text("point"), p.Point("theoretical"))
+            : throw p.Refusal("point", "not-one-of", "a point of the report that no other boundary has")),
+        r.Points("outline"));
 }

@@ -13,6 +13,6 @@ public sealed record VerifyReport(
     /// <summary>True if the counterpart before was measured; false if the designed one is used.</summary>
     public bool IsBeforeMeasured { get; init; } = true;
 
-    /// <summary>The boundaries of the features, for plots and drawings.</summary>
-    public IReadOnlyList<VerifiedBoundary> Boundaries { get; init; } = [];
+    /// <summary>The measurement of the counterpart before; null if the designed one is used.</summary>
+    public ReportInput? Before => ReportInputs.Find(Inputs, "counterpart");
 }

@@ -66,11 +66,10 @@ public static class VerifyRun
         return new(
             new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256),
             inputs,
-            Verifier.Verify(job, [.. points]),
+            Verifier.Verify(job, [.. points]) with { Boundaries = boundaries },
             input.Before is null ? [BeforeAsDesigned] : [])
         {
             IsBeforeMeasured = input.Before is not null,
-            Boundaries = boundaries,
         };
     }
 

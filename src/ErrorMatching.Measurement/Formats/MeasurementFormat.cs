@@ -1,4 +1,5 @@
-using System.Text.Json;
+using ErrorMatching.Json;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
@@ -19,11 +20,11 @@ public sealed record MeasurementFormat
     }
 
     /// <summary>One line per point under the header <c>point,x_mm,y_mm[,z_mm]</c>.</summary>
-    public static MeasurementFormat Points { get; } = FormatJson.Embedded("points");
+    public static MeasurementFormat Points { get; } = FormatReader.Embedded("points");
 
     /// <summary>One line per coordinate under the header <c>feature,item,nominal,actual,deviation</c>; other columns, such as the
     /// tolerance, are ignored.</summary>
-    public static MeasurementFormat FeatureTable { get; } = FormatJson.Embedded("feature-table");
+    public static MeasurementFormat FeatureTable { get; } = FormatReader.Embedded("feature-table");
 
     internal TableLayout Layout => new(SkipLines, Delimiter, DecimalComma, Columns.NeedHeader);
 
@@ -60,30 +61,40 @@ public sealed record MeasurementFormat
     /// <summary>The names of the supported encodings.</summary>
     public static IReadOnlyList<string> EncodingNames => SourceText.EncodingNames;
 
-    /// <summary>Reads a format by name or description.</summary>
-    /// <param name="format">A JSON string that names a format, or an object that describes one.</param>
-    /// <exception cref="InputException">The name is unknown, or the description has an unknown or wrong member
-    /// (<see cref="MeasurementError.BadFormat"/>), named by <see cref="InputException.Path"/>.</exception>
-    public static MeasurementFormat FromJson(JsonElement format) => FormatJson.Read(format);
+    /// <summary>Reads a format by name or description, as part of a document.</summary>
+    /// <param name="format">The name of a format, or an object that describes one.</param>
+    /// <param name="problems">Receives what is wrong, with code <see cref="MeasurementError.BadFormat"/>.</param>
+    /// <returns>The format; null if something is wrong.</returns>
+    public static MeasurementFormat? Read(JsonItem format, ICollection<Refusal> problems)
+    {
+        ArgumentNullException.ThrowIfNull(format);
+        ArgumentNullException.ThrowIfNull(problems);
+        return new FormatReader(problems).Read(format);
+    }
 
     /// <summary>Reads a format by name or description, from JSON text with comments and trailing commas.</summary>
-    /// <inheritdoc cref="FromJson(JsonElement)"/>
+    /// <param name="json">A JSON string that names a format, or an object that describes one.</param>
+    /// <exception cref="InputException">The text is not JSON, the name is unknown, or the description has an unknown or wrong member
+    /// (<see cref="MeasurementError.BadFormat"/>), named by its path.</exception>
     public static MeasurementFormat FromJson(string json)
     {
+        ArgumentNullException.ThrowIfNull(json);
+        var problems = new List<Refusal>();
         try
         {
-            using var document = JsonDocument.Parse(json, FormatJson.Options);
-            return FormatJson.Read(document.RootElement);
+            if (Read(JsonInput.Read(System.Text.Encoding.UTF8.GetBytes(json), "format"), problems) is { } format)
+            {
+                return format;
+            }
         }
-        catch (Exception e) when (e is JsonException or InvalidOperationException)
+        catch (InputException e)
         {
-            // To the parser, a member name with an invalid character escape is an invalid operation, not bad JSON.
-            throw MeasurementRefusal.Of(
-                MeasurementError.BadFormat,
-                "text that is not JSON: " + e.Message.TrimEnd('.'),
-                "the name of a format or a JSON object",
-                path: "$",
-                cause: e);
+            // What is wrong with the document, not with a member.
+            var (found, expected) = (e.Refusals[0].Found, e.Refusals[0].Expected);
+            throw MeasurementRefusal.Of(MeasurementError.BadFormat, found, expected, path: "$", cause: e);
         }
+
+        // A description of its own is short: the path says enough.
+        throw new InputException([.. problems.Select(p => p with { Place = new() { Path = p.Place.Path } })]);
     }
 }

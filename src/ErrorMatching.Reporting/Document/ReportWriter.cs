@@ -1,3 +1,4 @@
+using System.Text.Encodings.Web;
 using System.Text.Json;
 using ErrorMatching.Geometry;
 
@@ -11,10 +12,13 @@ public sealed class ReportWriter(Utf8JsonWriter json)
     private const int Decimals = 9;
 
     /// <summary>Creates an indented document with the same line ends on every system.</summary>
-    public static byte[] Document(string schema, Action<ReportWriter> content)
+    /// <param name="schema">Name of its schema.</param>
+    /// <param name="content">Writes its members.</param>
+    /// <param name="encoder">What it escapes; null for everything that is not safe in a web page.</param>
+    public static byte[] Document(string schema, Action<ReportWriter> content, JavaScriptEncoder? encoder = null)
     {
         using var buffer = new MemoryStream();
-        using (var json = new Utf8JsonWriter(buffer, new JsonWriterOptions { Indented = true, NewLine = "\n" }))
+        using (var json = new Utf8JsonWriter(buffer, new JsonWriterOptions { Indented = true, NewLine = "\n", Encoder = encoder }))
         {
             json.WriteStartObject();
             json.WriteString("schema", schema);
@@ -45,6 +49,18 @@ public sealed class ReportWriter(Utf8JsonWriter json)
         Text("file", i.File);
         Text("sha256", i.Sha256);
     });
+
+    /// <summary>Writes warnings as sentences, and separately their codes and values.</summary>
+    public void Warnings(IReadOnlyList<ReportWarning> warnings)
+    {
+        ArgumentNullException.ThrowIfNull(warnings);
+        Texts("warnings", warnings.Select(w => w.Message));
+        List("warningCodes", warnings, w =>
+        {
+            Text("code", w.Code);
+            Texts("values", w.Values);
+        });
+    }
 
     /// <summary>Writes a text or null.</summary>
     public void Text(string name, string? value) => json.WriteString(name, value);

@@ -5,6 +5,16 @@ public static class ReportPage
 {
     private static readonly Lazy<string> Css = new(ReadCss);
 
+    /// <summary>Writes a page about a job: its heading begins with the job's name, and its work order is below.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="subject">What the page is about.</param>
+    /// <param name="sections">Its sections, listed at the top.</param>
+    public static byte[] Write(ReportJob job, string subject, IReadOnlyList<PageSection> sections)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return Write($"{job.Name}: {subject}", job.WorkOrder is { } order ? $"Work order {order}" : "No work order", sections);
+    }
+
     /// <summary>Writes a page.</summary>
     /// <param name="title">Its heading and window title.</param>
     /// <param name="subtitle">The subject, below the heading.</param>

@@ -41,7 +41,7 @@ public sealed partial class FolderTests
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
         ["Hmi"] =
         [
-            "Observing", "Texts", "Styles", "Controls", "Choosing", "Kept", "Demonstration", "Plots", "Drawings", "Programs",
+            "Observing", "Texts", "Styles", "Controls", "Choosing", "Stored", "Demonstration", "Plots", "Drawings", "Programs",
             "Preferring", "Station", "Editing", "Shell", "Screens", "",
         ],
         ["Hmi/Screens"] =

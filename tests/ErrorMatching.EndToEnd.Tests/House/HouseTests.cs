@@ -20,7 +20,7 @@ public sealed partial class HouseTests
         ["Json"] = ["Refusals"],
         ["Measurement"] = ["Geometry", "Json", "Refusals"],
         ["Nc"] = ["Geometry", "Json", "Refusals"],
-        ["Reporting"] = ["Geometry"],
+        ["Reporting"] = ["Geometry", "Json", "Refusals"],
         ["Mating"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting"],
         ["Freeform"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting"],
         ["Jobs"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform"],

@@ -3,6 +3,7 @@ using System.Text.Json;
 using System.Xml.Linq;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -15,7 +16,7 @@ public sealed class SurfaceReportTests
     [Fact]
     public void Compensation_has_what_scripts_read()
     {
-        using var json = JsonDocument.Parse(CompensationReportJson.Write(Report));
+        using var json = JsonDocument.Parse(CompensationDocument.Of(Report).Write());
         var root = json.RootElement;
 
         Assert.Equal("errormatch/surface-compensate/1", root.GetProperty("schema").GetString());
@@ -36,9 +37,13 @@ public sealed class SurfaceReportTests
     }
 
     [Fact]
+    public void A_compensation_is_read_as_it_was_written() =>
+        DocumentCheck.IsReadAndWritten(CompensationDocument.Of(Report).Write(), StoredSurfaceTests.Again);
+
+    [Fact]
     public void A_map_has_the_field_and_what_either_way_leaves_of_it()
     {
-        using var json = JsonDocument.Parse(CompensationReportJson.Write(Report));
+        using var json = JsonDocument.Parse(CompensationDocument.Of(Report).Write());
         var (map, result) = (json.RootElement.GetProperty("map"), Report.Result);
         var (countU, countV) = (map.GetProperty("countU").GetInt32(), map.GetProperty("countV").GetInt32());
         double[] Values(string name) => [.. map.GetProperty(name).EnumerateArray().Select(v => v.GetDouble())];
@@ -65,7 +70,7 @@ public sealed class SurfaceReportTests
     [Fact]
     public void Points_have_what_either_way_is_expected_to_leave()
     {
-        using var json = JsonDocument.Parse(CompensationReportJson.Write(Report));
+        using var json = JsonDocument.Parse(CompensationDocument.Of(Report).Write());
         var point = json.RootElement.GetProperty("points")[3];
         Assert.Equal(1000 * Report.Result.Mirror.Errors[3], point.GetProperty("mirrorUm").GetDouble(), 6);
         Assert.Equal(1000 * Report.Result.ToolRadius.Errors[3], point.GetProperty("toolRadiusUm").GetDouble(), 6);
@@ -144,7 +149,7 @@ public sealed class SurfaceReportTests
         var piece = new MeasuredDesign(PaperDesign.Two, "\"curves\": 7, \"pointsPerCurve\": 10", "\"curves\": 2, \"pointsPerCurve\": 2");
         var report = Report with { Result = piece.Compensate(piece.With((u, v) => 0.01 + (0.02 * u))).Result! };
         Assert.Equal(4, report.Result.Samples.Count);
-        using var json = JsonDocument.Parse(CompensationReportJson.Write(report));
+        using var json = JsonDocument.Parse(CompensationDocument.Of(report).Write());
         Assert.Equal(JsonValueKind.Null, json.RootElement.GetProperty("compensation").GetProperty("leaveLineOutUm").ValueKind);
         Assert.DoesNotContain("NaN", Encoding.UTF8.GetString(CompensationReportHtml.Write(report)), StringComparison.Ordinal);
     }

@@ -55,14 +55,14 @@ public sealed class SetupFilesTests
         var console = MatingRun.Of(
             new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(
-            KeptReport.Read(console.ReportJson())!.Points.Select(p => p.Correction),
-            seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
+            StoredReport.Read(console.ReportJson()).Match!.KeyPoints.Select(p => p.Correction),
+            seat.System.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // By how much it moves at most, and where, is its own; it has no course, and its program can be looked at.
         var move = Cell.LargestMove.Of(console);
         Assert.InRange(move.Mm, console.Report.KeyPoints.Max(p => p.Correction.Length), double.MaxValue);
-        Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(move.Mm), KeptMove.PlaceOf(move.At)), seat.TextOf("detail-largest"));
+        Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(move.Mm), StoredMove.PlaceOf(move.At)), seat.TextOf("detail-largest"));
         Assert.Null(seat.Seat.Find("tab-course"));
         seat.Seat.Tap("tab-program").See("program");
         Assert.Equal(

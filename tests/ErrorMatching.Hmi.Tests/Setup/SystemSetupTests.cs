@@ -222,10 +222,10 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.Null(seat.Seat.Find("tab-course"));
-        var place = KeptMove.PlaceOf(seat.Seat.Station.Store.StepsOf(1))!;
+        var place = StoredMove.PlaceOf(seat.Seat.Station.Store.StepsOf(1))!;
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(computed.LargestMm), place), seat.TextOf("detail-largest"));
-        var kept = KeptReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!))!;
-        Assert.Equal(kept.Points.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.Points.Select(p => p.Correction));
+        var kept = StoredReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!)).Match!;
+        Assert.Equal(kept.KeyPoints.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
         Assert.Equal(
             Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Kept.Lines!.Select(l => l.Modified));
         seat.Seat.Tap("dry-run-back").Tap("side-machine").Type("edit-compensation.gain", "0.5");
@@ -233,7 +233,7 @@ public sealed class SystemSetupTests
         seat.Seat.Tap("dry-run");
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.All(
-            kept.Points.Zip(seat.System.Detail!.Kept.Report!.Points),
+            kept.KeyPoints.Zip(seat.System.Detail!.Kept.Report!.KeyPoints),
             p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(0.5 * computed.LargestMm), place), seat.TextOf("detail-largest"));
         Assert.Equal(entries, seat.Seat.Station.Store.AuditHead().Seq);

@@ -54,7 +54,7 @@ public sealed class MatchReportTests
         OriginCheck = new("O", 0.005, 0.01),
         Compensation = new(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4),
         Uncertainty = new([new("probing", 0.003), new("clamping", 0.004)]),
-        Chain = new([new("a", 10, new(-0.03, 0.03), 1)]),
+        Chain = ReportChain.Of(new([new("a", 10, new(-0.03, 0.03), 1)])),
         Features = [
             Curve,
             Curve with { Name = "L1", Kind = LineKind.Instance, Decision = Decision.WithinTolerance, Curve = null, StandsOutMm = null },
@@ -299,11 +299,11 @@ public sealed class MatchReportTests
                 new("C1", VerifiedQuantity.DeviationX, 0, 0, 0),
                 new("A", VerifiedQuantity.Angle, 1, 2, 1),
                 VerifiedFeature.DeviationOf("B", [point])]);
-        var json = JsonDocument.Parse(VerifyReportJson.Write(
-            new(Report.Job, Report.Inputs, result, ["w"])
-            {
-                Boundaries = [new("C1", new(-0.05, 0.02), [("6", new(1, 1.5))], [new(0, 0), new(2, 1)])]
-            })).RootElement;
+        var verified = result with
+        {
+            Boundaries = [new("C1", new(-0.05, 0.02), [("6", new(1, 1.5))], [new(0, 0), new(2, 1)])]
+        };
+        var json = JsonDocument.Parse(VerifyReportJson.Write(new(Report.Job, Report.Inputs, verified, ["w"]))).RootElement;
 
         Assert.Equal("errormatch/verify/1|job.json|part", Text(json, "schema", "job.file", "inputs.0.role"));
         Assert.Equal(

@@ -72,7 +72,7 @@ public sealed class VerifyRunTests
     [Fact]
     public void A_boundary_has_its_points_and_limits_and_what_the_program_cuts()
     {
-        var boundary = Report(new MatchCase(Programs.ToolBelow), "1 10 0; 2 40 0", "1 10 0.09; 2 40 0.09").Boundaries.Single();
+        var boundary = Report(new MatchCase(Programs.ToolBelow), "1 10 0; 2 40 0", "1 10 0.09; 2 40 0.09").Result.Boundaries.Single();
 
         Assert.Equal([("1", 10.0, 0.0), ("2", 40.0, 0.0)], boundary.Points.Select(p => (p.Label, p.Theoretical.X, p.Theoretical.Y)));
         Assert.All(boundary.Outline, p => Assert.Equal(0, p.Y, 9));

@@ -71,7 +71,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         WriteNext(page);
     }
 
-    private string Summary => _report.Program.ChangedBlocks == 0
+    private string Summary => _report.IsUnchanged
         ? "nothing to compensate, the program stays as it is"
         : string.Create(
             CultureInfo.InvariantCulture,

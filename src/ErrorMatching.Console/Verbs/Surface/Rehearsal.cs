@@ -52,7 +52,7 @@ internal static class Rehearsal
         var none = new ReportInput("", "", new('0', 64));
         var report = new CompensationReport(new("", null, "", none.Sha256), [none], result, path, none, null);
         _ = (
-            CompensationReportJson.Write(report),
+            CompensationDocument.Of(report).Write(),
             StepWriter.Write(result.Surface),
             IgesWriter.Write(result.Surface),
             CompensationCsv.Write(result));

@@ -61,16 +61,9 @@ internal sealed class HeatMap
     public void Write(HtmlText html, string id, string title, Func<double, double, double>? fieldUm, IReadOnlyList<PlottedPoint> points)
     {
         var height = Top + _height + 40;
-        using (html.In(
-            "svg",
-            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(height)}"),
-            ("role", "img"),
-            ("aria-labelledby", $"{id}-t {id}-d"),
-            ("class", "plot")))
+        using (SvgShapes.Drawing(html, id, "plot", (Width, height), title, Describe(points)))
         {
-            html.Put("title", title, ("id", id + "-t"));
-            html.Put("desc", Describe(points), ("id", id + "-d"));
-            Text(html, "drawing-title", Left, 18, "start", title + ", µm");
+            SvgShapes.Text(html, "drawing-title", Left, 18, "start", title + ", µm");
             if (fieldUm is not null)
             {
                 WriteCells(html, fieldUm);
@@ -78,7 +71,7 @@ internal sealed class HeatMap
 
             WritePoints(html, points);
             WriteLegend(html);
-            Text(
+            SvgShapes.Text(
                 html,
                 "axis-label",
                 Left,
@@ -127,14 +120,11 @@ internal sealed class HeatMap
         foreach (var (label, at, value) in points)
         {
             var (x, y) = Place(at);
-            using (html.In("circle", ("class", "key-point"), ("cx", SvgNumber.Of(x)), ("cy", SvgNumber.Of(y)), ("r", "3")))
-            {
-                html.Put("title", $"Point {label}: {Micrometres.Signed(value)} µm");
-            }
-
+            SvgShapes.Circle(html, "key-point", x, y, 3, $"Point {label}: {Micrometres.Signed(value)} µm");
             if (points.Count <= MostLabels)
             {
-                Text(html, "tick", x, y - 6, x < Left + 20 ? "start" : x > Right - 20 ? "end" : "middle", Micrometres.Signed(value));
+                var anchor = x < Left + 20 ? "start" : x > Right - 20 ? "end" : "middle";
+                SvgShapes.Text(html, "tick", x, y - 6, anchor, Micrometres.Signed(value));
             }
         }
     }
@@ -158,7 +148,7 @@ internal sealed class HeatMap
         {
             var value = _limitUm * k / 2;
             var y = Top + _height - ((DivergingColors.IndexOf(value, _limitUm) - first + 0.5) * step);
-            Text(
+            SvgShapes.Text(
                 html,
                 "tick",
                 LegendLeft + LegendWidth + 6,
@@ -199,7 +189,4 @@ internal sealed class HeatMap
     private static int CornerNumber(int i, int j) => (i * (CellsV + 1)) + j;
 
     private (double X, double Y) Place(Point3 p) => (Left + ((p.X - _minX) * _scale), Top + ((_maxY - p.Y) * _scale));
-
-    private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
-        html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));
 }

@@ -263,7 +263,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     // The decision applies to what is shown. Keep it selected, so that the user sees the outcome.
-    private void Sign(Func<KeptCorrection, SigningViewModel> signing)
+    private void Sign(Func<StoredCorrection, SigningViewModel> signing)
     {
         var kept = Detail!.Kept;
         _choice.Look(kept.Correction.Id);
@@ -332,7 +332,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             {
                 var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
                     ? known
-                    : KeptCorrection.Read(Station.Store, correction);
+                    : StoredCorrection.Read(Station.Store, correction);
                 read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });

@@ -8,10 +8,10 @@ namespace ErrorMatching.Hmi;
 public sealed class CorrectionDetail
 {
     private readonly TimeProvider _clock;
-    private readonly KeptPiece? _piece;
+    private readonly StoredPiece? _piece;
 
     /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
-    public CorrectionDetail(KeptCorrection kept, TimeProvider clock)
+    public CorrectionDetail(StoredCorrection kept, TimeProvider clock)
     {
         Kept = kept ?? throw new ArgumentNullException(nameof(kept));
         _clock = clock;
@@ -23,15 +23,15 @@ public sealed class CorrectionDetail
                 Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), BasisOf(s)))];
         if (report is not null)
         {
-            _piece = KeptPiece.Predicted(kept.Correction, report);
-            Points = [.. report.Points.Zip(_piece.Result.Points, Row)];
+            _piece = StoredPiece.Predicted(kept.Correction, report);
+            Points = [.. report.KeyPoints.Zip(_piece.Result.Points, Row)];
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
         }
 
         Surface = kept.Surface is { } surface ? new(surface) : null;
     }
 
-    public KeptCorrection Kept { get; }
+    public StoredCorrection Kept { get; }
 
     /// <summary>The language of its texts.</summary>
     public Language Language { get; } = Texts.Current.Language;
@@ -64,7 +64,7 @@ public sealed class CorrectionDetail
         " · ",
         new[]
         {
-            Kept.Correction.WorkOrder ?? Kept.Report?.WorkOrder,
+            Kept.Correction.WorkOrder ?? Kept.Report?.Job.WorkOrder,
             Kept.Correction.Gauge,
             Kept.Correction.FileName,
             Shown.Time(Kept.Correction.ArrivedAt, _clock)
@@ -74,7 +74,7 @@ public sealed class CorrectionDetail
     public string? Largest =>
         Kept.Correction.LargestMm is not > 0
             ? null
-            : (Kept.TriedAt is { } at ? KeptMove.PlaceOf(at) : KeptMove.PlaceOf(Kept.Steps)) is { } place
+            : (Kept.TriedAt is { } at ? StoredMove.PlaceOf(at) : StoredMove.PlaceOf(Kept.Steps)) is { } place
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
 
@@ -88,7 +88,7 @@ public sealed class CorrectionDetail
                 return null;
             }
 
-            var worst = _piece.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!;
+            var worst = _piece.Result.WorstAfter;
             var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
             var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
             return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
@@ -173,10 +173,11 @@ public sealed class CorrectionDetail
         Shown.Mm(proof.MaxDeviationFromWantedMm));
 
     /// <summary>How much of the program differs.</summary>
-    public string Changed => Kept.Report is not { } report ? "" : Texts.Current.With("Detail.Changed", Shown.Count(report.ChangedBlocks));
+    public string Changed =>
+        Kept.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
 
     /// <summary>What the user should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(w => w.Text) ?? Surface?.Warnings ?? []];
+    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(WarningText.Of) ?? Surface?.Warnings ?? []];
 
     public bool HasWarnings => Warnings.Count > 0;
 
@@ -204,7 +205,7 @@ public sealed class CorrectionDetail
     }
 
     // The errors are the piece's, as in the verification: both screens use one convention.
-    private PointRow Row(KeptPoint p, VerifiedPoint errors) => new(
+    private PointRow Row(ReportKeyPoint p, VerifiedPoint errors) => new(
         p.Point,
         p.Feature,
         Shown.Mm(p.Theoretical.X),
@@ -215,38 +216,38 @@ public sealed class CorrectionDetail
         Shown.SignedMm(p.Correction.Y),
         Shown.SignedMm(errors.BeforeError.NormalMm),
         Shown.SignedMm(errors.AfterError.NormalMm),
-        _piece!.IsOutside(p.Point, errors.AfterError.NormalMm));
+        _piece!.Result.IsOutside(p.Point, errors.AfterError.NormalMm));
 
-    private static QuantityRow Row(KeptFeature feature, KeptQuantity q)
+    private static QuantityRow Row(ReportFeature feature, ReportQuantity q)
     {
-        Func<double?, string> number = q.IsAngle ? Shown.Degrees : Shown.Mm;
+        Func<double?, string> number = q.Quantity.IsAngle ? Shown.Degrees : Shown.Mm;
         return new(
             feature.Name,
-            Texts.Current.Or("Quantity." + q.Name, q.Name),
-            number(q.Theoretical),
-            number(q.Actual),
+            Texts.Current.Or("Quantity." + q.Quantity.Name, q.Quantity.Name),
+            number(q.Quantity.Theoretical),
+            number(q.Quantity.Actual),
             number(q.Corrected),
-            q.IsAngle ? "°" : "mm");
+            q.Quantity.IsAngle ? "°" : "mm");
     }
 
-    private static DecisionRow Row(KeptReport report, KeptFeature feature)
+    private static DecisionRow Row(MatchReport report, ReportFeature feature)
     {
         var texts = Texts.Current;
-        var outside = report.Points.Where(p => p.Feature == feature.Name && p.ExcessMm != 0)
-            .OrderByDescending(p => Math.Abs(p.ExcessMm))
-            .ToArray();
+        var outside = report.BeyondTolerance(feature);
         var beyond = outside is [var worst, ..]
-            ? texts.With("Decision.Beyond", outside.Length, worst.Point, Shown.Mm(Math.Abs(worst.ExcessMm)))
+            ? texts.With("Decision.Beyond", outside.Count, worst.Point, Shown.Mm(Math.Abs(worst.ExcessMm)))
             : texts["Decision.Outside"];
         var reason = feature.Decision switch
         {
-            "within-tolerance" => texts.With("Decision.Within", Shown.SignedMm(feature.LowerMm), Shown.SignedMm(feature.UpperMm)),
-            "not-significant" => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),
-            _ => texts.With(report.FollowsWhole ? "Decision.FollowsWhole" : "Decision.FollowsExcess", beyond),
+            Decision.WithinTolerance => texts.With(
+                "Decision.Within", Shown.SignedMm(feature.Tolerance.Band.LowerMm), Shown.SignedMm(feature.Tolerance.Band.UpperMm)),
+            Decision.NotSignificant => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),
+            _ => texts.With(
+                report.Compensation.Amount == CompensationAmount.Whole ? "Decision.FollowsWhole" : "Decision.FollowsExcess", beyond),
         };
         return new(
-            $"{feature.Name} · {texts["Kind." + feature.Kind]}",
-            texts["Decided." + feature.Decision],
+            $"{feature.Name} · {texts["Kind." + feature.Kind.Word]}",
+            texts["Decided." + ReportWords.Of(feature.Decision)],
             reason,
             Shown.SignedMm(feature.LargestMm));
     }

@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
-    private readonly Dictionary<string, KeptSurface?> _read = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, StoredSurface?> _read = new(StringComparer.Ordinal);
     private readonly ShellViewModel _shell;
     private SurfaceJobChoice? _job;
     private SurfaceRow? _chosen;
@@ -118,8 +118,8 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 
     private async Task LoadAsync(CellJobSettings job, int load)
     {
-        IReadOnlyList<(Correction Correction, KeptSurface Surface)> measured = [];
-        (KeptCorrection Kept, SurfaceDetail Detail)? read = null;
+        IReadOnlyList<(Correction Correction, StoredSurface Surface)> measured = [];
+        (StoredCorrection Kept, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
         var (looked, shown, isPlanned) = (_looked, _shown, _isPlanned);
@@ -132,7 +132,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             {
                 if ((correction.Id, correction.Version) != shown)
                 {
-                    var kept = KeptCorrection.Read(Station.Store, correction);
+                    var kept = StoredCorrection.Read(Station.Store, correction);
                     read = (kept, new(kept, Station.Clock));
                 }
             }
@@ -180,14 +180,14 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Say(nameof(IsEmpty));
     }
 
-    private List<(Correction Correction, KeptSurface Surface)> Measured(CellJobSettings job)
+    private List<(Correction Correction, StoredSurface Surface)> Measured(CellJobSettings job)
     {
-        var measured = new List<(Correction, KeptSurface)>();
+        var measured = new List<(Correction, StoredSurface)>();
         foreach (var correction in Station.Store.Reported([job.Name], Most))
         {
             if (!_read.TryGetValue(correction.ReportSha256!, out var surface))
             {
-                _read[correction.ReportSha256!] = surface = KeptSurface.Read(Station.Store.Content(correction.ReportSha256!));
+                _read[correction.ReportSha256!] = surface = StoredReport.Read(Station.Store.Content(correction.ReportSha256!)).Surface;
             }
 
             if (surface is not null)
@@ -212,12 +212,12 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    private static SurfaceRow Row(Correction c, KeptSurface surface) =>
+    private static SurfaceRow Row(Correction c, StoredSurface surface) =>
         new(
             c.Id,
             CorrectionLabel.Of(c),
             surface.JobName,
             Texts.Current.Word(c.State),
-            Shown.Micrometers(surface.Before.ProfileIsoMm) + " µm",
+            Shown.Micrometers(surface.Findings.Before.ProfileIsoMm) + " µm",
             CorrectionLabel.SeverityOf(c.State));
 }

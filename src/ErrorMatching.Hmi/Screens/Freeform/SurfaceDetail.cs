@@ -3,13 +3,13 @@ namespace ErrorMatching.Hmi;
 /// <summary>All details of one measured surface.</summary>
 public sealed class SurfaceDetail
 {
-    private readonly KeptCorrection _kept;
+    private readonly StoredCorrection _kept;
     private readonly TimeProvider _clock;
 
     /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
     /// <param name="kept">The stored correction, with the report of a surface.</param>
     /// <param name="clock">Gives the time zone.</param>
-    public SurfaceDetail(KeptCorrection kept, TimeProvider clock)
+    public SurfaceDetail(StoredCorrection kept, TimeProvider clock)
     {
         (_kept, _clock) = (kept ?? throw new ArgumentNullException(nameof(kept)), clock);
         Figures = new(kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)));

@@ -7,28 +7,31 @@ namespace ErrorMatching.Hmi;
 /// <summary>A stored surface report, formatted for display, with its drawings.</summary>
 public sealed class SurfaceFigures
 {
-    private readonly KeptSurface _kept;
+    private readonly StoredSurface _stored;
+    private readonly SurfaceFindings _findings;
 
     /// <summary>Formats the report.</summary>
-    public SurfaceFigures(KeptSurface kept)
+    public SurfaceFigures(StoredSurface stored)
     {
-        _kept = kept ?? throw new ArgumentNullException(nameof(kept));
-        LimitMm = Rounded(kept.Points.Select(p => Math.Abs(p.ErrorMm)).Concat(kept.Map.BeforeMm.Select(Math.Abs)).DefaultIfEmpty().Max());
-        Measured = Map(kept.Map.BeforeMm, p => p.ErrorMm, "Freeform.AtMeasured");
-        Mirror = Map(kept.Map.MirrorMm, p => p.MirrorMm, "Freeform.AtMirror");
-        ToolRadius = Map(kept.Map.ToolRadiusMm, p => p.ToolRadiusMm, "Freeform.AtToolRadius");
+        _stored = stored ?? throw new ArgumentNullException(nameof(stored));
+        _findings = stored.Findings;
+        var map = _findings.Map;
+        LimitMm = Rounded(_findings.Samples.Select(s => Math.Abs(s.ErrorMm)).Concat(map.BeforeMm.Select(Math.Abs)).DefaultIfEmpty().Max());
+        Measured = Map(map.BeforeMm, [.. _findings.Samples.Select(s => s.ErrorMm)], "Freeform.AtMeasured");
+        Mirror = Map(map.MirrorMm, _findings.Mirror.Errors, "Freeform.AtMirror");
+        ToolRadius = Map(map.ToolRadiusMm, _findings.ToolRadius.Errors, "Freeform.AtToolRadius");
         Plan = new(
-            kept.Map.Net,
+            map.Net,
             null,
             LimitMm,
-            [.. kept.Points.Select(p => (Shown.Id(p.Number), Above(p.Nominal), PlanText(p.Number, p.Nominal)))],
+            [.. _findings.Samples.Select(s => (Shown.Id(s.Point), Above(s.Nominal), PlanText(s.Point, s.Nominal)))],
             ShowsWay: true);
         Errors = ErrorsOf();
         Statistics =
         [
-            Row("Freeform.Measured", kept.Before, isChosen: false),
-            Row("Freeform.ExpectedMirror", kept.Mirror, kept.IsMirror),
-            Row("Freeform.ExpectedToolRadius", kept.ToolRadius, !kept.IsMirror),
+            Row("Freeform.Measured", _findings.Before, isChosen: false),
+            Row("Freeform.ExpectedMirror", _findings.Mirror.Statistics, _findings.IsMirror),
+            Row("Freeform.ExpectedToolRadius", _findings.ToolRadius.Statistics, !_findings.IsMirror),
         ];
     }
 
@@ -45,13 +48,13 @@ public sealed class SurfaceFigures
     public SurfaceDrawing ToolRadius { get; }
 
     /// <summary>Error expected to remain after the chosen compensation.</summary>
-    public SurfaceDrawing Expected => _kept.IsMirror ? Mirror : ToolRadius;
+    public SurfaceDrawing Expected => _findings.IsMirror ? Mirror : ToolRadius;
 
     /// <summary>Where it was probed, and in which order.</summary>
     public SurfaceDrawing Plan { get; }
 
     /// <summary>Number of points of the plan.</summary>
-    public string PlanCaption => Texts.Current.With("Freeform.PlanMeasured", Shown.Count(_kept.Points.Count));
+    public string PlanCaption => Texts.Current.With("Freeform.PlanMeasured", Shown.Count(_findings.Samples.Count));
 
     /// <summary>The error at each point, measured and expected.</summary>
     public SeriesDrawing Errors { get; }
@@ -62,42 +65,47 @@ public sealed class SurfaceFigures
     /// <summary>Standard deviation and profile, before and expected.</summary>
     public string Summary => Texts.Current.With(
         "Freeform.Summary",
-        Shown.Micrometers(_kept.Before.StandardDeviationMm),
-        Shown.Micrometers(_kept.Expected.StandardDeviationMm),
-        Shown.Micrometers(_kept.Before.ProfileIsoMm),
-        Shown.Micrometers(_kept.Expected.ProfileIsoMm));
+        Shown.Micrometers(_findings.Before.StandardDeviationMm),
+        Shown.Micrometers(_findings.Predicted.Statistics.StandardDeviationMm),
+        Shown.Micrometers(_findings.Before.ProfileIsoMm),
+        Shown.Micrometers(_findings.Predicted.Statistics.ProfileIsoMm));
 
     /// <summary>How and by how much it is compensated, and after which stage it was measured.</summary>
     public string How => Texts.Current.With(
-        _kept.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius",
-        Shown.Mm(_kept.LargestMoveMm),
-        Shown.Number(_kept.Gain),
-        Texts.Current[_kept.IsFinished ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
+        _findings.IsMirror ? "Freeform.HowMirror" : "Freeform.HowToolRadius",
+        Shown.Mm(_findings.LargestMoveMm),
+        Shown.Number(_findings.Gain),
+        Texts.Current[_findings.Stage == CuttingStage.Finishing ? "Freeform.Finishing" : "Freeform.SemiFinishing"]);
 
     /// <summary>How reliable the expected error is.</summary>
     public string Trust => Texts.Current.With(
         "Freeform.Trust",
-        Shown.Micrometers(_kept.PointUncertaintyMm),
+        Shown.Micrometers(_findings.Mirror.PointUncertaintyMm),
         Texts.Current[
-            _kept.IsSystematic switch { true => "Freeform.Systematic", false => "Freeform.Noise", null => "Freeform.Undetermined" }]);
+            _findings.Structure.Verdict switch
+            {
+                SpatialVerdict.Systematic => "Freeform.Systematic",
+                SpatialVerdict.Noise => "Freeform.Noise",
+                _ => "Freeform.Undetermined",
+            }]);
 
     /// <summary>Caption of the map for mirroring.</summary>
-    public string MirrorCaption => Caption("Freeform.ExpectedMirror", _kept.Mirror, _kept.IsMirror);
+    public string MirrorCaption => Caption("Freeform.ExpectedMirror", _findings.Mirror.Statistics, _findings.IsMirror);
 
     /// <summary>Caption of the map for a modified tool radius.</summary>
-    public string ToolRadiusCaption => Caption("Freeform.ExpectedToolRadius", _kept.ToolRadius, !_kept.IsMirror);
+    public string ToolRadiusCaption => Caption("Freeform.ExpectedToolRadius", _findings.ToolRadius.Statistics, !_findings.IsMirror);
 
     /// <summary>Name of the chosen way of compensation.</summary>
-    public string ExpectedName => Texts.Current[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"];
+    public string ExpectedName => Texts.Current[_findings.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"];
 
     /// <summary>Caption of the map of the measured error.</summary>
-    public string MeasuredCaption => Caption("Freeform.Measured", _kept.Before, isChosen: false);
+    public string MeasuredCaption => Caption("Freeform.Measured", _findings.Before, isChosen: false);
 
     /// <summary>Caption of the map of the expected error.</summary>
-    public string ExpectedCaption => _kept.IsMirror ? MirrorCaption : ToolRadiusCaption;
+    public string ExpectedCaption => _findings.IsMirror ? MirrorCaption : ToolRadiusCaption;
 
     /// <summary>What was proved about the program, in one or two sentences.</summary>
-    public string Proof => (_kept.Proof, _kept.ToolPath) switch
+    public string Proof => (_stored.Proof, _stored.ToolPath) switch
     {
         ({ } proof, _) => Texts.Current.With(
             proof.Holds ? "Head.Proved" : "Head.NotProved",
@@ -120,10 +128,12 @@ public sealed class SurfaceFigures
 
     /// <summary>A failed proof is an alarm; material left over needs attention.</summary>
     public Severity ProofSeverity =>
-        _kept.Proof is { Holds: false } ? Severity.Alarm : _kept.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention : Severity.Quiet;
+        _stored.Proof is { Holds: false } ? Severity.Alarm
+        : _stored.ToolPath is { RaisedPoints: > 0 } ? Severity.Attention
+        : Severity.Quiet;
 
     /// <summary>What the user should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => _kept.Warnings;
+    public IReadOnlyList<string> Warnings => _stored.Warnings;
 
     public bool HasWarnings => Warnings.Count > 0;
 
@@ -142,33 +152,31 @@ public sealed class SurfaceFigures
         return Math.Ceiling(limit / step) * step;
     }
 
-    private SurfaceDrawing Map(IReadOnlyList<double> valuesMm, Func<KeptSurfacePoint, double> valueMm, string text) => new(
-        _kept.Map.Net,
+    private SurfaceDrawing Map(IReadOnlyList<double> valuesMm, IReadOnlyList<double> atPointsMm, string text) => new(
+        _findings.Map.Net,
         valuesMm,
         LimitMm,
         [
-            .. _kept.Points.Select(
-                p => (
-                    Shown.ShortMicrometers(valueMm(p)),
-                    Above(p.Nominal),
-                    Texts.Current.With(text, Shown.Id(p.Number), Shown.SignedMicrometers(valueMm(p)))))],
+            .. _findings.Samples.Zip(atPointsMm, (s, mm) => (
+                Shown.ShortMicrometers(mm),
+                Above(s.Nominal),
+                Texts.Current.With(text, Shown.Id(s.Point), Shown.SignedMicrometers(mm))))],
         ShowsWay: false);
 
     private SeriesDrawing ErrorsOf()
     {
-        var texts = Texts.Current;
-        Func<KeptSurfacePoint, double> expected = _kept.IsMirror ? p => p.MirrorMm : p => p.ToolRadiusMm;
+        var (texts, samples, expected) = (Texts.Current, _findings.Samples, _findings.Predicted.Errors);
         return new(
-            [.. _kept.Points.Select(p => Shown.Id(p.Number))],
+            [.. samples.Select(s => Shown.Id(s.Point))],
             [
-                .. _kept.Points.Select(p => texts.With(
-                    "Freeform.AtError", Shown.Id(p.Number), Shown.SignedMicrometers(p.ErrorMm), Shown.SignedMicrometers(expected(p))))],
+                .. samples.Zip(expected, (s, mm) => texts.With(
+                    "Freeform.AtError", Shown.Id(s.Point), Shown.SignedMicrometers(s.ErrorMm), Shown.SignedMicrometers(mm)))],
             [
-                new(SeriesKind.Before, texts["Freeform.Measured"], [.. _kept.Points.Select(p => (double?)(1000 * p.ErrorMm))]),
+                new(SeriesKind.Before, texts["Freeform.Measured"], [.. samples.Select(s => (double?)(1000 * s.ErrorMm))]),
                 new(
                     SeriesKind.After,
-                    texts[_kept.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"],
-                    [.. _kept.Points.Select(p => (double?)(1000 * expected(p)))]),
+                    texts[_findings.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"],
+                    [.. expected.Select(mm => (double?)(1000 * mm))]),
             ],
             [],
             [],

@@ -16,9 +16,9 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private string _program = "";
     private string _userName = "";
     private StateChoice _state;
-    private readonly KeptPieces _kept = new();
+    private readonly StoredPieces _kept = new();
     private CorrectionDetail? _detail;
-    private KeptPiece? _measured;
+    private StoredPiece? _measured;
     private string _folder;
     private string? _exported;
     private bool _isKnown;
@@ -321,14 +321,14 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private async Task OpenAsync(long id)
     {
         CorrectionDetail? read = null;
-        KeptPiece? measured = null;
+        StoredPiece? measured = null;
         if (await TryAsync(() =>
         {
             var correction = new CorrectionDecisions(Station.Store).Demand(id);
-            read = new(KeptCorrection.Read(Station.Store, correction), Station.Clock);
+            read = new(StoredCorrection.Read(Station.Store, correction), Station.Clock);
             measured = MatingChoice.Of(Station.Settings).FirstOrDefault(m => m.Jobs.Contains(
                 correction.Job, StringComparer.Ordinal)) is { } mating
-                ? _kept.Read(Station.Store, mating.Jobs, KeptPieces.Most).FirstOrDefault(
+                ? _kept.Read(Station.Store, mating.Jobs, StoredPieces.Most).FirstOrDefault(
                     p => p.IsMeasured && (p.Correction.Id == id || p.LastId == id))
                 : null;
         }))

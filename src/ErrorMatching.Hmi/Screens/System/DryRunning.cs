@@ -44,8 +44,8 @@ internal sealed class DryRunning
     /// <summary>Warning that the dry run probably used a drawing: every point is exactly as designed, which no measurement is. Null
     /// otherwise.</summary>
     public string? Doubt =>
-        Detail?.Kept is { Report: { Points.Count: > 0 } report, Correction.FileName: var file }
-            && report.Points.All(p => p.Actual == p.Theoretical)
+        Detail?.Kept is { Report: { KeyPoints.Count: > 0 } report, Correction.FileName: var file }
+            && report.KeyPoints.All(p => p.Actual == p.Theoretical)
             ? Texts.Current.With("System.DryRunDrawing", file)
             : null;
 
@@ -127,7 +127,7 @@ internal sealed class DryRunning
             Counterpart = isOfPart ? null : measurement,
             Gain = (job.Policy ?? Station.Settings.Policy).Gain
         };
-        KeptCorrection? kept = null;
+        StoredCorrection? kept = null;
         Func<string>? refusal = null;
         await _screen.TryAsync(() =>
         {
@@ -153,14 +153,15 @@ internal sealed class DryRunning
         _screen.Show();
     }
 
-    private static KeptCorrection Kept(Correction correction, MatchedProgram matched)
+    private static StoredCorrection Kept(Correction correction, MatchedProgram matched)
     {
-        var report = KeptReport.Read(matched.ReportJson())!;
+        // Rounded as a stored report is, so that the figures can be compared with those.
+        var report = StoredReport.Read(matched.ReportJson()).Match!;
 
         // The stored result was computed with the previous job; show the figures of the dry run.
         var move = LargestMove.Of(matched);
         var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
-        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Blocks, report.Proof.Marker))
+        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Program.Blocks, report.Proof.Marker))
         {
             TriedAt = move.At
         };

@@ -9,7 +9,7 @@ public sealed class PieceDetail : Observable
     // Enough points to show where to look; the error and point tabs list all of them.
     private const int MostMissed = 6;
 
-    private readonly KeptPiece _piece;
+    private readonly StoredPiece _piece;
     private string? _next;
     private bool _isCut;
     private readonly IReadOnlyDictionary<string, string> _features;
@@ -17,10 +17,10 @@ public sealed class PieceDetail : Observable
     /// <summary>Formats the details.</summary>
     /// <param name="piece">The piece.</param>
     /// <param name="series">The last pieces of its job, in order of arrival.</param>
-    public PieceDetail(KeptPiece piece, IReadOnlyList<KeptPiece> series)
+    public PieceDetail(StoredPiece piece, IReadOnlyList<StoredPiece> series)
     {
         _piece = piece ?? throw new ArgumentNullException(nameof(piece));
-        _features = piece.Boundaries.SelectMany(b => b.Points.Select(p => (p.Label, b.Name))).ToDictionary(
+        _features = piece.Result.Boundaries.SelectMany(b => b.Points.Select(p => (p.Label, b.Name))).ToDictionary(
             p => p.Label, p => p.Name, StringComparer.Ordinal);
         Features = [.. piece.Result.Features.Select(Row)];
         Points = [.. piece.Result.Points.Select(Row)];
@@ -43,7 +43,7 @@ public sealed class PieceDetail : Observable
             ? Texts.Current.With("Verify.Measured", CorrectionLabel.Of(counterpart))
             : Texts.Current["Verify.Predicted"],
         _piece.Before is { } before
-            ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", before.Name)
+            ? Texts.Current.With(_piece.IsMeasured ? "Verify.BeforeMeasured" : "Verify.BeforeOwn", Path.GetFileName(before.File))
             : Texts.Current["Verify.BeforeDesigned"]);
 
     /// <summary>The improvement, in a sentence with numbers.</summary>
@@ -167,20 +167,18 @@ public sealed class PieceDetail : Observable
     }
 
     /// <summary>Measured or predicted, in a word.</summary>
-    internal static string KindOf(KeptPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
+    internal static string KindOf(StoredPiece piece) => Texts.Current[piece.IsMeasured ? "Verify.KindMeasured" : "Verify.KindPredicted"];
 
     /// <summary>Whether all errors of a piece are within their limits, and which are not.</summary>
-    internal static string VerdictOf(KeptPiece piece) =>
+    internal static string VerdictOf(StoredPiece piece) =>
         piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
         Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)),
         piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "");
 
-    internal static Severity SeverityOf(KeptPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
+    internal static Severity SeverityOf(StoredPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
 
     // No program can meet its deviation, but other limits or another point may help: the correction warned of it.
-    private bool IsOnCorner(string point) =>
-        _piece.Match?.Warnings.Any(
-            w => w.Code == WarningForms.PointOnCorner.Name && w.Values is [var corner, ..] && corner == point) == true;
+    private bool IsOnCorner(string point) => _piece.Match?.OnCorners.Contains(point, StringComparer.Ordinal) == true;
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
@@ -188,12 +186,12 @@ public sealed class PieceDetail : Observable
 
     private SeriesDrawing ErrorsOf()
     {
-        var (texts, points) = (Texts.Current, _piece.Result.Points);
+        var (texts, result, points) = (Texts.Current, _piece.Result, _piece.Result.Points);
         var (bands, beginnings) = (new List<SeriesBand>(), new HashSet<int>());
         for (var (i, first) = (0, 0); i < points.Count; i++)
         {
-            var band = _piece.BandOf(points[i].Label);
-            if (i + 1 == points.Count || _piece.BoundaryOf(points[i + 1].Label)?.Name != _piece.BoundaryOf(points[i].Label)?.Name)
+            var band = result.BandOf(points[i].Label);
+            if (i + 1 == points.Count || result.BoundaryOf(points[i + 1].Label)?.Name != result.BoundaryOf(points[i].Label)?.Name)
             {
                 bands.AddRange(band is { } limits ? [new SeriesBand(first, i, limits.LowerMm, limits.UpperMm)] : Array.Empty<SeriesBand>());
                 beginnings.Add(first = i + 1);
@@ -220,10 +218,12 @@ public sealed class PieceDetail : Observable
         };
     }
 
-    private static string BaseOf(KeptPiece piece) =>
-        piece.Before is { } before ? Texts.Current.With("Verify.TrendBefore", before.Name) : Texts.Current["Verify.TrendBeforeDesigned"];
+    private static string BaseOf(StoredPiece piece) =>
+        piece.Before is { } before
+            ? Texts.Current.With("Verify.TrendBefore", Path.GetFileName(before.File))
+            : Texts.Current["Verify.TrendBeforeDesigned"];
 
-    private static SeriesDrawing TrendOf(IReadOnlyList<KeptPiece> series)
+    private static SeriesDrawing TrendOf(IReadOnlyList<StoredPiece> series)
     {
         var texts = Texts.Current;
 
@@ -273,7 +273,7 @@ public sealed class PieceDetail : Observable
         }
 
         // The points of a feature are known; a comparison lists its own.
-        var isComparison = f.Points.Count > 0 && _piece.Boundaries.All(b => b.Name != f.Name);
+        var isComparison = f.Points.Count > 0 && _piece.Result.Boundaries.All(b => b.Name != f.Name);
         return new(
             f.Name, isComparison ? Texts.Current.With("Verify.OfPoints", quantity, LabelList.Short(f.Points)) : quantity, Shown.Nothing,
             Deviation(f, f.Before, p => p.BeforeError), Deviation(f, f.After, p => p.AfterError), improvement, unit, isWorse);
@@ -288,8 +288,8 @@ public sealed class PieceDetail : Observable
 
     private MatingErrorRow Row(VerifiedPoint p)
     {
-        var band = _piece.BandOf(p.Label);
-        var isOutside = _piece.IsOutside(p.Label, p.AfterError.NormalMm);
+        var band = _piece.Result.BandOf(p.Label);
+        var isOutside = _piece.Result.IsOutside(p.Label, p.AfterError.NormalMm);
         return new(
             p.Label,
             _features.GetValueOrDefault(p.Label, ""),

@@ -3,14 +3,14 @@ namespace ErrorMatching.Hmi;
 /// <summary>Verification: whether the compensation worked as predicted, by point, assembly and feature, and from piece to piece.</summary>
 public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
-    private readonly KeptPieces _kept = new();
+    private readonly StoredPieces _kept = new();
     private readonly ShellViewModel _shell;
     private MatingChoice? _mating;
     private PieceRow? _chosen;
     private long? _looked;
     private long? _sought;
     private PieceDetail? _detail;
-    private IReadOnlyList<KeptPiece> _pieces = [];
+    private IReadOnlyList<StoredPiece> _pieces = [];
     private string _shown = "";
     private int _load;
 
@@ -99,7 +99,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 
     private async Task LoadAsync(int load)
     {
-        IReadOnlyList<KeptPiece>? pieces = null;
+        IReadOnlyList<StoredPiece>? pieces = null;
         var (mating, sought) = (_mating, _sought);
         var isRead = await TryAsync(() =>
         {
@@ -107,7 +107,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             mating = sought is { } id && Station.Store.Find(id)?.Job is { } job
                 ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating
                 : mating;
-            pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], KeptPieces.Most);
+            pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], StoredPieces.Most);
         });
         if (load != _load)
         {
@@ -127,7 +127,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    private void Show(IReadOnlyList<KeptPiece> pieces, bool isKnown = true)
+    private void Show(IReadOnlyList<StoredPiece> pieces, bool isKnown = true)
     {
         _pieces = pieces;
         Rows.Show([.. pieces.Reverse().Select(Row)]);
@@ -161,7 +161,7 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private void LookAtWarnings(long correction) =>
         _shell.Open(ScreenKeys.Compensation, s => (s as CompensationViewModel)?.LookAtWarnings(correction));
 
-    private static PieceRow Row(KeptPiece piece) =>
+    private static PieceRow Row(StoredPiece piece) =>
         new(
             piece.Correction.Id,
             CorrectionLabel.Of(piece.Correction),

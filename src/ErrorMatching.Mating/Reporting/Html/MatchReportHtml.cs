@@ -13,8 +13,8 @@ public static class MatchReportHtml
     {
         ArgumentNullException.ThrowIfNull(report);
         return ReportPage.Write(
-            $"{report.Job.Name}: matching the counterpart to the part",
-            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            report.Job,
+            "matching the counterpart to the part",
             [
                 new("summary", "Summary", html => MatchSummary.Write(html, report)),
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),

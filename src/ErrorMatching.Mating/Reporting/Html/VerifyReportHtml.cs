@@ -12,8 +12,8 @@ public static class VerifyReportHtml
     {
         ArgumentNullException.ThrowIfNull(report);
         return ReportPage.Write(
-            $"{report.Job.Name}: counterpart against part",
-            report.Job.WorkOrder is { } order ? $"Work order {order}" : "No work order",
+            report.Job,
+            "counterpart against part",
             [
                 new("summary", "Summary", html => VerifySummary.Write(html, report)),
                 new("features", "Features", html => VerifyTables.WriteFeatures(html, report.Result)),

@@ -46,7 +46,7 @@ internal static class HandMadeReport
         OriginCheck = new("O", 0.004, 0.01),
         Compensation = JobCompensation.Default,
         Uncertainty = new([new("probing", 0.003), new("clamping", 0.004)]),
-        Chain = new([new("housing", 17.5, new(-0.02, 0.03), 1), new("spacer", 5, new(-0.01, 0.01), -1)]),
+        Chain = ReportChain.Of(new([new("housing", 17.5, new(-0.02, 0.03), 1), new("spacer", 5, new(-0.01, 0.01), -1)])),
         Features = [Line, Calm],
         KeyPoints =
         [

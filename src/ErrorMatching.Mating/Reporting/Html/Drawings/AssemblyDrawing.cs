@@ -21,15 +21,8 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     /// <param name="title">Its title.</param>
     public void Write(HtmlText html, string id, string title)
     {
-        using (html.In(
-            "svg",
-            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"),
-            ("role", "img"),
-            ("aria-labelledby", $"{id}-t {id}-d"),
-            ("class", "assembly")))
+        using (SvgShapes.Drawing(html, id, "assembly", (Width, Height), title, Describe()))
         {
-            html.Put("title", title, ("id", id + "-t"));
-            html.Put("desc", Describe(), ("id", id + "-d"));
             WriteHatch(html, id);
             WriteEdge(html, p => p.Part, AssemblyScene.EdgePixels, "part edge", $"url(#{id}-hatch)");
             WriteEdge(html, counterpart, -AssemblyScene.EdgePixels, "counterpart edge", null);
@@ -96,23 +89,20 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
         foreach (var (feature, point) in scene.Features.SelectMany(f => f.Points.Select(p => (f, p))))
         {
             var (x, y) = Place(feature.Foot(point) + (point.Normal * (scene.Factor * point.Part)));
-            using (html.In("circle", ("class", "key-point"), ("cx", SvgNumber.Of(x)), ("cy", SvgNumber.Of(y)), ("r", "2.6")))
-            {
-                html.Put("title", $"Point {point.Label}: mating error {ReportNumber.SignedMm(Error(point))}");
-            }
-
+            SvgShapes.Circle(
+                html, "key-point", x, y, 2.6, $"Point {point.Label}: mating error {ReportNumber.SignedMm(Error(point))}");
             var label = (X: x + (point.Normal.X * aside), Y: y - (point.Normal.Y * aside));
             if (labels.All(l => Math.Abs(l.X - label.X) > 1.6 * near || Math.Abs(l.Y - label.Y) > near))
             {
                 labels.Add(label);
-                Text(html, "tick", label.X, label.Y + 4, "middle", SvgNumber.Label(point.Label, 6));
+                SvgShapes.Text(html, "tick", label.X, label.Y + 4, "middle", SvgNumber.Label(point.Label, 6));
             }
         }
     }
 
     private void WriteLegend(HtmlText html, string id, string title)
     {
-        Text(html, "drawing-title", Width / 2, 16, "middle", title);
+        SvgShapes.Text(html, "drawing-title", Width / 2, 16, "middle", title);
         var left = (Width - LeastWidth) / 2;
         html.Empty(
             "rect",
@@ -122,23 +112,11 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
             ("y", "28"),
             ("width", "34"),
             ("height", "11"));
-        html.Empty(
-            "line",
-            ("class", "part outline"),
-            ("x1", SvgNumber.Of(left + 20)),
-            ("y1", "39"),
-            ("x2", SvgNumber.Of(left + 54)),
-            ("y2", "39"));
-        Text(html, "legend", left + 61, 38, "start", "part");
+        SvgShapes.Line(html, "part outline", left + 20, 39, left + 54, 39);
+        SvgShapes.Text(html, "legend", left + 61, 38, "start", "part");
         html.Empty("rect", ("class", "counterpart edge"), ("x", SvgNumber.Of(left + 140)), ("y", "28"), ("width", "34"), ("height", "11"));
-        html.Empty(
-            "line",
-            ("class", "counterpart outline"),
-            ("x1", SvgNumber.Of(left + 140)),
-            ("y1", "28"),
-            ("x2", SvgNumber.Of(left + 174)),
-            ("y2", "28"));
-        Text(html, "legend", left + 181, 38, "start", "counterpart");
+        SvgShapes.Line(html, "counterpart outline", left + 140, 28, left + 174, 28);
+        SvgShapes.Text(html, "legend", left + 181, 38, "start", "counterpart");
     }
 
     /// <summary>Two bars, one for the boundary and one for the deviations, because the drawing has two scales.</summary>
@@ -152,7 +130,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
             Bar(Height - 30, deviation * scene.PixelsPerMm * scene.Factor, $"{ReportNumber.Short(deviation)} mm of deviation");
         }
 
-        Text(
+        SvgShapes.Text(
             html,
             "factor",
             (Width - LeastWidth) / 2 + 8,
@@ -164,10 +142,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
         {
             var x = ((Width - LeastWidth) / 2) + 8;
             html.Empty("path", ("class", "scale"), ("d", $"M{SvgNumber.Of(x)} {SvgNumber.Of(y - 4)}v8m0 -4h{SvgNumber.Of(length)}m0 -4v8"));
-            Text(html, "legend", x + length + 8, y + 4, "start", text);
+            SvgShapes.Text(html, "legend", x + length + 8, y + 4, "start", text);
         }
     }
-
-    private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
-        html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));
 }

@@ -5,21 +5,24 @@ namespace ErrorMatching.Mating;
 /// <summary>Error over point number before and after, with zero and the tolerance limits, like figures 13 and 18 of Wang 2021.</summary>
 internal sealed class ErrorPlot
 {
-    /// <summary>Size of the drawing, and position of the axes.</summary>
-    internal const double Width = 820, Height = 360, Left = 74, Right = 716, Top = 52, Bottom = 300;
-
-    // More labels than this would overlap.
-    private const int MostLabels = 30;
-
     private readonly IReadOnlyList<PlotPoint> _points;
-    private readonly PlotAxis _axis;
+    private readonly PointPlot _plot;
 
     /// <summary>A plot of some points, at least one.</summary>
     public ErrorPlot(IReadOnlyList<PlotPoint> points)
     {
         _points = points;
-        _axis = PlotAxis.Around(points.SelectMany(
-            p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After }));
+        _plot = new(
+            PlotAxis.Around(points.SelectMany(
+                p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After })),
+            [.. points.Select(p => p.Label)])
+        {
+            Size = (820, 360),
+            Left = 74,
+            Right = 716,
+            Top = 52,
+            Bottom = 300,
+        };
     }
 
     /// <summary>Writes the drawing.</summary>
@@ -29,29 +32,16 @@ internal sealed class ErrorPlot
     /// <param name="after">Legend of the second line.</param>
     public void Write(HtmlText html, string id, string before, string after)
     {
-        using (html.In(
-            "svg",
-            ("viewBox", $"0 0 {SvgNumber.Of(Width)} {SvgNumber.Of(Height)}"),
-            ("role", "img"),
-            ("aria-labelledby", $"{id}-t {id}-d"),
-            ("class", "plot")))
+        using (SvgShapes.Drawing(html, id, "plot", _plot.Size, "Mating error at each key point", Describe(before, after)))
         {
-            html.Put("title", "Mating error at each key point", ("id", id + "-t"));
-            html.Put("desc", Describe(before, after), ("id", id + "-d"));
             WriteBands(html);
             WriteAxes(html);
             WriteLimits(html);
-            WriteLine(html, "before", p => p.Before, before, Circle);
-            WriteLine(html, "after", p => p.After, after, Diamond);
+            WriteLine(html, "before", p => p.Before, before, WriteCircle);
+            WriteLine(html, "after", p => p.After, after, SvgShapes.Diamond);
             WriteLegend(html, before, after);
         }
     }
-
-    /// <summary>Horizontal position of a point.</summary>
-    internal double X(double index) => Left + ((index + 0.5) * (Right - Left) / _points.Count);
-
-    /// <summary>Vertical position of a value.</summary>
-    internal double Y(double value) => Bottom - ((value - _axis.Lowest) / (_axis.Highest - _axis.Lowest) * (Bottom - Top));
 
     private string Describe(string before, string after)
     {
@@ -70,14 +60,14 @@ internal sealed class ErrorPlot
         {
             if (_points[first].Limits is { } limits)
             {
-                var (x1, x2) = (X(first - 0.5), X(last + 0.5));
+                var (x1, x2) = (_plot.X(first - 0.5), _plot.X(last + 0.5));
                 html.Empty(
                     "rect",
                     ("class", "band"),
                     ("x", SvgNumber.Of(x1)),
-                    ("y", SvgNumber.Of(Y(limits.UpperMm))),
+                    ("y", SvgNumber.Of(_plot.Y(limits.UpperMm))),
                     ("width", SvgNumber.Of(x2 - x1)),
-                    ("height", SvgNumber.Of(Y(limits.LowerMm) - Y(limits.UpperMm))));
+                    ("height", SvgNumber.Of(_plot.Y(limits.LowerMm) - _plot.Y(limits.UpperMm))));
             }
         }
     }
@@ -93,88 +83,73 @@ internal sealed class ErrorPlot
                 continue;
             }
 
-            var (x1, x2) = (X(first - 0.5), X(last + 0.5));
-            Line(html, "limit", x1, Y(limits.UpperMm), x2, Y(limits.UpperMm));
-            Line(html, "limit", x1, Y(limits.LowerMm), x2, Y(limits.LowerMm));
+            var (x1, x2) = (_plot.X(first - 0.5), _plot.X(last + 0.5));
+            SvgShapes.Line(html, "limit", x1, _plot.Y(limits.UpperMm), x2, _plot.Y(limits.UpperMm));
+            SvgShapes.Line(html, "limit", x1, _plot.Y(limits.LowerMm), x2, _plot.Y(limits.LowerMm));
             // To the right of the plot no line crosses a label. Place labels inside the plot only where the limits change.
             if (labelled != limits)
             {
-                var (x, up, down) = bands == 1 ? (Right + 8, 4, 4) : (x1 + 5, -4, 13);
-                Text(html, "limit-label", x, Y(limits.UpperMm) + up, "start", "limit " + ReportNumber.Signed(limits.UpperMm));
-                Text(html, "limit-label", x, Y(limits.LowerMm) + down, "start", "limit " + ReportNumber.Signed(limits.LowerMm));
+                var (x, up, down) = bands == 1 ? (_plot.Right + 8, 4, 4) : (x1 + 5, -4, 13);
+                WriteLimit(html, x, _plot.Y(limits.UpperMm) + up, limits.UpperMm);
+                WriteLimit(html, x, _plot.Y(limits.LowerMm) + down, limits.LowerMm);
                 labelled = limits;
             }
         }
     }
 
+    private static void WriteLimit(HtmlText html, double x, double y, double limitMm) =>
+        SvgShapes.Text(html, "limit-label", x, y, "start", "limit " + ReportNumber.Signed(limitMm));
+
     private void WriteAxes(HtmlText html)
     {
-        for (var tick = _axis.First; tick <= _axis.Last; tick++)
-        {
-            var y = Y(tick * _axis.Step);
-            Line(html, tick == 0 ? "zero" : "grid", Left, y, Right, y);
-            Text(html, "tick", Left - 8, y + 4, "end", ReportNumber.Signed(tick * _axis.Step));
-        }
-
+        _plot.WriteGrid(html, ReportNumber.Signed);
         foreach (var (first, last) in Runs(p => p.Feature))
         {
+            var (x1, x2) = (_plot.X(first - 0.5), _plot.X(last + 0.5));
             if (first > 0)
             {
-                Line(html, "border", X(first - 0.5), Top, X(first - 0.5), Bottom);
+                SvgShapes.Line(html, "border", x1, _plot.Top, x1, _plot.Bottom);
             }
 
-            Text(
+            SvgShapes.Text(
                 html,
                 "tick",
-                (X(first) + X(last)) / 2,
-                Top - 6,
+                (_plot.X(first) + _plot.X(last)) / 2,
+                _plot.Top - 6,
                 "middle",
-                SvgNumber.Label(_points[first].Feature, 2 + ((int)(X(last + 0.5) - X(first - 0.5)) / 8)));
+                SvgNumber.Label(_points[first].Feature, 2 + ((int)(x2 - x1) / 8)));
         }
 
-        var every = (_points.Count + MostLabels - 1) / MostLabels;
-        for (var i = 0; i < _points.Count; i += every)
-        {
-            Text(html, "tick", X(i), Bottom + 18, "middle", SvgNumber.Label(_points[i].Label, 6));
-        }
-
-        Line(html, "axis", Left, Top, Left, Bottom);
-        Text(html, "axis-label", (Left + Right) / 2, Height - 14, "middle", "Key point, in the order of cutting");
-        using (html.In(
-            "text",
-            ("class", "axis-label"),
-            ("text-anchor", "middle"),
-            ("transform", $"translate(16 {SvgNumber.Of((Top + Bottom) / 2)}) rotate(-90)")))
-        {
-            html.Text("Mating error, mm");
-        }
+        _plot.WriteAxes(html, "Key point, in the order of cutting", 14, "Mating error, mm");
     }
 
     private void WriteLine(
         HtmlText html, string cssClass, Func<PlotPoint, double> value, string name, Action<HtmlText, string, double, double, string> marker)
     {
-        html.Empty("polyline", ("class", cssClass + " line"), ("points", SvgNumber.Points(_points.Select((p, i) => (X(i), Y(value(p)))))));
+        html.Empty(
+            "polyline",
+            ("class", cssClass + " line"),
+            ("points", SvgNumber.Points(_points.Select((p, i) => (_plot.X(i), _plot.Y(value(p)))))));
         for (var i = 0; i < _points.Count; i++)
         {
             marker(
                 html,
                 cssClass + " marker",
-                X(i),
-                Y(value(_points[i])),
+                _plot.X(i),
+                _plot.Y(value(_points[i])),
                 $"Point {_points[i].Label}, {name}: {ReportNumber.SignedMm(value(_points[i]))}");
         }
     }
 
-    private static void WriteLegend(HtmlText html, string before, string after)
+    private void WriteLegend(HtmlText html, string before, string after)
     {
         const double y = 16;
-        Line(html, "before line", Left, y, Left + 40, y);
-        Circle(html, "before marker", Left + 20, y, before);
-        Text(html, "legend", Left + 48, y + 4, "start", before);
-        var middle = (Left + Right) / 2;
-        Line(html, "after line", middle, y, middle + 40, y);
-        Diamond(html, "after marker", middle + 20, y, after);
-        Text(html, "legend", middle + 48, y + 4, "start", after);
+        SvgShapes.Line(html, "before line", _plot.Left, y, _plot.Left + 40, y);
+        WriteCircle(html, "before marker", _plot.Left + 20, y, before);
+        SvgShapes.Text(html, "legend", _plot.Left + 48, y + 4, "start", before);
+        SvgShapes.Line(html, "after line", _plot.Middle, y, _plot.Middle + 40, y);
+        SvgShapes.Diamond(html, "after marker", _plot.Middle + 20, y, after);
+        SvgShapes.Text(html, "legend", _plot.Middle + 48, y + 4, "start", after);
     }
 
     /// <summary>First and last position of neighbors with a common value.</summary>
@@ -191,31 +166,6 @@ internal sealed class ErrorPlot
         }
     }
 
-    private static void Circle(HtmlText html, string cssClass, double x, double y, string title)
-    {
-        using (html.In("circle", ("class", cssClass), ("cx", SvgNumber.Of(x)), ("cy", SvgNumber.Of(y)), ("r", "4")))
-        {
-            html.Put("title", title);
-        }
-    }
-
-    private static void Diamond(HtmlText html, string cssClass, double x, double y, string title)
-    {
-        using (html.In("polygon", ("class", cssClass), ("points", SvgNumber.Points([(x, y - 5), (x + 5, y), (x, y + 5), (x - 5, y)]))))
-        {
-            html.Put("title", title);
-        }
-    }
-
-    private static void Line(HtmlText html, string cssClass, double x1, double y1, double x2, double y2) =>
-        html.Empty(
-            "line",
-            ("class", cssClass),
-            ("x1", SvgNumber.Of(x1)),
-            ("y1", SvgNumber.Of(y1)),
-            ("x2", SvgNumber.Of(x2)),
-            ("y2", SvgNumber.Of(y2)));
-
-    private static void Text(HtmlText html, string cssClass, double x, double y, string anchor, string text) =>
-        html.Put("text", text, ("class", cssClass), ("x", SvgNumber.Of(x)), ("y", SvgNumber.Of(y)), ("text-anchor", anchor));
+    private static void WriteCircle(HtmlText html, string cssClass, double x, double y, string title) =>
+        SvgShapes.Circle(html, cssClass, x, y, 4, title);
 }

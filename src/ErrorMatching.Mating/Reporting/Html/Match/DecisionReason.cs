@@ -8,11 +8,11 @@ internal static class DecisionReason
     public static string Of(MatchReport report, ReportFeature feature)
     {
         var band = feature.Tolerance.Band;
-        var outside = MatchDecisions.Points(report, feature).Where(p => !band.Contains(p.DecidedMm)).ToArray();
-        var beyond = outside.MaxBy(p => Math.Abs(p.ExcessMm)) is { } worst
-            ? $"{(outside.Length == 1 ? "Its" : ReportNumber.Count(outside.Length) + " of its")} "
-                + $"{(outside.Length == 1 ? $"point {worst.Point} lies" : "points lie")} outside, "
-                + $"{(outside.Length == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm "
+        var outside = report.BeyondTolerance(feature);
+        var beyond = outside is [var worst, ..]
+            ? $"{(outside.Count == 1 ? "Its" : ReportNumber.Count(outside.Count) + " of its")} "
+                + $"{(outside.Count == 1 ? $"point {worst.Point} lies" : "points lie")} outside, "
+                + $"{(outside.Count == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm "
                 + $"beyond its limit."
             : "It lies outside its tolerance.";
         return feature.Decision switch

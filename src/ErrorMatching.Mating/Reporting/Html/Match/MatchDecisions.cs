@@ -16,7 +16,7 @@ internal static class MatchDecisions
     {
         HtmlTable.Write(html, "decisions-table", "What was decided about each feature", Columns, report.Features, (row, feature) =>
         {
-            var outside = Outside(report, feature);
+            var outside = report.OutsideOf(feature);
             row.Header(feature.Name);
             row.Text(feature.Kind.Word);
             using (row.Cell())
@@ -30,7 +30,9 @@ internal static class MatchDecisions
             row.Number(ReportNumber.Signed(feature.LargestMm));
             row.Number(ReportNumber.Fine(feature.UncertaintyMm));
             row.Number(
-                Left(report, feature) is { } left ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left) : ReportNumber.None);
+                report.LeftMm(feature) is { } left
+                    ? (outside.Points.Count > 0 ? "⚠ " : "") + ReportNumber.Signed(left)
+                    : ReportNumber.None);
             using (row.Cell("prose"))
             {
                 html.Text(string.Join(" ", [DecisionReason.Of(report, feature), .. OutsideWords.Of(outside)]));
@@ -38,17 +40,6 @@ internal static class MatchDecisions
         });
         html.Put("p", Meaning(report.Compensation), ("class", "small"));
     }
-
-    /// <summary>The mating error with the largest magnitude that the corrected counterpart will leave at the feature.</summary>
-    internal static double? Left(MatchReport report, ReportFeature feature) =>
-        Points(report, feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
-
-    /// <summary>The key points of a feature that the corrected counterpart will leave outside their limits.</summary>
-    internal static OutsideLimits Outside(MatchReport report, ReportFeature feature) => report.OutsideOf(Points(report, feature));
-
-    /// <summary>The key points of a feature.</summary>
-    internal static IEnumerable<ReportKeyPoint> Points(MatchReport report, ReportFeature feature) =>
-        report.KeyPoints.Where(p => p.Feature == feature.Name);
 
     private static string Meaning(JobCompensation compensation) =>
         (compensation.From == CompensationSource.Part

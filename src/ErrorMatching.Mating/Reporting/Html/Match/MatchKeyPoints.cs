@@ -28,7 +28,7 @@ internal static class MatchKeyPoints
             row.Number(ReportNumber.Signed(p.NormalMm));
             row.Number(ReportNumber.Signed(p.Correction.X));
             row.Number(ReportNumber.Signed(p.Correction.Y));
-            row.Number(ReportNumber.Signed(-p.DecidedMm));
+            row.Number(ReportNumber.Signed(p.UncompensatedMm));
             row.Number((outside.Contains(p.Point) ? "⚠ " : "") + ReportNumber.Signed(p.PredictedMm));
             row.Code(string.Join(' ', p.Blocks));
         });

@@ -96,7 +96,7 @@ internal static class MatchMeasuring
         });
     }
 
-    private static void WriteChain(HtmlText html, ToleranceChain chain)
+    private static void WriteChain(HtmlText html, ReportChain chain)
     {
         html.Put("h3", "Tolerance chain");
         HtmlTable.Write(
@@ -114,7 +114,7 @@ internal static class MatchMeasuring
             row.Number(ReportNumber.Signed(l.Tolerance.UpperMm));
         });
         (string Name, ChainDimension Dimension)[] sums = [
-            ("worst case", chain.WorstCase()), ("root sum of squares", chain.RootSumOfSquares())];
+            ("worst case", chain.WorstCase), ("root sum of squares", chain.RootSumOfSquares)];
         HtmlTable.Write(
             html,
             "chain-sum-table",

@@ -18,12 +18,12 @@ internal static class MatchPictures
         var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
         return [
             .. report.KeyPoints.Select(p => new PlotPoint(
-                p.Point, p.Feature, -p.DecidedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
+                p.Point, p.Feature, p.UncompensatedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
     }
 
     private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
         feature.TheoreticalOutline,
         [
-            .. report.KeyPoints.Where(p => p.Feature == feature.Name).Select(p => new DrawnPoint(
-                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm - p.DecidedMm, p.NormalMm + p.PredictedMm))]);
+            .. report.PointsOf(feature).Select(p => new DrawnPoint(
+                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm + p.UncompensatedMm, p.NormalMm + p.PredictedMm))]);
 }

@@ -53,13 +53,11 @@ internal static class MatchSummary
                         + $"{largest.Feature}.");
     }
 
-    private static string Changed(MatchReport report) => IsUnchanged(report)
+    private static string Changed(MatchReport report) => report.IsUnchanged
         ? $"Nothing: {report.Program.File} is the original program, byte for byte."
         : $"{ReportNumber.Count(report.Program.ChangedBlocks, "block")} and {ReportNumber.Count(report.Program.ChangedWords, "word")} of "
             + $"them, written to {report.Program.File} (SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…). The original is "
             + $"untouched.";
-
-    private static bool IsUnchanged(MatchReport report) => report.Program.ChangedBlocks == 0 && report.Proof.Marker is null;
 
     private static void WriteFeatures(HtmlText html, MatchReport report)
     {
@@ -75,10 +73,10 @@ internal static class MatchSummary
                     html.Text(
                         $". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}"
                             + (
-                                MatchDecisions.Left(report, feature) is { } left
+                                report.LeftMm(feature) is { } left
                                     ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}."
                                     : ".")
-                            + string.Concat(OutsideWords.Of(MatchDecisions.Outside(report, feature)).Select(s => " ⚠ " + s)));
+                            + string.Concat(OutsideWords.Of(report.OutsideOf(feature)).Select(s => " ⚠ " + s)));
                 }
             }
         }
@@ -97,7 +95,7 @@ internal static class MatchSummary
         [
             .. decide,
             $"Make sure that the part is the one of {order}: this counterpart fits no other.",
-            IsUnchanged(report)
+            report.IsUnchanged
                 ? $"Cut the counterpart with {report.Program.File}, which is the program as designed."
                 : $"Cut the counterpart with {report.Program.File}, with work offset, tool and wear values as for the original program. "
                     + $"The corrections are in the program: do not enter them as offsets too.",

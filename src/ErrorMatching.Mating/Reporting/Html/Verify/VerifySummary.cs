@@ -23,8 +23,8 @@ internal static class VerifySummary
             (
                 "Compared",
                 $"{ReportNumber.Count(report.Result.Points.Count, "key point")} of two counterparts with the part, along the normals."),
-            ("Worst before", Worst(report.Result.Points.MaxBy(p => Math.Abs(p.BeforeError.NormalMm))!, p => p.BeforeError)),
-            ("Worst after", Worst(report.Result.Points.MaxBy(p => Math.Abs(p.AfterError.NormalMm))!, p => p.AfterError)));
+            ("Worst before", Worst(report.Result.WorstBefore, p => p.BeforeError)),
+            ("Worst after", Worst(report.Result.WorstAfter, p => p.AfterError)));
     }
 
     private static string Worst(VerifiedPoint point, Func<VerifiedPoint, MatingError> error)

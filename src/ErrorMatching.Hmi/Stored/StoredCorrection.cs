@@ -1,4 +1,6 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -9,12 +11,12 @@ namespace ErrorMatching.Hmi;
 /// <param name="Report">The report of the match; null if there is none, or if it is of another kind.</param>
 /// <param name="Lines">The original program and the new one; a newly generated program is its own original. Null before it is
 /// computed.</param>
-public sealed record KeptCorrection(Correction Correction, IReadOnlyList<CorrectionStep> Steps, KeptReport? Report, ProgramLines? Lines)
+public sealed record StoredCorrection(Correction Correction, IReadOnlyList<CorrectionStep> Steps, MatchReport? Report, ProgramLines? Lines)
 {
     // Several corrections may have produced the same program, from identical pieces or a piece measured twice.
     private const int Looked = 100;
 
-    public KeptSurface? Surface { get; init; }
+    public StoredSurface? Surface { get; init; }
 
     /// <summary>The correction whose program was in the slot before this one; null if there was no program, or none from a
     /// correction.</summary>
@@ -33,7 +35,7 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     public Statement? TriedAt { get; init; }
 
     /// <summary>The workpiece's name; null before it is recognized.</summary>
-    public string? JobName => Report?.JobName ?? Surface?.JobName ?? Correction.Job;
+    public string? JobName => Report?.Job.Name ?? Surface?.JobName ?? Correction.Job;
 
     /// <summary>The workpiece, its number, and its serial number or file.</summary>
     public string Subject =>
@@ -43,16 +45,17 @@ public sealed record KeptCorrection(Correction Correction, IReadOnlyList<Correct
     /// <param name="store">The store.</param>
     /// <param name="correction">The correction.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
-    public static KeptCorrection Read(CellStore store, Correction correction)
+    /// <exception cref="InputException">Its report cannot be read.</exception>
+    public static StoredCorrection Read(CellStore store, Correction correction)
     {
         ArgumentNullException.ThrowIfNull(store);
         ArgumentNullException.ThrowIfNull(correction);
-        var json = correction.ReportSha256 is { } sha ? store.Content(sha) : null;
-        var (report, surface) = json is null ? (null, null) : (KeptReport.Read(json), KeptSurface.Read(json));
+        var stored = correction.ReportSha256 is { } sha ? StoredReport.Read(store.Content(sha)) : null;
+        var (report, surface) = (stored?.Match, stored?.Surface);
         var program = correction.ProgramSha256 is { } made ? store.Content(made) : null;
         var lines = program is null ? null
             : correction.BaseSha256 is { } was
-                ? new ProgramLines(store.Content(was), program, report?.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
+                ? new ProgramLines(store.Content(was), program, report?.Program.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
             : surface is not null ? new ProgramLines(program, program, [])
             : null;
         return new(correction, store.StepsOf(correction.Id), report, lines)

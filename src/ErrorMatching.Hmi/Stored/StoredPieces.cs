@@ -3,22 +3,22 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The last pieces of a mating in the store. Each report is read only once, because it never changes.</summary>
-public sealed class KeptPieces
+public sealed class StoredPieces
 {
     /// <summary>How many measurements of a mating are considered when its last pieces are listed.</summary>
     public const int Most = 60;
 
-    private readonly Dictionary<string, (KeptReport? Match, KeptVerification? Verification)> _read = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, StoredReport> _read = new(StringComparer.Ordinal);
 
     /// <summary>The pieces in order of arrival. Slow: do not call it on the UI thread.</summary>
     /// <param name="store">The store.</param>
     /// <param name="jobs">The cell's jobs that share the mating's file: those of parts and those of counterparts.</param>
     /// <param name="most">How many measurements are considered.</param>
     /// <exception cref="StoreException">The store cannot be read.</exception>
-    public IReadOnlyList<KeptPiece> Read(CellStore store, IReadOnlyList<string> jobs, int most)
+    public IReadOnlyList<StoredPiece> Read(CellStore store, IReadOnlyList<string> jobs, int most)
     {
         ArgumentNullException.ThrowIfNull(store);
-        var pieces = new List<KeptPiece>();
+        var pieces = new List<StoredPiece>();
 
         // Rejected and superseded corrections were never cut.
         foreach (var correction in store.Reported(jobs, most)
@@ -26,25 +26,19 @@ public sealed class KeptPieces
             .OrderBy(c => c.Turn)
             .ThenBy(c => c.Id))
         {
-            var (match, verification) = Report(store, correction.ReportSha256!);
-            if (match is not null)
+            var report = Report(store, correction.ReportSha256!);
+            if (report.Match is { } match)
             {
-                pieces.Add(KeptPiece.Predicted(correction, match));
+                pieces.Add(StoredPiece.Predicted(correction, match));
             }
-            else if (verification is not null)
+            else if (report.Verification is { } verification)
             {
                 // A measurement replaces the piece's prediction.
                 var at = pieces.FindLastIndex(p => p.Correction.MeasurementSha256 == correction.PartSha256);
-                var measured = new KeptPiece(
-                    at >= 0 ? pieces[at].Correction : correction,
-                    correction,
-                    verification.JobName,
-                    verification.Result,
-                    verification.Boundaries,
-                    verification.IsBeforeMeasured)
+                var predicted = at >= 0 ? pieces[at] : null;
+                var measured = StoredPiece.Measured(predicted?.Correction ?? correction, correction, verification) with
                 {
-                    Before = verification.Before,
-                    Match = at >= 0 ? pieces[at].Match : null
+                    Match = predicted?.Match
                 };
                 if (at >= 0)
                 {
@@ -60,13 +54,11 @@ public sealed class KeptPieces
         return pieces;
     }
 
-    private (KeptReport? Match, KeptVerification? Verification) Report(CellStore store, string sha256)
+    private StoredReport Report(CellStore store, string sha256)
     {
         if (!_read.TryGetValue(sha256, out var report))
         {
-            var json = store.Content(sha256);
-            report = (KeptReport.Read(json), KeptVerification.Read(json));
-            _read[sha256] = report;
+            _read[sha256] = report = StoredReport.Read(store.Content(sha256));
         }
 
         return report;

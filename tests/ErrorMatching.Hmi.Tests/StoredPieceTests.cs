@@ -1,12 +1,13 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>What a kept report says of a piece, without a station.</summary>
-public sealed class KeptPieceTests
+public sealed class StoredPieceTests
 {
     private static readonly Correction Part = new(
         1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1)
@@ -19,8 +20,8 @@ public sealed class KeptPieceTests
     {
         // Wide limits: nothing is compensated, so both assemblies are the same.
         var report = Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.5]", StringComparison.Ordinal));
-        var piece = KeptPiece.Predicted(Part, report);
-        Assert.All(report.Features, f => Assert.Equal("within-tolerance", f.Decision));
+        var piece = StoredPiece.Predicted(Part, report);
+        Assert.All(report.Features, f => Assert.Equal(Decision.WithinTolerance, f.Decision));
         Assert.All(piece.Result.Points, p => Assert.Equal(p.BeforeError.NormalMm, p.AfterError.NormalMm, 9));
         Assert.All(piece.Result.Features, f => Assert.Equal(0, f.ImprovementPercent!.Value, 6));
         Assert.True(piece.IsWithin);
@@ -34,13 +35,13 @@ public sealed class KeptPieceTests
         Assert.True(after.IsLong && after.IsTurned);
         Assert.All(
             report.Features.Zip(after.Counterpart),
-            f => Assert.All(f.First.Outline, p => Assert.Contains(f.Second, c => new Point2(p.Y, -p.X).DistanceTo(c) < 1e-6)));
+            f => Assert.All(f.First.TheoreticalOutline, p => Assert.Contains(f.Second, c => new Point2(p.Y, -p.X).DistanceTo(c) < 1e-6)));
     }
 
     [Fact]
     public void Where_the_part_lies_further_out_a_gap_is_drawn_and_it_closes()
     {
-        var piece = KeptPiece.Predicted(Part, Report(j => j));
+        var piece = StoredPiece.Predicted(Part, Report(j => j));
         var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
 
         // Point 1 of the part lies 0.117 mm further out along the normal, which the counterpart follows.
@@ -81,18 +82,18 @@ public sealed class KeptPieceTests
     public void A_mating_error_is_held_against_the_limits_the_other_way_round()
     {
         // The part may lie far in and not out: an overlap may be large, a gap not.
-        var piece = KeptPiece.Predicted(Part, Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
-        var band = piece.BandOf("9")!.Value;
+        var piece = StoredPiece.Predicted(Part, Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
+        var band = piece.Result.BandOf("9")!.Value;
         Assert.Equal((-0.001, 0.5), (band.LowerMm, band.UpperMm));
-        Assert.Equal("C1", piece.BoundaryOf("9")!.Name);
-        Assert.Null(piece.BandOf("nobody"));
+        Assert.Equal("C1", piece.Result.BoundaryOf("9")!.Name);
+        Assert.Null(piece.Result.BandOf("nobody"));
     }
 
     [Fact]
     public void Where_points_stay_outside_as_predicted_a_person_decides_about_the_piece_and_can_change_the_set_up()
     {
         var match = Report(j => j);
-        var measured = KeptPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
+        var measured = StoredPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
         Assert.Equal(["2", "4"], measured.Outside);
         Assert.Equal(
             "Someone must decide whether to use this piece; the station does not. It was cut as predicted. Before the next one, "
@@ -110,10 +111,12 @@ public sealed class KeptPieceTests
         Assert.All(
             match.Warnings,
             w => Assert.EndsWith(
-                " For the next pieces, choose a point further from the corner in the set-up.", w.Text, StringComparison.Ordinal));
+                " For the next pieces, choose a point further from the corner in the set-up.",
+                WarningText.Of(w),
+                StringComparison.Ordinal));
     }
 
-    private static KeptReport Report(Func<string, string> change)
+    private static MatchReport Report(Func<string, string> change)
     {
         using var folder = new TemporaryFolder();
         foreach (var file in Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating")))
@@ -123,6 +126,6 @@ public sealed class KeptPieceTests
 
         var job = folder["job.json"];
         File.WriteAllText(job, change(File.ReadAllText(job)));
-        return KeptReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson())!;
+        return StoredReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson()).Match!;
     }
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Mating;
+
 namespace ErrorMatching.Hmi;
 
 /// <summary>A line of two programs side by side.</summary>
@@ -5,15 +7,15 @@ namespace ErrorMatching.Hmi;
 /// <param name="Block">Its index in the original, from 0; null if the line is inserted.</param>
 /// <param name="Original">The original text; empty if the line is inserted.</param>
 /// <param name="Modified">The new text.</param>
-/// <param name="OriginalSpans">Replaced spans: start and length.</param>
-/// <param name="ModifiedSpans">New spans: start and length.</param>
+/// <param name="OriginalSpans">Replaced spans.</param>
+/// <param name="ModifiedSpans">New spans.</param>
 public sealed record ProgramLine(
     int Index,
     int? Block,
     string Original,
     string Modified,
-    IReadOnlyList<(int Start, int Length)> OriginalSpans,
-    IReadOnlyList<(int Start, int Length)> ModifiedSpans)
+    IReadOnlyList<TextSpan> OriginalSpans,
+    IReadOnlyList<TextSpan> ModifiedSpans)
 {
     /// <summary>Its line number in the new program, from 1, as the control's screen counts.</summary>
     public string Number => Shown.Id(Index + 1);

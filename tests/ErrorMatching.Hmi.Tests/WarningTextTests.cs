@@ -1,8 +1,9 @@
-using System.Text.Json;
+using System.Text;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi.Tests;
 
-public sealed class KeptWarningTests
+public sealed class WarningTextTests
 {
     private const string Report = """
         {
@@ -14,17 +15,19 @@ public sealed class KeptWarningTests
     [Fact]
     public Task A_warning_is_said_in_the_language_of_the_screen_and_one_that_is_not_known_as_it_came() => Seat.AtAsync(_ =>
     {
-        var warnings = KeptWarning.Read(JsonDocument.Parse(Report).RootElement);
-        Assert.Equal(warnings.Select(w => w.Message.Replace(" mm", "\u00a0mm", StringComparison.Ordinal)), warnings.Select(w => w.Text));
+        var warnings = ReportReader.Document(Encoding.UTF8.GetBytes(Report)).Warnings();
+        Assert.Equal(warnings.Select(w => w.Message.Replace(" mm", "\u00a0mm", StringComparison.Ordinal)), warnings.Select(WarningText.Of));
         Texts.Current.Language = Language.TraditionalChinese;
-        Assert.Equal(["C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。", "Something that a later version says."], warnings.Select(w => w.Text));
+        Assert.Equal(
+            ["C1 在 40\u00a0mm 上有 3 個關鍵點；建議每 5\u00a0mm 一點。", "Something that a later version says."],
+            warnings.Select(WarningText.Of));
     });
 
     [Fact]
     public void Reports_from_before_warnings_had_codes_are_read() =>
         Assert.Equal(
             ["As it was said."],
-            KeptWarning.Read(JsonDocument.Parse("""{ "warnings": ["As it was said."] }""").RootElement).Select(w => w.Text));
+            ReportReader.Document("""{ "warnings": ["As it was said."] }"""u8).Warnings().Select(WarningText.Of));
 
     [Fact]
     public void Every_problem_of_a_program_has_its_words()

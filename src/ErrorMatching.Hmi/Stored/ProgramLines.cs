@@ -1,4 +1,5 @@
 using System.Collections;
+using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Hmi;
@@ -10,7 +11,7 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 {
     private readonly NcProgram _original;
     private readonly NcProgram _modified;
-    private readonly Dictionary<int, KeptBlock> _changed;
+    private readonly Dictionary<int, ReportBlock> _changed;
     private readonly int[] _inserted;
 
     /// <summary>Aligns two programs.</summary>
@@ -19,7 +20,7 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     /// <param name="blocks">The report's changed blocks.</param>
     /// <param name="marker">The inserted comment that tells the origin of the new program; null if there is none.</param>
     public ProgramLines(
-        ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<KeptBlock> blocks, string? marker = null)
+        ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<ReportBlock> blocks, string? marker = null)
     {
         (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
         _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
@@ -58,7 +59,7 @@ public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
             if (place >= 0)
             {
                 var text = Text(_modified, index);
-                return new(index, null, "", text, [], [(0, text.Length)]);
+                return new(index, null, "", text, [], [new(0, text.Length)]);
             }
 
             var block = index - ~place;

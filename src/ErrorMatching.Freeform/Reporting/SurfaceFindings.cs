@@ -1,0 +1,248 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>What a report states about the compensation of a surface, for a generated and for a displaced program alike: the members
+/// that both documents share. Lengths in millimeters; in the document, in micrometers if the key says so.</summary>
+public sealed record SurfaceFindings
+{
+    /// <summary>The program that cut the measured piece; not stated in older reports.</summary>
+    public required MeasuredPieceProgram CutBy { get; init; }
+
+    /// <summary>The alignment of the points to the surface; null if they were not moved.</summary>
+    public required SurfaceAlignment? Alignment { get; init; }
+
+    /// <summary>The stage after which the surface was measured: finishing or semi-finishing.</summary>
+    public required CuttingStage Stage { get; init; }
+
+    /// <summary>Statistics of the measured errors.</summary>
+    public required DeviationStatistics Before { get; init; }
+
+    /// <summary>Whether the errors of neighboring points are alike. The document does not contain the variance, and nothing but the verdict
+    /// if that is undetermined.</summary>
+    public required SpatialStructure Structure { get; init; }
+
+    /// <summary>True if each place is moved by its own error, false if all by the mean error, as with a modified tool radius.</summary>
+    public required bool IsMirror { get; init; }
+
+    /// <summary>The share of the error that is compensated.</summary>
+    public required double Gain { get; init; }
+
+    /// <summary>The largest error that the job allows to compensate.</summary>
+    public required double LimitMm { get; init; }
+
+    /// <summary>True if the error was fitted, false if a surface was fitted to the compensation points.</summary>
+    public required bool OfError { get; init; }
+
+    /// <summary>Name of the method of fitting.</summary>
+    public required string Fit { get; init; }
+
+    /// <summary>The largest distance of the compensated surface from the nominal one.</summary>
+    public required double LargestMoveMm { get; init; }
+
+    /// <summary>Name of the model of the systematic error.</summary>
+    public required string Model { get; init; }
+
+    /// <summary>The fit of that model; null for a constant and for a surface through points.</summary>
+    public required FindingsFit? FieldFit { get; init; }
+
+    /// <summary>The surface to cut.</summary>
+    public required FindingsSurface Surface { get; init; }
+
+    /// <summary>The error that is expected to remain after mirroring.</summary>
+    public required SurfacePrediction Mirror { get; init; }
+
+    /// <summary>The error that is expected to remain with a modified tool radius.</summary>
+    public required SurfacePrediction ToolRadius { get; init; }
+
+    /// <summary>The error at each measured point, in the order of measuring.</summary>
+    public required IReadOnlyList<ErrorSample> Samples { get; init; }
+
+    /// <summary>The compensation point of each measured point.</summary>
+    public required IReadOnlyList<Point3> Compensated { get; init; }
+
+    /// <summary>Map of the error, and of what remains of it. The document does not contain heights.</summary>
+    public required ErrorMap Map { get; init; }
+
+    /// <summary>The prediction for the chosen compensation.</summary>
+    public SurfacePrediction Predicted => IsMirror ? Mirror : ToolRadius;
+
+    /// <summary>The findings of a compensation.</summary>
+    /// <param name="result">The compensation.</param>
+    /// <param name="cutBy">The program that cut the measured piece.</param>
+    public static SurfaceFindings Of(CompensationResult result, MeasuredPieceProgram cutBy)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        var job = result.Input.Job;
+        return new()
+        {
+            CutBy = cutBy,
+            Alignment = result.Alignment,
+            Stage = job.Measuring.After,
+            Before = result.Before,
+            Structure = result.Structure,
+            IsMirror = job.Compensation.Mirror,
+            Gain = job.Compensation.Gain,
+            LimitMm = job.Compensation.LimitMm,
+            OfError = job.Fit.OfError,
+            Fit = job.Fit.Method.Name,
+            LargestMoveMm = result.LargestMoveMm,
+            Model = result.Systematic switch
+            {
+                FittedField fitted => FieldWords.Of(fitted.Kind),
+                ConstantField => "constant",
+                _ => "surface-fit",
+            },
+            FieldFit = result.Systematic is FittedField field ? FindingsFit.Of(field) : null,
+            Surface = FindingsSurface.Of(result),
+            Mirror = result.Mirror,
+            ToolRadius = result.ToolRadius,
+            Samples = result.Samples,
+            Compensated = [.. result.Samples.Select(result.PointOf)],
+            Map = ErrorMap.Of(result),
+        };
+    }
+
+    /// <summary>Writes the members into the open object.</summary>
+    public void Write(ReportWriter json)
+    {
+        ArgumentNullException.ThrowIfNull(json);
+        json.Object("cutBy", () =>
+        {
+            json.Text("known", CutBy.File is null ? "assumed" : "named");
+            json.Text("file", CutBy.File);
+            json.Text("sha256", CutBy.Sha256);
+        });
+        EvaluationReportJson.Alignment(json, Alignment);
+        json.Text("stage", MeasuredStage.Name(Stage));
+        json.Object("before", () => EvaluationReportJson.Statistics(json, Before));
+        json.Object("structure", () => WriteStructure(json, Structure));
+        json.Object("compensation", () =>
+        {
+            json.Text("method", Method(IsMirror));
+            json.Number("gain", Gain);
+            json.Number("limitMm", LimitMm);
+            json.Text("of", OfError ? "error" : "points");
+            json.Text("fit", Fit);
+            json.Number("largestMoveUm", LargestMoveMm * 1000);
+            json.Text("model", Model);
+            FieldFit?.Write(json);
+        });
+        json.Object("surface", () => Surface.Write(json));
+        json.Object("predicted", () =>
+        {
+            json.Object("mirror", () => WritePrediction(json, Mirror));
+            json.Object("toolRadius", () => WritePrediction(json, ToolRadius));
+        });
+        json.List("points", Enumerable.Range(0, Samples.Count), i => WritePoint(json, i));
+        json.Object("map", () => MapJson.Write(json, Map));
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    /// <returns>The findings; null if the document is older than the map.</returns>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
+    public static SurfaceFindings? Read(ReportReader json)
+    {
+        ArgumentNullException.ThrowIfNull(json);
+        if (json.OptionalObject("map") is not { } map)
+        {
+            return null;
+        }
+
+        var (cutBy, compensation, predicted) = (json.OptionalObject("cutBy"), json.Object("compensation"), json.Object("predicted"));
+        var points = json.List("points", ReadPoint);
+        return new()
+        {
+            CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")),
+            Alignment = EvaluationReportJson.ReadAlignment(json),
+            Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
+            Before = EvaluationReportJson.ReadStatistics(json.Object("before")),
+            Structure = ReadStructure(json.Object("structure")),
+            IsMirror = compensation.Word("method", [true, false], Method),
+            Gain = compensation.Number("gain"),
+            LimitMm = compensation.Number("limitMm"),
+            OfError = compensation.Word("of", [true, false], e => e ? "error" : "points"),
+            Fit = compensation.Text("fit"),
+            LargestMoveMm = compensation.Micrometers("largestMoveUm"),
+            Model = compensation.Text("model"),
+            FieldFit = FindingsFit.Read(compensation),
+            Surface = FindingsSurface.Read(json.Object("surface")),
+            Mirror = ReadPrediction(predicted.Object("mirror"), Method(true), [.. points.Select(p => p.MirrorMm)]),
+            ToolRadius = ReadPrediction(predicted.Object("toolRadius"), Method(false), [.. points.Select(p => p.ToolRadiusMm)]),
+            Samples = [.. points.Select(p => p.Sample)],
+            Compensated = [.. points.Select(p => p.Compensated)],
+            Map = MapJson.Read(map),
+        };
+    }
+
+    private static string Method(bool isMirror) => isMirror ? "mirror" : "tool-radius";
+
+    private static void WriteStructure(ReportWriter json, SpatialStructure structure)
+    {
+        json.Text("verdict", Word(structure.Verdict));
+        if (structure.Verdict != SpatialVerdict.Undetermined)
+        {
+            json.Exact("moransI", structure.I);
+            json.Exact("expected", structure.Expectation);
+            json.Exact("z", structure.Z);
+            json.Exact("p", structure.P);
+        }
+    }
+
+    private static SpatialStructure ReadStructure(ReportReader json)
+    {
+        var verdict = json.Word<SpatialVerdict>("verdict", Word);
+        return verdict == SpatialVerdict.Undetermined
+            ? new(double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, verdict)
+            : new(json.Number("moransI"), json.Number("expected"), double.NaN, json.Number("z"), json.Number("p"), verdict);
+    }
+
+    private static string Word(SpatialVerdict verdict) =>
+        verdict switch { SpatialVerdict.Systematic => "systematic", SpatialVerdict.Noise => "noise", _ => "undetermined" };
+
+    private static void WritePrediction(ReportWriter json, SurfacePrediction prediction)
+    {
+        EvaluationReportJson.Statistics(json, prediction.Statistics);
+        json.Number("meanUncertaintyUm", prediction.MeanUncertaintyMm * 1000);
+        json.Number("pointUncertaintyUm", prediction.PointUncertaintyMm * 1000);
+    }
+
+    private static SurfacePrediction ReadPrediction(ReportReader json, string method, IReadOnlyList<double> errors) => new(
+        method,
+        errors,
+        EvaluationReportJson.ReadStatistics(json),
+        json.Micrometers("meanUncertaintyUm"),
+        json.Micrometers("pointUncertaintyUm"));
+
+    private void WritePoint(ReportWriter json, int index)
+    {
+        var (sample, compensated) = (Samples[index], Compensated[index]);
+        json.Count("point", sample.Point);
+        json.Count("i", sample.I);
+        json.Count("j", sample.J);
+        json.Number("u", sample.U);
+        json.Number("v", sample.V);
+        json.Numbers("nominal", [sample.Nominal.X, sample.Nominal.Y, sample.Nominal.Z]);
+        json.Numbers("normal", [sample.Normal.X, sample.Normal.Y, sample.Normal.Z]);
+        json.Number("errorUm", sample.ErrorMm * 1000);
+        json.Number("predictedUm", Predicted.Errors[index] * 1000);
+        json.Number("mirrorUm", Mirror.Errors[index] * 1000);
+        json.Number("toolRadiusUm", ToolRadius.Errors[index] * 1000);
+        json.Numbers("compensated", [compensated.X, compensated.Y, compensated.Z]);
+    }
+
+    private static (ErrorSample Sample, double MirrorMm, double ToolRadiusMm, Point3 Compensated) ReadPoint(ReportReader json) => (
+        new(
+            json.Count("point"),
+            json.Count("i"),
+            json.Count("j"),
+            json.Number("u"),
+            json.Number("v"),
+            json.Point3("nominal"),
+            json.Vector3("normal"),
+            json.Micrometers("errorUm")),
+        json.Micrometers("mirrorUm"),
+        json.Micrometers("toolRadiusUm"),
+        json.Point3("compensated"));
+}
