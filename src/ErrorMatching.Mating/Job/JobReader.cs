@@ -68,7 +68,7 @@ internal sealed class JobReader(JsonItem root)
         }
 
         return new(
-            MeasurementFormat.Read(item["format"], Problems) ?? MeasurementFormat.Points,
+            _problems.Read(all => MeasurementFormat.Read(item["format"], all)) ?? MeasurementFormat.Points,
             uncertainty.Kind == JsonItemKind.Number
                 ? UncertaintyBudget.Of(uncertainty.Number)
                 : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number))]),
