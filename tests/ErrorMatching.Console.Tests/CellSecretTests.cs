@@ -12,7 +12,7 @@ public sealed class CellSecretTests
             $"{CellFolder.Annas}\ns3cret\ns3cret\n", "cell", "secret", cell.Config, "vmc1", "--user", "anna");
         Assert.Equal((0, "The cell signs in to vmc1 with the new password from now on.\n", ""), (exit, output, error));
         Assert.Equal("Password of anna: \nPassword at vmc1: \nPassword at vmc1 again: \n", shown);
-        Assert.Equal("s3cret", Kept());
+        Assert.Equal("s3cret", Stored());
         Assert.DoesNotContain("s3cret", Shell.Run("audit", "export", cell.Config).Output, StringComparison.Ordinal);
 
         var removed = UserVerbTests.Document(
@@ -22,9 +22,9 @@ public sealed class CellSecretTests
         Assert.Equal(
             ("vmc1", false, true),
             (removed.Text("machine"), removed.GetProperty("isSet").GetBoolean(), removed.GetProperty("isChanged").GetBoolean()));
-        Assert.Null(Kept());
+        Assert.Null(Stored());
 
-        string? Kept()
+        string? Stored()
         {
             var settings = CellSettingsReader.Read(cell.Config);
             using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder));

@@ -84,7 +84,7 @@ public sealed class SameAsCellTests
                 request with { Job = request.Job with { Program = program } }, TestContext.Current.CancellationToken));
     }
 
-    private static CorrectionRequest Request(string sample, string piece, KeptFile measurement) => new()
+    private static CorrectionRequest Request(string sample, string piece, StoredFile measurement) => new()
     {
         Job = new()
         {

@@ -20,7 +20,7 @@ internal sealed class MemoryClipboard : IClipboard
     public Task FlushAsync() => Task.CompletedTask;
 
     public Task<IAsyncDataTransfer?> TryGetDataAsync() =>
-        Task.FromResult<IAsyncDataTransfer?>(_data is null ? null : new KeptTransfer(_data));
+        Task.FromResult<IAsyncDataTransfer?>(_data is null ? null : new StoredTransfer(_data));
 
     public Task<IAsyncDataTransfer?> TryGetInProcessDataAsync() => Task.FromResult(_data);
 }

@@ -48,7 +48,7 @@ public sealed class CompensationTests
 
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         Assert.Equal(
-            report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Kept.Report!.Program.ChangedBlocks);
+            report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Stored.Report!.Program.ChangedBlocks);
     });
 
     [Fact]
@@ -92,7 +92,7 @@ public sealed class CompensationTests
             Lines(correction.BaseSha256!),
             detail.Lines!.Where(l => l.Original.Length > 0 || l.ModifiedSpans.Count == 0).Select(l => l.Original));
         Assert.Equal(Lines(correction.ProgramSha256!), detail.Lines!.Select(l => l.Modified));
-        Assert.Equal(detail.Kept.Report!.Program.ChangedBlocks, detail.Lines!.Count(l => l.IsChanged && l.Original.Length > 0));
+        Assert.Equal(detail.Stored.Report!.Program.ChangedBlocks, detail.Lines!.Count(l => l.IsChanged && l.Original.Length > 0));
         Assert.All(detail.Lines!.Where(l => !l.IsChanged), l => Assert.Equal(l.Original, l.Modified));
         seat.Tap("tab-program").Tap("change-next");
         var list = (ListBox)seat.See("program");

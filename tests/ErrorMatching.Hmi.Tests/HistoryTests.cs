@@ -200,8 +200,8 @@ public sealed class HistoryTests
             seat.Tap("found-1").See("detail-title");
             var (history, kept) = (
                 (HistoryViewModel)seat.Shell.Current!, StoredReport.Read(seat.Station.Store.Content(sent.ReportSha256!)).Match!);
-            Assert.Equal(kept.KeyPoints.Select(p => p.Correction), history.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
-            Assert.Contains(history.Detail.Kept.Report.KeyPoints, p => p.Correction.Length > 0.1);
+            Assert.Equal(kept.KeyPoints.Select(p => p.Correction), history.Detail!.Stored.Report!.KeyPoints.Select(p => p.Correction));
+            Assert.Contains(history.Detail.Stored.Report.KeyPoints, p => p.Correction.Length > 0.1);
             Assert.Equal(
                 System.Text.Encoding.Latin1.GetString(seat.Station.Store.Content(sent.ProgramSha256!))
                     .TrimEnd('\n')

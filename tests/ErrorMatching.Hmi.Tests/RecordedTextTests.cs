@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed partial class RecordedTextTests
 {
     // Commands, fields of the configuration, units: the same in every language.
-    private static readonly string[] Kept = [
+    private static readonly string[] Stored = [
         "errormatch cell release CONFIG", "errormatch", "toolpath.tool", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
 
     private static readonly SentenceForm[] Forms = [.. Recorded.All, .. WarningForms.All, .. RefusalForms.All];
@@ -20,7 +20,7 @@ public sealed partial class RecordedTextTests
     {
         var statement = Read(form.With([.. form.Kinds.Select(Sample)]).Text);
         var shown = RecordedText.Of(statement);
-        Assert.DoesNotMatch(English(), Without(shown, Kept));
+        Assert.DoesNotMatch(English(), Without(shown, Stored));
         Assert.All(
             statement.Values.Zip(form.Kinds).Where(v => v.Second is "" or ['0' or 'y', ..]),
             v => Assert.Contains(
@@ -131,7 +131,7 @@ public sealed partial class RecordedTextTests
         seat.WaitFor(() => screen.Entries.Count == store.AuditEntries(0, 1000).Count, "The trail is not shown whole.");
         string[] names =
         [
-            .. Kept, "counterpart.nc", "FINISH.MPF", "A.READY", "job.json", "theoretical.csv", "X1.csv", "Sample cell",
+            .. Stored, "counterpart.nc", "FINISH.MPF", "A.READY", "job.json", "theoretical.csv", "X1.csv", "Sample cell",
             .. cell.Settings.Jobs.Select(j => j.Name), .. cell.Settings.Gauges.Select(g => g.Name),
             .. cell.Settings.Machines.Select(m => m.Name), DemoCell.Setter, DemoCell.Operator, DemoCell.Administrator,
         ];

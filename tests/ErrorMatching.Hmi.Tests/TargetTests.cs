@@ -158,7 +158,7 @@ public sealed class TargetTests
         // A row of each kind, and what is empty is told too.
         editing.Change("", d => d with { Chain = [new("cover", "15", "-0.1", "0.1")], Comparisons = [new("a", "angle", "L1, L1")] });
         here.Settle();
-        editing.Tell();
+        editing.Report();
         seat.Tap("nav-" + screen);
         var sample = editing.Draft;
         string[] sides = screen == ScreenKeys.Points

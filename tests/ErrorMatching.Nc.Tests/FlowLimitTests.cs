@@ -75,7 +75,7 @@ public sealed class FlowLimitTests
     {
         var watch = Stopwatch.StartNew();
         var run = new NcFlow(NcProgram.FromText("#1=0\nWHILE[#1LT330000]DO1\n#1=#1+1\nEND1\nM30"), NcDialects.FanucMill);
-        for (var i = 0; run.Before(i) == FlowAction.Continue; i = run.Next)
+        for (var i = 0; run.ExecuteStatements(i) == FlowAction.Continue; i = run.Next)
         {
         }
 

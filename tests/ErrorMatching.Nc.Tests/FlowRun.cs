@@ -49,12 +49,12 @@ internal sealed class FlowRun
             {
                 var block = Flow.Program[i];
                 var text = Flow.Program.BytesOf(block);
-                action = FlowTrigger.Concerns(text, DialectOf(syntax)) ? Flow.Before(i) : FlowAction.Words;
+                action = FlowTrigger.Concerns(text, DialectOf(syntax)) ? Flow.ExecuteStatements(i) : FlowAction.Words;
                 if (action == FlowAction.Words)
                 {
                     var moves = Record(block);
                     var concerns = FlowTrigger.Concerns(text, DialectOf(syntax)) || (moves && Flow.HasModalCall);
-                    action = concerns ? Flow.Behind(i, moves) : FlowAction.Words;
+                    action = concerns ? Flow.ExecuteCalls(i, moves) : FlowAction.Words;
                 }
             }
 

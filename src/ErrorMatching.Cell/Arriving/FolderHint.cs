@@ -75,9 +75,9 @@ internal sealed class FolderHint : IDisposable
         try
         {
             _watcher = new(_folder) { NotifyFilter = NotifyFilters.FileName | NotifyFilters.LastWrite };
-            _watcher.Created += (_, _) => Tell();
-            _watcher.Renamed += (_, _) => Tell();
-            _watcher.Changed += (_, _) => Tell();
+            _watcher.Created += (_, _) => Report();
+            _watcher.Renamed += (_, _) => Report();
+            _watcher.Changed += (_, _) => Report();
             _watcher.EnableRaisingEvents = true;
         }
         catch (Exception e) when (e is IOException or ArgumentException or UnauthorizedAccessException)
@@ -89,7 +89,7 @@ internal sealed class FolderHint : IDisposable
         }
     }
 
-    private void Tell()
+    private void Report()
     {
         lock (_telling)
         {

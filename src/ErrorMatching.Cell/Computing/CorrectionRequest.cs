@@ -10,10 +10,10 @@ public sealed record CorrectionRequest
     public required string Piece { get; init; }
 
     /// <summary>The measurement.</summary>
-    public required KeptFile Measurement { get; init; }
+    public required StoredFile Measurement { get; init; }
 
     /// <summary>The part's measurement, for a counterpart that is compared with it; null while there is none.</summary>
-    public KeptFile? Part { get; init; }
+    public StoredFile? Part { get; init; }
 
     /// <summary>If the job accumulates: the program that cut the measured counterpart; null for the original one.</summary>
     public ReadOnlyMemory<byte>? Base { get; init; }
@@ -22,7 +22,7 @@ public sealed record CorrectionRequest
     public CorrectionSums Sums { get; init; } = CorrectionSums.None;
 
     /// <summary>For a surface: the last program sent, which may have cut the measured piece; null if none was sent.</summary>
-    public KeptFile? LastSent { get; init; }
+    public StoredFile? LastSent { get; init; }
 
     /// <summary>The correction's identity from recognition; null if it has none yet. If the final identity differs, the correction is
     /// refused: the job's files have changed.</summary>

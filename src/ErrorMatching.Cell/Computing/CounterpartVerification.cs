@@ -18,7 +18,7 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
     /// <param name="files">The job's files.</param>
     /// <param name="part">The part's measurement; null if none is known for which a program was sent.</param>
     /// <param name="counterpart">The counterpart.</param>
-    public static CounterpartVerification Of(JobFiles files, KeptFile? part, MeasurementFile counterpart)
+    public static CounterpartVerification Of(JobFiles files, StoredFile? part, MeasurementFile counterpart)
     {
         if (part is null)
         {

@@ -142,7 +142,7 @@ internal sealed class MatingCorrection
 
     private CorrectionBasis Basis(IReadOnlyList<ReportInput> inputs, ReadOnlyMemory<byte> program)
     {
-        var baseSha256 = new KeptFile("", program).Sha256;
+        var baseSha256 = new StoredFile("", program).Sha256;
         string[] measurements = MakesProgram && IsFeedback
             ? [_request.Measurement.Sha256, _request.Part!.Sha256]
             : [_request.Measurement.Sha256];

@@ -136,7 +136,7 @@ internal sealed class SurfaceCorrection
 
     private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
     {
-        var baseSha256 = program is { } bytes ? new KeptFile("", bytes).Sha256 : null;
+        var baseSha256 = program is { } bytes ? new StoredFile("", bytes).Sha256 : null;
         return new(
             CorrectionIdentity.Of(
                 [_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain),

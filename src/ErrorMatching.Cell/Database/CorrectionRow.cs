@@ -79,7 +79,7 @@ internal static class CorrectionRow
     };
 
     /// <summary>The correction as the store returns it: texts that a database would reject are made acceptable.</summary>
-    public static Correction Kept(Correction correction) => correction with
+    public static Correction Stored(Correction correction) => correction with
     {
         Job = StoredText.NameOrNull(correction.Job),
         Piece = StoredText.NameOrNull(correction.Piece),
@@ -144,7 +144,7 @@ internal static class CorrectionRow
     public static string NameOf(long id) => "correction " + CodedRow.Number(id);
 
     /// <summary>The row with its code.</summary>
-    public static KeptRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(32));
+    public static StoredRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(32));
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(
         row.GetInt64(0),

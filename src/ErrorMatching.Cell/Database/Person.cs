@@ -41,7 +41,7 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
             .OrderBy(p => UserName.Key(p.Name), StringComparer.Ordinal)];
 
     /// <summary>The row with its code.</summary>
-    public static KeptRow<Person> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(6));
+    public static StoredRow<Person> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(6));
 
     /// <summary>The row in coded form.</summary>
     public static CodedRow Coded(Person p) => new(
@@ -89,7 +89,7 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
     };
 
     /// <summary>The user, and whether the row was changed outside the cell.</summary>
-    public static Person Looked(KeptRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
+    public static Person Looked(StoredRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };
 
     private static Person Read(DbDataReader row) => new(
         row.GetString(0), Enum.GetValues<Role>().Where(r => r.ToString() == row.GetString(1)).Select(r => (Role?)r).FirstOrDefault(),

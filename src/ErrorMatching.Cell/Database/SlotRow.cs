@@ -41,7 +41,7 @@ internal static class SlotRow
             + $"{slot.ReplaceLineEndings(" ")}");
 
     /// <summary>The row with its code.</summary>
-    public static KeptRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
+    public static StoredRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));
 
     /// <summary>Codes a slot's current row; the audit entry that follows names the code.</summary>
     public static void Code(StoreTransaction transaction, string machine, string slot)
@@ -63,7 +63,7 @@ internal static class SlotRow
     }
 
     /// <summary>The error for a row that was changed outside the cell.</summary>
-    public static StoreException Tampered(KeptRow<SlotHolding> row) =>
+    public static StoreException Tampered(StoredRow<SlotHolding> row) =>
         new(StoreError.Tampered, Recorded.SlotTampered.With(row.Value.Slot, row.Value.Machine));
 
     /// <summary>Frees a slot of the correction that has it; otherwise the slot stays as it is.</summary>

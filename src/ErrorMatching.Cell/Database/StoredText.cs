@@ -14,26 +14,26 @@ internal static class StoredText
     public const int MostOfStatement = StatementText.MostCharacters;
 
     /// <summary>A name in stored form: unpaired surrogates and the character 0 are replaced, excess length is cut off.</summary>
-    public static string Name(string text) => Kept(text, MostOfName);
+    public static string Name(string text) => Stored(text, MostOfName);
 
     /// <summary>A name in stored form, or null.</summary>
-    public static string? NameOrNull(string? text) => text is null ? null : Kept(text, MostOfName);
+    public static string? NameOrNull(string? text) => text is null ? null : Stored(text, MostOfName);
 
     /// <summary>A statement in stored form.</summary>
-    public static Statement Of(Statement statement) => Kept(statement, MostOfStatement);
+    public static Statement Of(Statement statement) => Stored(statement, MostOfStatement);
 
     /// <summary>A statement in stored form, or null.</summary>
-    public static Statement? OfOrNull(Statement? statement) => statement is null ? null : Kept(statement, MostOfStatement);
+    public static Statement? OfOrNull(Statement? statement) => statement is null ? null : Stored(statement, MostOfStatement);
 
     /// <summary>A statement in an indexed column, or null.</summary>
-    public static Statement? NameOrNull(Statement? statement) => statement is null ? null : Kept(statement, MostOfName);
+    public static Statement? NameOrNull(Statement? statement) => statement is null ? null : Stored(statement, MostOfName);
 
-    private static Statement Kept(Statement statement, int most) =>
-        statement.Words is { } words && !StatementText.IsMarked(words) ? Kept(words, most)
-        : statement.Fitted(most) is { Words: { } cut } shorter && !StatementText.IsMarked(cut) ? Kept(cut, most)
+    private static Statement Stored(Statement statement, int most) =>
+        statement.Words is { } words && !StatementText.IsMarked(words) ? Stored(words, most)
+        : statement.Fitted(most) is { Words: { } cut } shorter && !StatementText.IsMarked(cut) ? Stored(cut, most)
         : statement.Fitted(most);
 
-    private static string Kept(string text, int most)
+    private static string Stored(string text, int most)
     {
         if (text.Length > most) text = text[..(most - 1)] + "…";
         if (!text.AsSpan().ContainsAnyInRange('\uD800', '\uDFFF') && !text.Contains('\0')) return text;

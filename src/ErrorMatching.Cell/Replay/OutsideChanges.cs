@@ -51,7 +51,7 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
 
         return found;
 
-        IReadOnlyList<(KeptRow<T>? Row, AuditFault? Fault)> Look<T>(string sql, Func<DbDataReader, KeptRow<T>> read,
+        IReadOnlyList<(StoredRow<T>? Row, AuditFault? Fault)> Look<T>(string sql, Func<DbDataReader, StoredRow<T>> read,
             string kind) =>
             Rows.Query(connection, sql, r => RecordedRows.Read(r, read, kind), null, transaction);
     });

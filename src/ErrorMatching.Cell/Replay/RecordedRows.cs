@@ -29,7 +29,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     }
 
     /// <summary>What is wrong with the row of a correction; null if nothing is.</summary>
-    public AuditFault? OfCorrection(KeptRow<Correction> row)
+    public AuditFault? OfCorrection(StoredRow<Correction> row)
     {
         var c = row.Value;
         if (replay.Corrections.GetValueOrDefault(c.Id) is not { } recorded)
@@ -56,7 +56,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     }
 
     /// <summary>What is wrong with the row of a slot; null if nothing is.</summary>
-    public AuditFault? OfSlot(KeptRow<SlotHolding> row)
+    public AuditFault? OfSlot(StoredRow<SlotHolding> row)
     {
         var slot = row.Value;
         var holder = slot.Correction is { } id ? replay.Corrections.GetValueOrDefault(id) : null;
@@ -67,7 +67,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     }
 
     /// <summary>The same, and whether the slot has the correction that it must have.</summary>
-    public AuditFault? OfSlotAndHolder(KeptRow<SlotHolding> row) => OfSlot(row) ?? Query(
+    public AuditFault? OfSlotAndHolder(StoredRow<SlotHolding> row) => OfSlot(row) ?? Query(
         CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionState.Uploading, CorrectionState.Verified)}",
             CorrectionRow.ReadKept, "correction")
         .Select(c => c.Row?.Value).OfType<Correction>()
@@ -80,7 +80,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             : null;
 
     /// <summary>What is wrong with the row of a user; null if nothing is.</summary>
-    public AuditFault? OfPerson(KeptRow<Person> row)
+    public AuditFault? OfPerson(StoredRow<Person> row)
     {
         var person = row.Value;
         if (replay.People.GetValueOrDefault(UserName.Key(person.Name)) is not { } recorded)
@@ -103,7 +103,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     public static AuditFault Unreadable(string kind, string name) => Differs(0, Recorded.RowUnreadable.With(kind, name));
 
     /// <summary>Reads a row; one that cannot be parsed is a fault.</summary>
-    public static (KeptRow<T>? Row, AuditFault? Fault) Read<T>(DbDataReader row, Func<DbDataReader, KeptRow<T>> read, string kind)
+    public static (StoredRow<T>? Row, AuditFault? Fault) Read<T>(DbDataReader row, Func<DbDataReader, StoredRow<T>> read, string kind)
     {
         try
         {
@@ -164,10 +164,10 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
         ? code == expected && (key is null || coded.Code(key) == expected) ? null : Differs(seq, message(seq))
         : code is null ? null : Differs(0, message(0));
 
-    private List<(KeptRow<T>? Row, AuditFault? Fault)> Query<T>(string sql, Func<DbDataReader, KeptRow<T>> read, string kind) =>
+    private List<(StoredRow<T>? Row, AuditFault? Fault)> Query<T>(string sql, Func<DbDataReader, StoredRow<T>> read, string kind) =>
         [.. Stream(sql, read, kind)];
 
-    private IEnumerable<(KeptRow<T>? Row, AuditFault? Fault)> Stream<T>(string sql, Func<DbDataReader, KeptRow<T>> read, string kind) =>
+    private IEnumerable<(StoredRow<T>? Row, AuditFault? Fault)> Stream<T>(string sql, Func<DbDataReader, StoredRow<T>> read, string kind) =>
         Rows.Stream(connection, sql, r => Read(r, read, kind), null, transaction);
 
     private static AuditFault Differs(long seq, Statement message) => new(AuditFaultKind.RowDiffers, seq, message);

@@ -34,7 +34,7 @@ internal static class RowCoding
         Each(Person.SelectKept, Person.ReadKept, rows.OfPerson, "person", "name_key = @Key", p => new { Key = UserName.Key(p.Name) });
         Name();
 
-        void Each<T>(string select, Func<DbDataReader, KeptRow<T>> read, Func<KeptRow<T>, AuditFault?> fault, string table, string one,
+        void Each<T>(string select, Func<DbDataReader, StoredRow<T>> read, Func<StoredRow<T>, AuditFault?> fault, string table, string one,
             Func<T, object> which)
         {
             foreach (var (row, _) in t.Query(select + " WHERE row_code IS NULL", r => RecordedRows.Read(r, read, table)))

@@ -79,7 +79,7 @@ internal sealed class CellFlow(
         AroundStep?.Invoke(to, true);
         StepLog.Write(log, from.State, now, basis.Sentence);
         CellTelemetry.Count(now);
-        Tell(now);
+        Report(now);
         return now;
     }
 
@@ -93,13 +93,13 @@ internal sealed class CellFlow(
         }
         catch (StoreException e) when (e.Error == StoreError.Tampered)
         {
-            SayTampered(Recorded.Correction.With(correction.Id), e.Statement);
+            ReportTampered(Recorded.Correction.With(correction.Id), e.Statement);
             throw;
         }
     }
 
     /// <summary>Records a change to the store from outside the cell, once while the cell runs.</summary>
-    public void SayTampered(Statement? subject, Statement message)
+    public void ReportTampered(Statement? subject, Statement message)
     {
         if (_saidTampered.TryAdd(message.Text, true)) store.Audit(ByCell, AuditLedger.Tampered, message, subject);
     }
@@ -115,7 +115,7 @@ internal sealed class CellFlow(
         {
             StepLog.Write(log, null, arrived, arrived.Reason?.Sentence ?? $"arrived from {arrived.Gauge}");
             CellTelemetry.Count(arrived);
-            Tell(arrived);
+            Report(arrived);
         }
     }
 
@@ -143,7 +143,7 @@ internal sealed class CellFlow(
             c with { Code = code, Reason = reason, Identity = null, ProgramSha256 = null });
 
     /// <summary>Wakes the workers concerned with a correction's state.</summary>
-    public void Tell(Correction correction)
+    public void Report(Correction correction)
     {
         switch (correction.State)
         {

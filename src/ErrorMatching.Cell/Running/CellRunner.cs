@@ -98,7 +98,7 @@ public sealed class CellRunner
         {
             var folder = _open(machine);
             var listing = new MachineListing(folder, _clock, Pace.Ready);
-            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, SayTry));
+            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, ReportTry));
             yield return new Worker(flow, $"watch of {machine.Name}", new(),
                 AnswerWatch.OfMachine(flow, machine, folder).WorkAsync).RunAsync;
             foreach (var slot in machine.Slots)
@@ -114,7 +114,7 @@ public sealed class CellRunner
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
     }
 
-    private void SayTry(TransferTry t) =>
+    private void ReportTry(TransferTry t) =>
         _log.Debug("{Machine}: try {Try} failed, next in {Wait}: {Message}", t.Machine, t.Number, t.Wait, t.Failure.Message);
 
     // A step blocks its thread while it waits for the disk. With one thread per core, the pool's initial size, transfers for other slots

@@ -35,7 +35,7 @@ public sealed class ChangedJobs(CellSettings settings)
     // same for all its corrections.
     private Dictionary<long, bool> Told(CellJobSettings job, string piece)
     {
-        var nothing = new KeptFile("", default);
+        var nothing = new StoredFile("", default);
         var standing = _computer.Identify(new() { Job = job, Piece = piece, Measurement = nothing, Part = nothing }) switch
         {
             Identified { Basis.Identity: var identity } => identity,

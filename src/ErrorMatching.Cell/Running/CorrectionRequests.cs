@@ -27,7 +27,7 @@ internal static class CorrectionRequests
     };
 
     // Until someone records whether the piece was cut before or after the last program was sent, that program may have cut it.
-    private static KeptFile? LastSent(CellStore store, Correction correction)
+    private static StoredFile? LastSent(CellStore store, Correction correction)
     {
         var cut = CutProgram.Of(store, correction);
         return (cut.By ?? cut.Undecided) is { ProgramSha256: { } program } sent

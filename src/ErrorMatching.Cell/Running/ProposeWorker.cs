@@ -24,7 +24,7 @@ internal sealed class ProposeWorker(CellFlow flow)
                 }
                 catch (StoreException e) when (e.Error == StoreError.Tampered)
                 {
-                    flow.SayTampered(Recorded.Correction.With(proposed.Id), e.Statement);
+                    flow.ReportTampered(Recorded.Correction.With(proposed.Id), e.Statement);
                 }
             }
 

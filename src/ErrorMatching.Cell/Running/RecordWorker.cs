@@ -24,7 +24,7 @@ internal sealed class RecordWorker(CellFlow flow)
             Statement.InARow(first, found.Count == 1 ? "" : Recorded.AndMore.With(found.Count - 1))))
         {
             flow.Log.Error("{Where}: {Message}", Where, string.Join(" ", found));
-            foreach (var message in found) flow.SayTampered(null, message);
+            foreach (var message in found) flow.ReportTampered(null, message);
         }
 
         return Task.FromResult(flow.Pace.Idle);

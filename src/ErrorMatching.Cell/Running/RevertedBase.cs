@@ -38,7 +38,7 @@ internal sealed record RevertedBase(Correction By)
         {
             return flow.Settings.Jobs.FirstOrDefault(j => j.Name == job) is { } settings
                 && OriginalPrograms.Of(settings) is { } original
-                && new KeptFile("", original).Sha256 == sha256;
+                && new StoredFile("", original).Sha256 == sha256;
         }
         catch (InputException)
         {

@@ -32,12 +32,12 @@ internal sealed class SourceWorker : IDisposable
         if (_logs is not null)
         {
             await _logs.TakeAsync(Archive, stop);
-            SayLeft(_logs.Left);
+            ReportLeft(_logs.Left);
             return _gauge.Every;
         }
 
         _files!.Take(Archive, ArchiveUnread, stop);
-        SayLeft(_files.Left);
+        ReportLeft(_files.Left);
         await _files.WaitAsync(stop);
         return TimeSpan.Zero;
     }
@@ -56,7 +56,7 @@ internal sealed class SourceWorker : IDisposable
         _flow.Arrive(() => _flow.Store.ArchiveUnread(arrival with { Trace = activity?.Id }));
     }
 
-    private void SayLeft(IReadOnlyList<LeftFile> left)
+    private void ReportLeft(IReadOnlyList<LeftFile> left)
     {
         var where = $"files of gauge {_gauge.Name}";
         if (left.Count == 0)

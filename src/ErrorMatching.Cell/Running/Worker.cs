@@ -46,13 +46,13 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
             }
             catch (Exception e) when (e is not OperationCanceledException)
             {
-                Say(e);
+                Report(e);
                 await PauseAsync(flow.Pace.PauseAfter(e is StoreException ? 0 : failures++), stop);
             }
         }
     }
 
-    private void Say(Exception e)
+    private void Report(Exception e)
     {
         var (code, isKnown) = e switch
         {

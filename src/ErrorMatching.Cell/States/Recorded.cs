@@ -186,7 +186,7 @@ public static class Recorded
     // The store, and the subject of an entry.
     internal static readonly SentenceForm StoreMade = new("store-made", "The store was made.");
     internal static readonly SentenceForm FromBackup = new("from-backup", "from the backup {0}");
-    internal static readonly SentenceForm KeptAside = new("kept-aside", "what was there before is {0}");
+    internal static readonly SentenceForm StoredAside = new("kept-aside", "what was there before is {0}");
     internal static readonly SentenceForm SetBack = new("set-back", "{0} It had gone to entry {1:0} with the hash {2}.");
     internal static readonly SentenceForm WitnessBegun = new(
         "witness-begun", "How far the trail goes is remembered again from here: {0}");
@@ -340,7 +340,7 @@ public static class Recorded
         NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AtPlace, AndMore, Defect, FirstAdministrator, SignedIn,
         AsRole, ToRole, UntilUtc,
-        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, KeptAside, SetBack, WitnessBegun,
+        WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, StoredAside, SetBack, WitnessBegun,
         JobFiles, JobFile, JobInPlace, Program, File,
         RowsCoded, CorrectionTampered, SlotTampered, UserTampered, UserOfNoRole, NotSent, NoCorrection, NeverArrived, StepNotAllowed,
         ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,

@@ -49,7 +49,7 @@ internal static class ArrivalWriter
     public static Correction Arrive(
         StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, Statement? basis = null)
     {
-        var arrived = CorrectionRow.Kept(arriving);
+        var arrived = CorrectionRow.Stored(arriving);
         var id = transaction.Value<long>(CorrectionRow.Insert, new
         {
             State = CorrectionRow.Word(arrived.State),

@@ -186,7 +186,7 @@ public sealed class CellStore : IDisposable
         ArgumentNullException.ThrowIfNull(from);
         StepWriter.DemandAllowed(from, to);
         var kept = (contents ?? []).Select(c => (Sha256: StoredContent.Sha256(c.Span), Bytes: c)).ToArray();
-        var wanted = CorrectionRow.Kept(with?.Invoke(from) ?? from);
+        var wanted = CorrectionRow.Stored(with?.Invoke(from) ?? from);
         return Write(transaction =>
         {
             foreach (var (sha256, bytes) in kept) StoredContent.Keep(transaction, sha256, bytes);
@@ -202,7 +202,7 @@ public sealed class CellStore : IDisposable
     /// <returns>The new correction, which is archived.</returns>
     /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed it first, or no step leads to its
     /// end.</exception>
-    public Correction GiveAgain(Correction correction, string by, string? reason)
+    public Correction Resubmit(Correction correction, string by, string? reason)
     {
         ArgumentNullException.ThrowIfNull(correction);
         return Write(transaction => Resubmission.Give(transaction, correction, by, reason));
@@ -328,7 +328,7 @@ public sealed class CellStore : IDisposable
             by,
             "restored",
             Recorded.FromBackup.With(Path.GetFileName(backup)),
-            aside is null ? null : Recorded.KeptAside.With(Path.GetFileName(aside)));
+            aside is null ? null : Recorded.StoredAside.With(Path.GetFileName(aside)));
         return aside;
     }
 

@@ -44,7 +44,7 @@ internal static class Resubmission
         var basis = Recorded.ComputedAnew.With(given.Id);
 
         // This frees its identity: if the job reverts to an earlier version, the measurement may be computed with it again.
-        var ended = CorrectionRow.Kept(correction with
+        var ended = CorrectionRow.Stored(correction with
         {
             State = CorrectionState.Superseded,
             Version = correction.Version + 1,

@@ -101,7 +101,7 @@ internal sealed class BezierPatch
         Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
 
     /// <summary>Splits the patch across its longer side (de Casteljau).</summary>
-    public (BezierPatch First, BezierPatch Second) Halves()
+    public (BezierPatch First, BezierPatch Second) TwoThreads()
     {
         var (rows, columns) = (_rows - 1, _columns - 1);
         var alongU = (At(rows, 0) - At(0, 0)).Length + (At(rows, columns) - At(0, columns)).Length

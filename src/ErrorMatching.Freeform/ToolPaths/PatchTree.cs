@@ -135,7 +135,7 @@ internal sealed class PatchTree
         }
 
         _patches += 2;
-        var (first, second) = node.Patch!.Halves();
+        var (first, second) = node.Patch!.TwoThreads();
         node.Halve(IsOutside(first) ? null : new(first), IsOutside(second) ? null : new(second));
     }
 

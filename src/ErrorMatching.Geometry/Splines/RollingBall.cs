@@ -41,7 +41,7 @@ public sealed class RollingBall
             }
 
             // The proof also covers everything around the part within reach of the ball, so a smaller part would hardly be easier.
-            if (cell.Box.Diagonal < 2 * _radius || part.Halves() is not { } halves)
+            if (cell.Box.Diagonal < 2 * _radius || part.TwoThreads() is not { } halves)
             {
                 return null;
             }
@@ -129,7 +129,7 @@ public sealed class RollingBall
 
         public bool? IsFree { get; set; }
 
-        public Part[]? Halves() => _halves ??= cell.Children() is { } halves ? [new(halves[0]), new(halves[1])] : null;
+        public Part[]? TwoThreads() => _halves ??= cell.Children() is { } halves ? [new(halves[0]), new(halves[1])] : null;
     }
 
     /// <summary>Bounds the curvature in the cells of a rectangle, and the deviation of their tangents from those at one place.</summary>

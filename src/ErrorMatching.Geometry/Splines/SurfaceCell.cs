@@ -8,7 +8,7 @@ namespace ErrorMatching.Geometry;
 internal sealed class SurfaceCell
 {
     // Maximum number of pieces and their parts cached in a tree. Beyond it, they are recreated for each search.
-    private const int Kept = 30_000;
+    private const int Stored = 30_000;
 
     private readonly int[] _spansU;
     private readonly int[] _spansV;
@@ -91,7 +91,7 @@ internal sealed class SurfaceCell
         }
 
         var halves = Split();
-        if (halves is not null && (!(halves[0].IsPiece || halves[1].IsPiece) || Interlocked.Add(ref _count.Value, 2) <= Kept))
+        if (halves is not null && (!(halves[0].IsPiece || halves[1].IsPiece) || Interlocked.Add(ref _count.Value, 2) <= Stored))
         {
             // Two threads may both create them, with identical results.
             _children = halves;

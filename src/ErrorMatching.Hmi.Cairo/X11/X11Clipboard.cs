@@ -33,7 +33,7 @@ internal sealed class X11Clipboard : IClipboard
         // The notice that another program has copied may still be on its way.
         if (_own is not null && _window.Value.IsOwner)
         {
-            return new KeptTransfer(_own);
+            return new StoredTransfer(_own);
         }
 
         await _reading.WaitAsync();

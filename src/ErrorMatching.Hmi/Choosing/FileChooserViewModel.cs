@@ -33,7 +33,7 @@ public sealed class FileChooserViewModel : Observable
         ShowAll = new(() =>
         {
             _isAll = !_isAll;
-            Say(nameof(Filter));
+            OnPropertyChanged(nameof(Filter));
             Enter(Folder);
         });
         Loading = BeginAsync(folder, cellFolder, samplesFolder, recent).Watched();
@@ -68,7 +68,7 @@ public sealed class FileChooserViewModel : Observable
             {
                 Ask(null);
                 Confirm.Refresh();
-                Say(nameof(Chosen));
+                OnPropertyChanged(nameof(Chosen));
             }
         }
     }
@@ -139,7 +139,7 @@ public sealed class FileChooserViewModel : Observable
         Message = null;
         Places = [.. Places];
         Rows.Show([.. Rows.Select(r => r.Now(_clock))]);
-        Say();
+        OnPropertyChanged();
     }
 
     private async Task BeginAsync(string folder, string cellFolder, string? samplesFolder, IReadOnlyList<string> recent)
@@ -188,8 +188,8 @@ public sealed class FileChooserViewModel : Observable
                     : listing.Folder;
                 Up.Refresh();
                 Confirm.Refresh();
-                Say();
-                Say(nameof(Chosen));
+                OnPropertyChanged();
+                OnPropertyChanged(nameof(Chosen));
             }
         }
         catch (OperationCanceledException) when (looking.IsCancellationRequested)
@@ -270,7 +270,7 @@ public sealed class FileChooserViewModel : Observable
     private void Ask(string? replaced)
     {
         _replaced = replaced;
-        Say(nameof(ConfirmLabel));
+        OnPropertyChanged(nameof(ConfirmLabel));
     }
 
     private void End(string? path)

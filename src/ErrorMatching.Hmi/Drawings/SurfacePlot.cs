@@ -75,7 +75,7 @@ public sealed class SurfacePlot : PlotArea
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
-    protected override IEnumerable<string> KeptWords => Drawing?.Points.Select(p => p.Label) ?? [];
+    protected override IEnumerable<string> StoredWords => Drawing?.Points.Select(p => p.Label) ?? [];
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Points.Count ?? 0;

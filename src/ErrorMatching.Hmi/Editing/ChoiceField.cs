@@ -48,9 +48,9 @@ public sealed class ChoiceField(
         if (_items is null || _items.Any(i => i.Name != Texts.Current[$"{_label}.{i.Word}"]))
         {
             _items = null;
-            Say(nameof(Items));
+            OnPropertyChanged(nameof(Items));
         }
 
-        Say(nameof(Chosen));
+        OnPropertyChanged(nameof(Chosen));
     }
 }

@@ -31,7 +31,7 @@ internal sealed class DraftRecovery
 
     /// <summary>The stored changes of a job; null if there are none.</summary>
     /// <exception cref="InputException">They cannot be read.</exception>
-    public KeptDraft? Find(CellJobSettings job) => NamesOf(job).Select(_drafts.Find).FirstOrDefault(k => k is not null);
+    public StoredDraft? Find(CellJobSettings job) => NamesOf(job).Select(_drafts.Find).FirstOrDefault(k => k is not null);
 
     /// <summary>Deletes the stored changes of a job.</summary>
     /// <exception cref="OutputException">They cannot be deleted.</exception>

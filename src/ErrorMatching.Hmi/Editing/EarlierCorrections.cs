@@ -44,13 +44,13 @@ internal sealed class EarlierCorrections(Station station, Func<SignedIn?> who)
             Waiting, who()!, new List<Correction>(), new List<(Correction Correction, Exception Failure)>());
         await Task.Run(() =>
         {
-            var anew = new ComputingAnew(station.Settings, station.Store);
+            var anew = new Recalculation(station.Settings, station.Store);
             foreach (var correction in waiting)
             {
                 try
                 {
                     station.Users.Demand(by, Act.Reject);
-                    given.Add(anew.GiveAgain(correction.Id, by.Name, null));
+                    given.Add(anew.Resubmit(correction.Id, by.Name, null));
                 }
                 catch (Exception e) when (Failures.IsKnown(e))
                 {

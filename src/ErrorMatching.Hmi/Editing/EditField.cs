@@ -38,7 +38,7 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         {
             if (Set(ref _problem, value))
             {
-                Say(nameof(HasProblem));
+                OnPropertyChanged(nameof(HasProblem));
             }
         }
     }
@@ -85,11 +85,11 @@ public abstract class EditField(JobEditing editing, string path, string label) :
         IsDoubtful = texts.Length == 0 && questions.Length > 0;
         Problem = IsDoubtful ? Sentence.Joined(questions) : told;
         IsWrong = HasProblem && all.Any(p => !p.IsMissing);
-        Say(nameof(IsToMend));
-        Say(nameof(IsToFillIn));
-        Say(nameof(CanEdit));
-        Say(nameof(Label));
-        Say(nameof(Title));
+        OnPropertyChanged(nameof(IsToMend));
+        OnPropertyChanged(nameof(IsToFillIn));
+        OnPropertyChanged(nameof(CanEdit));
+        OnPropertyChanged(nameof(Label));
+        OnPropertyChanged(nameof(Title));
         ShowTold();
     }
 

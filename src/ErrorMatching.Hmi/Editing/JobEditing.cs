@@ -38,9 +38,9 @@ public sealed class JobEditing : Observable, IDisposable
         Redo = new(() => Go(_history.Redo), () => CanEdit && _history.CanRedo);
         BeginAnew = new(BeginNew, () => CanEdit);
         DiscardChanges = new(() => Change("", _ => Base), () => CanEdit && IsChanged);
-        ContinueKept = new(TakeKept, () => Kept is not null && MayEdit);
-        DiscardKept = new(_ => ForgetKeptAsync(), () => (Kept is not null || IsKeptBroken) && MayEdit);
-        ComputeAnew = new(_ => ComputeAnewAsync(), () => CanComputeAnew);
+        ContinueKept = new(TakeKept, () => Stored is not null && MayEdit);
+        DiscardKept = new(_ => ForgetKeptAsync(), () => (Stored is not null || IsKeptBroken) && MayEdit);
+        Recalculate = new(_ => RecalculateAsync(), () => CanRecalculate);
 
         // While saving, nothing can be edited.
         Save.PropertyChanged += (_, _) => Refresh();
@@ -108,7 +108,7 @@ public sealed class JobEditing : Observable, IDisposable
     public bool IsTold => _isTold;
 
     /// <summary>Earlier unsaved changes that wait for a decision, or null.</summary>
-    public KeptDraft? Kept { get; private set; }
+    public StoredDraft? Stored { get; private set; }
 
     /// <summary>True if the stored changes cannot be read.</summary>
     public bool IsKeptBroken { get; private set; }
@@ -132,7 +132,7 @@ public sealed class JobEditing : Observable, IDisposable
     /// <summary>True if the signed-in user may edit jobs.</summary>
     public bool MayEdit => _who() is { } who && Rights.Allows(who.Role, Act.EditJobs);
 
-    public bool CanEdit => MayEdit && _isLoaded && Kept is null && !IsKeptBroken && !Save.IsRunning && !PutInUse.IsRunning;
+    public bool CanEdit => MayEdit && _isLoaded && Stored is null && !IsKeptBroken && !Save.IsRunning && !PutInUse.IsRunning;
 
     public Command Undo { get; }
 
@@ -166,13 +166,13 @@ public sealed class JobEditing : Observable, IDisposable
     public CellJobSettings? Place => Job is { } job ? _edits.PlaceOf(job) : null;
 
     /// <summary>Recalculates the corrections that are waiting, approved or failed with the current job.</summary>
-    public LongCommand ComputeAnew { get; }
+    public LongCommand Recalculate { get; }
 
     /// <summary>True while the notice about saving is shown and the user may recalculate.</summary>
-    public bool CanComputeAnew => _notice is not null && Earlier.CanCompute;
+    public bool CanRecalculate => _notice is not null && Earlier.CanCompute;
 
     /// <summary>Button text with the number of corrections.</summary>
-    public string ComputeAnewText => Texts.Current.With("Setup.ComputeAnew", Earlier.Waiting.Count);
+    public string RecalculateText => Texts.Current.With("Setup.Recalculate", Earlier.Waiting.Count);
 
     /// <summary>The first correction in the notice about saving or recalculating; null if there is none.</summary>
     public long? FirstWaiting => _notice is null ? null : Earlier.First;
@@ -207,7 +207,7 @@ public sealed class JobEditing : Observable, IDisposable
         job = Jobs.FirstOrDefault(j => j.File == job?.File) ?? job;
         if (job is not null && job != Job)
         {
-            (Job, _isLoaded, Kept, IsKeptBroken, _notice) = (job, false, null, false, null);
+            (Job, _isLoaded, Stored, IsKeptBroken, _notice) = (job, false, null, false, null);
             _problems.Clear();
             _versions.Clear();
             Refresh();
@@ -233,7 +233,7 @@ public sealed class JobEditing : Observable, IDisposable
     public void Note(Func<string>? notice) => Note(notice, []);
 
     /// <summary>Shows mistakes at every field and goes to the first; without mistakes, to the first question.</summary>
-    public void Tell()
+    public void Report()
     {
         _isTold = true;
         Refresh();
@@ -255,8 +255,8 @@ public sealed class JobEditing : Observable, IDisposable
         _versions.Refresh();
         Save.Refresh();
         PutInUse.Refresh();
-        ComputeAnew.Refresh();
-        Say();
+        Recalculate.Refresh();
+        OnPropertyChanged();
         Shown?.Invoke();
     }
 
@@ -264,9 +264,9 @@ public sealed class JobEditing : Observable, IDisposable
     internal void ForgetNotice()
     {
         _notice = null;
-        Say(nameof(Notice));
-        Say(nameof(CanComputeAnew));
-        Say(nameof(FirstWaiting));
+        OnPropertyChanged(nameof(Notice));
+        OnPropertyChanged(nameof(CanRecalculate));
+        OnPropertyChanged(nameof(FirstWaiting));
     }
 
     /// <summary>Waits until the last input is stored.</summary>
@@ -339,7 +339,7 @@ public sealed class JobEditing : Observable, IDisposable
         }
 
         (BaseSha256, Base, HasComments) = (opened.Sha256, opened.Draft ?? new(), opened.HasComments);
-        (Kept, IsKeptBroken, _isLoaded, _isTold) = (opened.Kept, opened.IsKeptBroken, opened.Draft is not null, false);
+        (Stored, IsKeptBroken, _isLoaded, _isTold) = (opened.Stored, opened.IsKeptBroken, opened.Draft is not null, false);
         Message = opened.Message;
         _history.Begin(Base);
         _problems.Check(new(job, Base, Base, BaseSha256, "", default));
@@ -351,9 +351,9 @@ public sealed class JobEditing : Observable, IDisposable
 
     private void TakeKept()
     {
-        if (Kept is { } kept)
+        if (Stored is { } kept)
         {
-            Kept = null;
+            Stored = null;
 
             // Saving reports a change made in the meantime.
             BaseSha256 = kept.BaseSha256;
@@ -368,12 +368,12 @@ public sealed class JobEditing : Observable, IDisposable
         var job = Job!;
         if (await TryAsync(() => Recovery.Forget(job)))
         {
-            (Kept, IsKeptBroken) = (null, false);
+            (Stored, IsKeptBroken) = (null, false);
             Refresh();
         }
     }
 
-    private async Task ComputeAnewAsync()
+    private async Task RecalculateAsync()
     {
         _notice = await Earlier.ComputeAsync();
         Refresh();

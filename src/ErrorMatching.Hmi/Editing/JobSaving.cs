@@ -161,7 +161,7 @@ internal sealed class JobSaving
         }
 
         // This may open the other screen and clear all notices, so show the notice afterward.
-        _editing.Tell();
+        _editing.Report();
         _editing.Note(() => _editing.Problems.Count > 0 ? Texts.Current.With("Setup.NotSaved", _editing.CountText) : "");
         return true;
     }

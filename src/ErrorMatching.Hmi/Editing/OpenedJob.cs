@@ -9,16 +9,16 @@ namespace ErrorMatching.Hmi;
 /// <param name="Sha256">Hash of the job.</param>
 /// <param name="Draft">The saved job as a draft; null if it cannot be read.</param>
 /// <param name="HasComments">True if the job's file has comments.</param>
-/// <param name="Kept">Earlier unsaved changes; null if there are none.</param>
+/// <param name="Stored">Earlier unsaved changes; null if there are none.</param>
 /// <param name="IsKeptBroken">True if these cannot be read.</param>
 /// <param name="Message">What cannot be read, and why; null if all can.</param>
 internal sealed record OpenedJob(
-    string Sha256, MatingDraft? Draft, bool HasComments, KeptDraft? Kept, bool IsKeptBroken, string? Message)
+    string Sha256, MatingDraft? Draft, bool HasComments, StoredDraft? Stored, bool IsKeptBroken, string? Message)
 {
     /// <summary>Reads a job. Do not call it on the UI thread.</summary>
     public static OpenedJob Read(CellJobSettings job, DraftRecovery recovery, TimeProvider clock)
     {
-        KeptDraft? kept = null;
+        StoredDraft? kept = null;
         var (isBroken, message) = (false, (string?)null);
         try
         {
@@ -26,7 +26,7 @@ internal sealed record OpenedJob(
         }
         catch (InputException e)
         {
-            (isBroken, message) = (true, Texts.Current.With("Setup.KeptBroken", Failures.Of(e, clock)));
+            (isBroken, message) = (true, Texts.Current.With("Setup.StoredBroken", Failures.Of(e, clock)));
         }
 
         try

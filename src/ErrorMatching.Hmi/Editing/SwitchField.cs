@@ -32,6 +32,6 @@ public sealed class SwitchField(
     protected override void Refresh()
     {
         _shown = get(Editing.Draft);
-        Say(nameof(IsOn));
+        OnPropertyChanged(nameof(IsOn));
     }
 }

@@ -71,7 +71,7 @@ public sealed class TextField(
 
     protected override bool IsEmpty => string.IsNullOrWhiteSpace(_shown);
 
-    protected override void ShowTold() => Say(nameof(Placeholder));
+    protected override void ShowTold() => OnPropertyChanged(nameof(Placeholder));
 
     protected override void Refresh()
     {

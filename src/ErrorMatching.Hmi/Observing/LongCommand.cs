@@ -72,7 +72,7 @@ public sealed class LongCommand : Observable, ICommand
     private async Task RunAsync()
     {
         using var cancellation = _cancellation = new();
-        SayRunning();
+        OnRunningChanged();
         try
         {
             await _run(cancellation.Token);
@@ -84,20 +84,20 @@ public sealed class LongCommand : Observable, ICommand
         finally
         {
             _cancellation = null;
-            SayRunning();
+            OnRunningChanged();
         }
     }
 
-    private void SayRunning()
+    private void OnRunningChanged()
     {
-        Say(nameof(IsRunning));
-        Say(nameof(IsWorking));
+        OnPropertyChanged(nameof(IsRunning));
+        OnPropertyChanged(nameof(IsWorking));
         Refresh();
     }
 
     private void Ask(bool isAsking)
     {
         _isAsking = isAsking;
-        Say(nameof(IsWorking));
+        OnPropertyChanged(nameof(IsWorking));
     }
 }

@@ -19,10 +19,10 @@ public abstract class Observable : INotifyPropertyChanged
         }
 
         field = value;
-        Say(name);
+        OnPropertyChanged(name);
         return true;
     }
 
     /// <summary>Reports that a property has changed; without a name, that all may have.</summary>
-    protected void Say(string? name = null) => PropertyChanged?.Invoke(this, new PropertyChangedEventArgs(name));
+    protected void OnPropertyChanged(string? name = null) => PropertyChanged?.Invoke(this, new PropertyChangedEventArgs(name));
 }

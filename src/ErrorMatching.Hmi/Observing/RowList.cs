@@ -25,7 +25,7 @@ public sealed class RowList<T> : ObservableCollection<T>
 
         if (first < Math.Max(Count, rows.Count))
         {
-            RowsChange.Tell();
+            RowsChange.Report();
         }
 
         for (var i = first; i < rows.Count - behind; i++)

@@ -6,5 +6,5 @@ internal static class RowsChange
     /// <summary>Raised before the rows of any list change.</summary>
     public static event Action? Coming;
 
-    public static void Tell() => Coming?.Invoke();
+    public static void Report() => Coming?.Invoke();
 }

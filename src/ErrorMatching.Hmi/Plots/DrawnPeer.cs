@@ -19,7 +19,7 @@ internal sealed class DrawnPeer(Control owner, AutomationControlType type, Func<
     public string? Value => said();
 
     /// <summary>Reports a new value of <paramref name="owner"/>. Costs nothing if no screen reader listens.</summary>
-    public static void Tell(Control owner, string? was, string? now)
+    public static void Report(Control owner, string? was, string? now)
     {
         if (was != now)
         {

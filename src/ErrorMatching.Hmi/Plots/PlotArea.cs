@@ -95,10 +95,10 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     /// <inheritdoc/>
     IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords =>
-        [.. WordsDrawn, .. KeptWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
+        [.. WordsDrawn, .. StoredWords.Append(DatumCount > 0 ? DatumAt(0)?.Text : null).OfType<string>().Select(w => (w, Plain))];
 
     /// <summary>Words that are redrawn in later frames without being recreated.</summary>
-    protected virtual IEnumerable<string> KeptWords => [];
+    protected virtual IEnumerable<string> StoredWords => [];
 
     /// <summary>Extent of the data; an empty box if there are none.</summary>
     protected abstract PlotBox Extent { get; }
@@ -130,14 +130,14 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     public void Zoom(double factor, Point about)
     {
         var (least, most) = (LeastShare * _whole.ScaleX, MostFactor * _whole.ScaleX);
-        View = Kept(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
+        View = Stored(View.Zoom(Math.Clamp(View.ScaleX * factor, least, most) / View.ScaleX, new(about.X, about.Y)));
         Lead();
     }
 
     /// <summary>Pans by a distance in screen units.</summary>
     public void Pan(Vector by)
     {
-        View = Kept(View.Pan(new(by.X, by.Y)));
+        View = Stored(View.Pan(new(by.X, by.Y)));
         Lead();
     }
 
@@ -152,7 +152,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         }
 
         RaisePropertyChanged(ValuesProperty, old, Values);
-        DrawnPeer.Tell(this, old, Values);
+        DrawnPeer.Report(this, old, Values);
         AutomationProperties.SetHelpText(this, Values ?? "");
         InvalidateVisual();
     }
@@ -271,7 +271,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     }
 
     // Keeps the drawing in sight: the center of the view stays within its box.
-    private PlotView Kept(PlotView view) => Extent is { IsEmpty: false } extent
+    private PlotView Stored(PlotView view) => Extent is { IsEmpty: false } extent
         ? view with
         {
             Middle = new(Math.Clamp(view.Middle.X, extent.Left, extent.Right), Math.Clamp(view.Middle.Y, extent.Low, extent.High))

@@ -46,7 +46,7 @@ public sealed class ProgramPicture : Observable
             {
                 Message = null;
                 _isMoving = value is { } range && Program.IsMoving(range);
-                SayChoice();
+                OnChoiceChanged();
             }
         }
     }
@@ -62,7 +62,7 @@ public sealed class ProgramPicture : Observable
         {
             if (Set(ref _marks, value))
             {
-                SayChoice();
+                OnChoiceChanged();
             }
         }
     }
@@ -82,7 +82,7 @@ public sealed class ProgramPicture : Observable
         {
             if (Set(ref _feature, value))
             {
-                SayChoice();
+                OnChoiceChanged();
             }
         }
     }
@@ -98,7 +98,7 @@ public sealed class ProgramPicture : Observable
         {
             if (Set(ref _isReadOnly, value))
             {
-                SayChoice();
+                OnChoiceChanged();
             }
         }
     }
@@ -174,7 +174,7 @@ public sealed class ProgramPicture : Observable
         {
             Cursor = Math.Clamp(block, 0, Program.Count - 1);
             Selection = BlockRange.Between(_anchor ??= Cursor, Cursor);
-            Say(nameof(ChosenLine));
+            OnPropertyChanged(nameof(ChosenLine));
         }
     }
 
@@ -206,8 +206,8 @@ public sealed class ProgramPicture : Observable
             var blocks = new BlockRange(first.First, ranges.Max(r => r.Last));
             Look = new(feature, blocks, IsAtEnd: Look is { IsAtEnd: false } was && was.Feature == feature && was.Blocks == blocks);
             _isWhole = true;
-            Say(nameof(Look));
-            Say(nameof(Chosen));
+            OnPropertyChanged(nameof(Look));
+            OnPropertyChanged(nameof(Chosen));
         }
     }
 
@@ -215,7 +215,7 @@ public sealed class ProgramPicture : Observable
     internal void TellRoom(bool isWhole)
     {
         _isWhole = isWhole;
-        Say(nameof(Chosen));
+        OnPropertyChanged(nameof(Chosen));
     }
 
     /// <summary>Selects the block of a motion.</summary>
@@ -225,7 +225,7 @@ public sealed class ProgramPicture : Observable
     public string? FeatureOf(int block) => Marks.FirstOrDefault(m => m.Ranges.Any(r => r.Contains(block)))?.Name;
 
     /// <summary>Updates all texts after a change of language.</summary>
-    public void Translate() => Say();
+    public void Translate() => OnPropertyChanged();
 
     private static FeatureMark Mark(NcProgram program, FeatureBlocks feature)
     {
@@ -275,20 +275,20 @@ public sealed class ProgramPicture : Observable
     private void Name(bool isNaming)
     {
         _isNaming = isNaming;
-        SayChoice();
+        OnChoiceChanged();
     }
 
     private string NameOf(BlockRange range) => range.Count == 1
         ? Program.NameOf(range.First)
         : Texts.Current.With("Program.Range", Program.NameOf(range.First), Program.NameOf(range.Last), Shown.Count(range.Count));
 
-    private void SayChoice()
+    private void OnChoiceChanged()
     {
-        Say(nameof(Chosen));
-        Say(nameof(ChosenLine));
-        Say(nameof(TakeText));
-        Say(nameof(IsFirst));
-        Say(nameof(IsPicking));
+        OnPropertyChanged(nameof(Chosen));
+        OnPropertyChanged(nameof(ChosenLine));
+        OnPropertyChanged(nameof(TakeText));
+        OnPropertyChanged(nameof(IsFirst));
+        OnPropertyChanged(nameof(IsPicking));
         foreach (var command in new[] { Take, Add })
         {
             command.Refresh();

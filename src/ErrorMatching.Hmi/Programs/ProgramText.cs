@@ -112,7 +112,7 @@ public sealed partial class ProgramText : ProgramRows, IDrawnWords
         if (e.PropertyName == nameof(ProgramPicture.Selection))
         {
             Show(Picture!.Cursor);
-            DrawnPeer.Tell(this, null, Said);
+            DrawnPeer.Report(this, null, Said);
         }
         else if (e.PropertyName is nameof(ProgramPicture.Marks) or null)
         {

@@ -13,5 +13,5 @@ public sealed class NavigationItem : Observable
     public string Name => Texts.Current["Screen." + Screen.Key];
 
     /// <summary>Updates the name after a change of language.</summary>
-    internal void Rename() => Say(nameof(Name));
+    internal void Rename() => OnPropertyChanged(nameof(Name));
 }

@@ -25,15 +25,15 @@ public abstract class ScreenViewModel : Observable, IDisposable
         {
             _words = null;
             _message = value;
-            Say(nameof(Message));
+            OnPropertyChanged(nameof(Message));
         }
     }
 
     /// <summary>Shows a message that is translated again when the language changes.</summary>
-    protected internal void Tell(Func<string>? words)
+    protected internal void Report(Func<string>? words)
     {
         (_words, _message) = (words, null);
-        Say(nameof(Message));
+        OnPropertyChanged(nameof(Message));
     }
 
     /// <inheritdoc/>
@@ -52,7 +52,7 @@ public abstract class ScreenViewModel : Observable, IDisposable
     }
 
     /// <summary>Called on the UI thread when the cell has changed.</summary>
-    protected virtual void Follow() => Say();
+    protected virtual void Follow() => OnPropertyChanged();
 
     /// <summary>Called when the language has changed.</summary>
     protected virtual void Translate() => Follow();

@@ -25,7 +25,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         Station = station ?? throw new ArgumentNullException(nameof(station));
         _openLogin = login;
         Preferences = new(station);
-        Preferences.PropertyChanged += (_, e) => SaySaid(e.PropertyName);
+        Preferences.PropertyChanged += (_, e) => OnSaidChanged(e.PropertyName);
         CloseNotice = new(() => Preferences.Notice = null);
         Items = [.. screens.Select(s => new NavigationItem(s))];
         SignOut = new(_ => SignOutAsync());
@@ -81,7 +81,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         {
             if (Set(ref _signing, value))
             {
-                Say(nameof(IsFree));
+                OnPropertyChanged(nameof(IsFree));
             }
         }
     }
@@ -94,7 +94,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         {
             if (Set(ref _choosing, value))
             {
-                Say(nameof(IsFree));
+                OnPropertyChanged(nameof(IsFree));
             }
         }
     }
@@ -122,7 +122,7 @@ public sealed class ShellViewModel : Observable, IDisposable
     public Command CloseNotice { get; }
 
     /// <summary>The current user's preferences.</summary>
-    public KeptPreferences Preferences { get; }
+    public StoredPreferences Preferences { get; }
 
     public string CellName => Station.Settings.Name;
 
@@ -263,8 +263,8 @@ public sealed class ShellViewModel : Observable, IDisposable
     {
         _current?.Dispose();
         (_chosen, _current) = (item, screen);
-        Say(nameof(Chosen));
-        Say(nameof(Current));
+        OnPropertyChanged(nameof(Chosen));
+        OnPropertyChanged(nameof(Current));
     }
 
     private void Lock()
@@ -280,7 +280,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         _login = _openLogin(_lastName, Unlock);
         _who = null;
         Preferences.Take(null);
-        Say();
+        OnPropertyChanged();
     }
 
     private async Task SignOutAsync()
@@ -303,7 +303,7 @@ public sealed class ShellViewModel : Observable, IDisposable
             Show(Items[0], Items[0].Screen.Open(this));
         }
 
-        Say();
+        OnPropertyChanged();
     }
 
     private void Ask(JobReplacement replacement)
@@ -327,13 +327,13 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
-    private void Follow() => SaySaid(nameof(Banner));
+    private void Follow() => OnSaidChanged(nameof(Banner));
 
-    private void SaySaid(string? name)
+    private void OnSaidChanged(string? name)
     {
-        Say(name);
-        Say(nameof(IsNoticed));
-        Say(nameof(IsCellNamed));
+        OnPropertyChanged(name);
+        OnPropertyChanged(nameof(IsNoticed));
+        OnPropertyChanged(nameof(IsCellNamed));
     }
 
     private void Translate()
@@ -345,7 +345,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         Choosing?.Translate();
         Signing?.Translate();
-        Say(nameof(Banner));
-        Say(nameof(UserRole));
+        OnPropertyChanged(nameof(Banner));
+        OnPropertyChanged(nameof(UserRole));
     }
 }

@@ -121,11 +121,11 @@ public sealed class SigningViewModel : Observable
     /// <summary>Updates all texts after a change of language.</summary>
     internal void Translate()
     {
-        Say(nameof(Title));
-        Say(nameof(Facts));
-        Say(nameof(Consequence));
-        Say(nameof(PasswordLabel));
-        Say(nameof(Target));
+        OnPropertyChanged(nameof(Title));
+        OnPropertyChanged(nameof(Facts));
+        OnPropertyChanged(nameof(Consequence));
+        OnPropertyChanged(nameof(PasswordLabel));
+        OnPropertyChanged(nameof(Target));
     }
 
     private SignedIn Who { get; }

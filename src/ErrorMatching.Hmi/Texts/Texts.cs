@@ -29,8 +29,8 @@ public sealed partial class Texts : Observable
             if (Set(ref _language, value))
             {
                 // Both names: which one stands for the indexer depends on the listener.
-                Say("Item");
-                Say("Item[]");
+                OnPropertyChanged("Item");
+                OnPropertyChanged("Item[]");
                 LanguageChanged?.Invoke();
             }
         }

@@ -13,7 +13,7 @@ public sealed class DraftFolder(string folder)
 
     /// <summary>Stores unsaved changes, replacing earlier ones of the same job.</summary>
     /// <exception cref="OutputException">They cannot be written.</exception>
-    public void Keep(KeptDraft kept)
+    public void Keep(StoredDraft kept)
     {
         ArgumentNullException.ThrowIfNull(kept);
         if (kept.Draft.Program is { } program && !File.Exists(ProgramFile(kept.Job, program.Sha256)))
@@ -26,7 +26,7 @@ public sealed class DraftFolder(string folder)
 
     /// <summary>Reads the unsaved changes of a job; null if there are none.</summary>
     /// <exception cref="InputException">They cannot be read, or the file is invalid.</exception>
-    public KeptDraft? Find(string job)
+    public StoredDraft? Find(string job)
     {
         var file = DraftFile(job);
         if (!File.Exists(file))
@@ -38,7 +38,7 @@ public sealed class DraftFolder(string folder)
         {
             try
             {
-                var kept = JsonSerializer.Deserialize<KeptDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k
+                var kept = JsonSerializer.Deserialize<StoredDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k
                     && k.Job == job
                     && k.Draft.IsWhole
                     ? k

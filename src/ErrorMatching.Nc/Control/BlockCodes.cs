@@ -49,10 +49,10 @@ internal sealed class BlockCodes(
                     break;
                 case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
                     intent.Reference = tenths / 10;
-                    Obey(meaning, 0);
+                    Apply(meaning, 0);
                     break;
                 default:
-                    Obey(meaning, values.Dialect.FamilyOf(tenths));
+                    Apply(meaning, values.Dialect.FamilyOf(tenths));
                     break;
             }
         }
@@ -94,7 +94,7 @@ internal sealed class BlockCodes(
 
     /// <summary>Applies the meaning of a code or keyword; the family distinguishes transformations that each have their own end
     /// code.</summary>
-    public void Obey(NcMeaning meaning, int family)
+    public void Apply(NcMeaning meaning, int family)
     {
         switch (meaning)
         {

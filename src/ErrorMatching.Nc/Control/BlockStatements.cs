@@ -61,10 +61,10 @@ internal sealed class BlockStatements(
                 calls.Call(statement);
                 return MotionFlags.None;
             case NcMeaning.OpaqueTransform when HasNoArguments(statement):
-                codes.Obey(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
+                codes.Apply(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
             case var meaning:
-                codes.Obey(meaning, values.Dialect.FamilyOf(name));
+                codes.Apply(meaning, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
         }
     }
@@ -115,7 +115,7 @@ internal sealed class BlockStatements(
 
         if (values.Dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
         {
-            codes.Obey(meaning, values.Dialect.FamilyOf(name));
+            codes.Apply(meaning, values.Dialect.FamilyOf(name));
             return MotionFlags.None;
         }
 

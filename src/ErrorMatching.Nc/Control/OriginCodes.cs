@@ -35,7 +35,7 @@ internal sealed class OriginCodes(
                 shifts.Change(default, AxisSet.None);
                 break;
             case NcMeaning.RestorePosition:
-                shifts.Change(layers.Shift.Kept.Vector, layers.Shift.Kept.Unknown);
+                shifts.Change(layers.Shift.Stored.Vector, layers.Shift.Stored.Unknown);
                 break;
             case NcMeaning.LocalShift:
                 shifts.ShiftLocally();

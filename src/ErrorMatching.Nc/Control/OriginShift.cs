@@ -14,9 +14,9 @@ internal sealed class OriginShift
     public (Vector3 Vector, AxisSet Unknown) Local { get; set; }
 
     /// <summary>The shift that G92.3 restores; until the program sets a shift itself, only the machine knows it.</summary>
-    public (Vector3 Vector, AxisSet Unknown) Kept { get; private set; } = (Vector3.Zero, AxisSet.All);
+    public (Vector3 Vector, AxisSet Unknown) Stored { get; private set; } = (Vector3.Zero, AxisSet.All);
 
-    public void Keep() => Kept = (Vector, Unknown);
+    public void Keep() => Stored = (Vector, Unknown);
 
-    public void Forget() => (Unknown, Kept, Local) = (AxisSet.All, (Vector3.Zero, AxisSet.All), (Vector3.Zero, AxisSet.All));
+    public void Forget() => (Unknown, Stored, Local) = (AxisSet.All, (Vector3.Zero, AxisSet.All), (Vector3.Zero, AxisSet.All));
 }

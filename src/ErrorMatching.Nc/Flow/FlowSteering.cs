@@ -15,7 +15,7 @@ internal sealed class FlowSteering(
     public bool HasSteered { get; private set; }
 
     /// <summary>Executes what a block does after its words.</summary>
-    public FlowAction Behind(int block, ReadOnlySpan<byte> text, bool moved)
+    public FlowAction ExecuteCalls(int block, ReadOnlySpan<byte> text, bool moved)
     {
         HasSteered = false;
         return dialect.Syntax == NcSyntax.Siemens ? BehindSiemens(block, text)

@@ -89,7 +89,7 @@ internal sealed class NcFlow
 
     /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls without other
     /// words.</summary>
-    public FlowAction Before(int block)
+    public FlowAction ExecuteStatements(int block)
     {
         if (Refusal is not null || _course.HasEnded)
         {
@@ -121,7 +121,7 @@ internal sealed class NcFlow
     /// program.</summary>
     /// <param name="block">The block.</param>
     /// <param name="moved">True if its words moved an axis; a modal macro is then called.</param>
-    public FlowAction Behind(int block, bool moved = false)
+    public FlowAction ExecuteCalls(int block, bool moved = false)
     {
         if (Refusal is not null || _course.HasEnded)
         {
@@ -130,7 +130,7 @@ internal sealed class NcFlow
 
         _course.Next = block + 1;
         var depth = Depth;
-        var action = _steering.Behind(block, Program.BytesOf(Program[block]), moved);
+        var action = _steering.ExecuteCalls(block, Program.BytesOf(Program[block]), moved);
         _words.End();
         return BehindRegion(block, depth, action);
     }

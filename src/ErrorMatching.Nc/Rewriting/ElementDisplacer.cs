@@ -130,7 +130,7 @@ internal sealed class ElementDisplacer
     private Refusal? CheckSense()
     {
         var affected = _change.Affected();
-        return Halves.Refusal(0, affected.Count, (from, behind) => CheckSense(affected, from, behind));
+        return TwoThreads.Refusal(0, affected.Count, (from, behind) => CheckSense(affected, from, behind));
     }
 
     private Refusal? CheckSense(List<int> affected, int from, int behind)

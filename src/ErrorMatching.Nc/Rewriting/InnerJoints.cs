@@ -14,7 +14,7 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
     {
         // NaN if a joint is not smooth.
         var moves = new Vector2[last - first];
-        if (Halves.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
+        if (TwoThreads.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
         {
             return unfit;
         }

@@ -250,7 +250,7 @@ public sealed class NcInterpreter
 
         var flow = _run.Flow;
         var writes = flow.Variables.MachineWrites;
-        var action = flow.Before(_run.At);
+        var action = flow.ExecuteStatements(_run.At);
         if (action == FlowAction.Words)
         {
             _executor.Reader.ReadTokens(block);
@@ -267,7 +267,7 @@ public sealed class NcInterpreter
                 }
             }
 
-            action = flow.Behind(_run.At, _executor.Moved);
+            action = flow.ExecuteCalls(_run.At, _executor.Moved);
             if (action == FlowAction.Continue && _executor.Steering.AreThere() && !flow.HasSteered)
             {
                 action = flow.RefuseCall(_run.At, "A word of this block");
@@ -286,7 +286,7 @@ public sealed class NcInterpreter
     {
         if (_run.HasModalCall && _executor.Moved)
         {
-            _run.Follow(_run.Flow.Behind(_run.At, moved: true));
+            _run.Follow(_run.Flow.ExecuteCalls(_run.At, moved: true));
             return;
         }
 

@@ -37,13 +37,13 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
     {
         var borders = Math.Min(like.Borders.Count, (program.BlockCount + Stretch - 1) / Stretch);
         var isSame = new bool[borders];
-        if (borders < Halves.Many / Stretch)
+        if (borders < TwoThreads.Many / Stretch)
         {
             Compare(1, borders);
         }
         else
         {
-            Halves.Of(1, borders, Compare);
+            TwoThreads.Of(1, borders, Compare);
         }
 
         return isSame;

@@ -80,9 +80,9 @@ public sealed class DisplacementWish
     public static Outcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
         var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
-        var (first, second) = distinct.Count < Halves.Many
+        var (first, second) = distinct.Count < TwoThreads.Many
             ? (WishesOf(path, distinct, 0, distinct.Count, left), ([], null))
-            : Halves.Of(0, distinct.Count, (from, behind) => WishesOf(path, distinct, from, behind, left));
+            : TwoThreads.Of(0, distinct.Count, (from, behind) => WishesOf(path, distinct, from, behind, left));
         if ((first.Refusal ?? second.Refusal) is { } refusal)
         {
             return refusal;

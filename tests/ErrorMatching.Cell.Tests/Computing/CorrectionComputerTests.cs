@@ -92,7 +92,8 @@ public sealed class CorrectionComputerTests
             request with { Measurement = request.Measurement with { Bytes = Encoding.UTF8.GetBytes(string.Join('\n', moved)) } });
         Assert.Equal("implausible-deviation", refused.Code);
         Assert.Equal(
-            ["implausible-deviation", "implausible-deviation", "implausible-deviation", "and-more"], refused.Reason.Parts.Select(p => p.Code));
+            ["implausible-deviation", "implausible-deviation", "implausible-deviation", "and-more"],
+            refused.Reason.Parts.Select(p => p.Code));
         Assert.All(refused.Reason.Parts.SkipLast(1), p => Assert.Same(RefusalForms.ImplausibleDeviation, p.Form));
     }
 
@@ -131,7 +132,7 @@ public sealed class CorrectionComputerTests
     {
         using var folder = new TemporaryFolder();
         var first = Samples.Surface("surface-one");
-        var sent = new KeptFile("finishing.nc", Samples.Program(first).Program);
+        var sent = new StoredFile("finishing.nc", Samples.Program(first).Program);
         Assert.NotEmpty(Samples.Program(first with { LastSent = sent }).Corrections);
 
         File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), folder["surface.igs"]);

@@ -21,7 +21,7 @@ internal static class Samples
         Accumulates = false,
     };
 
-    public static KeptFile File(string sample, string name) =>
+    public static StoredFile File(string sample, string name) =>
         new(name, System.IO.File.ReadAllBytes(Repository.PathTo("samples", sample, name)));
 
     public static CorrectionRequest Part(string sample) =>

@@ -74,14 +74,14 @@ internal sealed class MemoryMachine(string name) : IMachineFolder
             await Task.Delay(Timeout.Infinite, cancellation);
         }
 
-        Tell(what, false);
+        Report(what, false);
         Done.Enqueue(what);
         var result = work();
-        Tell(what, true);
+        Report(what, true);
         return result;
     }
 
-    private void Tell(string what, bool isDone)
+    private void Report(string what, bool isDone)
     {
         try
         {

@@ -97,13 +97,13 @@ internal sealed class StoreWriter : IDisposable
         {
             var key = $"{Environment.ProcessId}-{i}";
             var correction = store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction;
-            Say(correction);
+            Report(correction);
             correction = store.Step(correction, CorrectionState.Recognized, "cell", "by name", c => c with { Identity = key });
-            Say(correction);
+            Report(correction);
             var program = new byte[20_000];
             Random.Shared.NextBytes(program);
             correction = store.Step(correction, CorrectionState.Computed, "cell", "computed", contents: [program]);
-            Say(correction);
+            Report(correction);
         }
     }
 
@@ -113,7 +113,7 @@ internal sealed class StoreWriter : IDisposable
         using var store = CellStore.Open(settings, TimeProvider.System);
         while (Console.In.ReadLine() is { } key)
         {
-            Say(store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction);
+            Report(store.Archive(new Arrival("gauge", key, key, Encoding.UTF8.GetBytes(key))).Correction);
         }
     }
 
@@ -249,7 +249,7 @@ internal sealed class StoreWriter : IDisposable
         }
     }
 
-    private static void Say(Correction correction)
+    private static void Report(Correction correction)
     {
         Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{correction.Id} {correction.Version}"));
         Console.Out.Flush();

@@ -95,13 +95,13 @@ public sealed class PointSetupTests
                         By = "anna",
                         At = DateTimeOffset.UnixEpoch,
                         BaseSha256 = JobEdits.Sha256Of(jobs[1]),
-                        Draft = MatingDraftFiles.Open(jobs[1].File) with { Name = "Kept" }
+                        Draft = MatingDraftFiles.Open(jobs[1].File) with { Name = "Stored" }
                     });
             seat.SignIn(DemoCell.Setter).Tap("nav-points");
             var here = new SetupSeat(seat).Settle();
             Assert.Equal(["complex-mating"], here.Shell.Editing.Jobs.Select(j => j.Name));
             seat.Tap("setup-kept-continue");
-            Assert.Equal("Kept", here.Settle().Draft.Name);
+            Assert.Equal("Stored", here.Settle().Draft.Name);
             here.Shell.Editing.Choose(jobs[1]);
             Assert.Equal("complex-mating", here.Shell.Editing.Job!.Name);
             seat.Tap("setup-discard");

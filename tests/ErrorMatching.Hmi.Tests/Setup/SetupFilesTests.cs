@@ -56,7 +56,7 @@ public sealed class SetupFilesTests
             new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(
             StoredReport.Read(console.ReportJson()).Match!.KeyPoints.Select(p => p.Correction),
-            seat.System.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
+            seat.System.Detail!.Stored.Report!.KeyPoints.Select(p => p.Correction));
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // By how much it moves at most, and where, is its own; it has no course, and its program can be looked at.

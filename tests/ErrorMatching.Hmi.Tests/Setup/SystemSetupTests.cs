@@ -165,7 +165,7 @@ public sealed class SystemSetupTests
     [Fact]
     public Task Changes_outlive_the_station() => SetupSeat.AtAsync(ScreenKeys.Points, seat =>
     {
-        seat.Seat.Type("edit-name", "Kept");
+        seat.Seat.Type("edit-name", "Stored");
         seat.Shell.Editing.Change("", d => d with { Program = DraftProgram.Of("N10 G0 X0\n"u8.ToArray()) });
         seat.Settle();
 
@@ -174,8 +174,8 @@ public sealed class SystemSetupTests
         using var shell = Screens.ShellOf(next);
         shell.Editing.Choose(shell.Editing.Jobs[0]);
         seat.Seat.WaitFor(() => shell.Editing.Loading.IsCompleted, "It is not opened.");
-        Assert.Equal(("anna", "Kept"), (shell.Editing.Kept!.By, shell.Editing.Kept.Draft.Name));
-        Assert.Equal("N10 G0 X0\n"u8.ToArray(), shell.Editing.Kept.Draft.Program!.Bytes.ToArray());
+        Assert.Equal(("anna", "Stored"), (shell.Editing.Stored!.By, shell.Editing.Stored.Draft.Name));
+        Assert.Equal("N10 G0 X0\n"u8.ToArray(), shell.Editing.Stored.Draft.Program!.Bytes.ToArray());
         Assert.Equal("Complex mating", shell.Editing.Draft.Name);
         Assert.False(shell.Editing.CanEdit);
     });
@@ -194,14 +194,14 @@ public sealed class SystemSetupTests
                 By = "berta",
                 At = seat.Clock.GetUtcNow(),
                 BaseSha256 = JobEdits.Sha256Of(job),
-                Draft = MatingDraftFiles.Open(job.File) with { Name = "Kept" }
+                Draft = MatingDraftFiles.Open(job.File) with { Name = "Stored" }
             });
         seat.SignIn(DemoCell.Setter).Tap("nav-points");
         Assert.StartsWith("Unsaved changes by berta", seat.TextOf("setup-kept"), StringComparison.Ordinal);
         seat.Tap(isContinued ? "setup-kept-continue" : "setup-kept-discard");
         seat.WaitFor(() => seat.Find("setup-kept") is null, "They are still asked about.");
         var here = new SetupSeat(seat).Settle();
-        Assert.Equal((isContinued ? "Kept" : "Complex mating", isContinued), (here.Draft.Name, here.Shell.Editing.IsChanged));
+        Assert.Equal((isContinued ? "Stored" : "Complex mating", isContinued), (here.Draft.Name, here.Shell.Editing.IsChanged));
         Assert.Equal(isContinued, drafts.Find(job.Name) is not null);
         seat.Tap(isContinued ? "setup-discard" : "add-line");
         here.Settle();
@@ -225,15 +225,15 @@ public sealed class SystemSetupTests
         var place = StoredMove.PlaceOf(seat.Seat.Station.Store.StepsOf(1))!;
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(computed.LargestMm), place), seat.TextOf("detail-largest"));
         var kept = StoredReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!)).Match!;
-        Assert.Equal(kept.KeyPoints.Select(p => p.Correction), seat.System.Detail!.Kept.Report!.KeyPoints.Select(p => p.Correction));
+        Assert.Equal(kept.KeyPoints.Select(p => p.Correction), seat.System.Detail!.Stored.Report!.KeyPoints.Select(p => p.Correction));
         Assert.Equal(
-            Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Kept.Lines!.Select(l => l.Modified));
+            Lines(seat.Seat.Station.Store.Content(computed.ProgramSha256!)), seat.System.Detail.Stored.Lines!.Select(l => l.Modified));
         seat.Seat.Tap("dry-run-back").Tap("side-machine").Type("edit-compensation.gain", "0.5");
         seat.Settle();
         seat.Seat.Tap("dry-run");
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.All(
-            kept.KeyPoints.Zip(seat.System.Detail!.Kept.Report!.KeyPoints),
+            kept.KeyPoints.Zip(seat.System.Detail!.Stored.Report!.KeyPoints),
             p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(0.5 * computed.LargestMm), place), seat.TextOf("detail-largest"));
         Assert.Equal(entries, seat.Seat.Station.Store.AuditHead().Seq);

@@ -94,7 +94,7 @@ public sealed partial class ValidationTests
             var told = seat.Shell.Editing.Problems.FirstOrDefault(p => p.Code == code);
             Assert.True(told is not null, $"{code} is not caused but {string.Join(", ", seat.Shell.Editing.Problems)}.");
             var text = ProblemText.Of(told);
-            seat.Shell.Editing.Tell();
+            seat.Shell.Editing.Report();
             seat.Seat.WaitFor(
                 () => Shown(seat).Any(t => t.Contains(text, StringComparison.Ordinal)), $"{code} at {told.Field} is not told: {text}.");
         }

@@ -14,8 +14,8 @@ public sealed class DraftFolderTests
         using var folder = new TemporaryFolder();
         var program = DraftProgram.Of("N10 G0 X0\n"u8.ToArray());
         var draft = RandomDraft.Of(3) with { Program = program };
-        new DraftFolder(folder.Path).Keep(Kept("A/B", RandomDraft.Of(2)));
-        new DraftFolder(folder.Path).Keep(Kept("A/B", draft));
+        new DraftFolder(folder.Path).Keep(Stored("A/B", RandomDraft.Of(2)));
+        new DraftFolder(folder.Path).Keep(Stored("A/B", draft));
         var found = new DraftFolder(folder.Path).Find("A/B")!;
         Assert.Equal(("anna", At, "00"), (found.By, found.At, found.BaseSha256));
         Assert.True(draft.IsSame(found.Draft));
@@ -29,8 +29,8 @@ public sealed class DraftFolderTests
         using var folder = new TemporaryFolder();
         var drafts = new DraftFolder(folder["drafts"]);
         drafts.Forget("A");
-        drafts.Keep(Kept("A", RandomDraft.Of(1) with { Program = DraftProgram.Of("N10\n"u8.ToArray()) }));
-        drafts.Keep(Kept("B", RandomDraft.Of(1)));
+        drafts.Keep(Stored("A", RandomDraft.Of(1) with { Program = DraftProgram.Of("N10\n"u8.ToArray()) }));
+        drafts.Keep(Stored("B", RandomDraft.Of(1)));
         drafts.Forget("A");
         Assert.Null(drafts.Find("A"));
         Assert.Single(Directory.GetFiles(folder["drafts"]));
@@ -49,7 +49,7 @@ public sealed class DraftFolderTests
     {
         using var folder = new TemporaryFolder();
         var drafts = new DraftFolder(folder.Path);
-        drafts.Keep(Kept("A", RandomDraft.Of(1)));
+        drafts.Keep(Stored("A", RandomDraft.Of(1)));
         File.WriteAllText(Directory.GetFiles(folder.Path)[0], content, Encoding.UTF8);
         Assert.Throws<InputException>(() => drafts.Find("A"));
         drafts.Forget("A");
@@ -58,6 +58,6 @@ public sealed class DraftFolderTests
 
     private const string Head = "\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",";
 
-    private static KeptDraft Kept(string job, MatingDraft draft) =>
+    private static StoredDraft Stored(string job, MatingDraft draft) =>
         new() { Job = job, By = "anna", At = At, BaseSha256 = "00", Draft = draft };
 }

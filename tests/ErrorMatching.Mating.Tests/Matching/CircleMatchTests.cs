@@ -11,7 +11,7 @@ public sealed class CircleMatchTests
     /// <summary>
     /// A bore of diameter 40 about (50, 30), by the center of a tool of 6 mm: in two halves, as one block, and in thirds by R.
     /// </summary>
-    private const string Halves = Head + "N20 G0 X50. Y30.\nN40 G1 X67. F300\nN50 G3 X33. I-17. J0.\nN60 X67. I17. J0.\nN70 G1 X50.\n"
+    private const string TwoThreads = Head + "N20 G0 X50. Y30.\nN40 G1 X67. F300\nN50 G3 X33. I-17. J0.\nN60 X67. I17. J0.\nN70 G1 X50.\n"
         + Tail;
 
     private const string Whole = Head + "N20 G0 X50. Y30.\nN40 G1 X67. F300\nN50 G3 I-17. J0.\nN70 G1 X50.\n" + Tail;
@@ -30,8 +30,8 @@ public sealed class CircleMatchTests
     private static readonly Point2 Center = new(50, 30);
 
     [Theory]
-    [InlineData(Halves, "N50..N60", 0.03, -0.02, 0.05)]
-    [InlineData(Halves, "N50..N60", 0, 0, -0.04)]
+    [InlineData(TwoThreads, "N50..N60", 0.03, -0.02, 0.05)]
+    [InlineData(TwoThreads, "N50..N60", 0, 0, -0.04)]
     [InlineData(Whole, "N50", 0.03, -0.02, 0.05)]
     [InlineData(Whole, "N50", 0, 0.04, 0)]
     [InlineData(Whole, "N50", 0, -0.04, 0.02)]
@@ -65,7 +65,7 @@ public sealed class CircleMatchTests
         // Three lobes: every other point 0.02 outside, the others 0.02 inside. Gauss finds neither; the circles inside and around touch
         // three of them.
         var lobed = Label(Enumerable.Range(0, 6).Select(i => At(60 * i, i % 2 == 0 ? 0.02 : -0.02)));
-        var match = Circle(Halves, "N50..N60", Around(6), lobed, method);
+        var match = Circle(TwoThreads, "N50..N60", Around(6), lobed, method);
         Assert.Equal(17 + growth, Arcs(match.Match().After, "N50..N60")[0].Radius, 0.0011);
         AssertQuantity(match, "diameterMm", 40, 40 + (2 * growth));
         AssertQuantity(match, "roundnessMm", 0, 0.04);
@@ -107,7 +107,7 @@ public sealed class CircleMatchTests
     public void Points_over_too_small_an_angle_are_refused(string method, double first, double second, double third, string refusal)
     {
         var places = Label([At(first, 0), At(second, 0), At(third, 0)]);
-        Assert.Equal(refusal, Refused(Circle(Halves, "N50..N60", places, places, method)));
+        Assert.Equal(refusal, Refused(Circle(TwoThreads, "N50..N60", places, places, method)));
     }
 
     [Theory]
@@ -117,7 +117,7 @@ public sealed class CircleMatchTests
     public void Points_over_a_little_more_are_enough(string method, double angle)
     {
         var places = Label([At(0, 0), At(angle / 2, 0), At(angle, 0)]);
-        Assert.Empty(Circle(Halves, "N50..N60", places, places, method).Outcome.Refusals);
+        Assert.Empty(Circle(TwoThreads, "N50..N60", places, places, method).Outcome.Refusals);
     }
 
     [Fact]
@@ -126,7 +126,7 @@ public sealed class CircleMatchTests
         Assert.Equal(
             "not-one-circle: B1, N40: it is no arc of the circle that the other blocks cut. Name the arcs of the circle alone, without "
                 + "the way in and out.",
-            Refused(Circle(Halves, "N40..N60", Around(8), Around(8))));
+            Refused(Circle(TwoThreads, "N40..N60", Around(8), Around(8))));
         Assert.StartsWith(
             "not-one-circle: B1, N50", Refused(Circle(Compensated, "N40..N50", Around(8), Around(8))), StringComparison.Ordinal);
     }

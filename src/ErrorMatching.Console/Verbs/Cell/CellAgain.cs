@@ -17,7 +17,7 @@ internal sealed class CellAgain() : CellDecisionVerb(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer(
             "again",
-            new ComputingAnew(settings, store).GiveAgain(id, by, reason),
+            new Recalculation(settings, store).Resubmit(id, by, reason),
             string.Create(
                 CultureInfo.InvariantCulture,
                 $"is computed in the place of correction {id}, which is superseded, with the job as it is now"));

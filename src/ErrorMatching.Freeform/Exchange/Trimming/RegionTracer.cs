@@ -111,7 +111,7 @@ internal sealed class RegionTracer(SurfaceMap map, Func<string, string, InputExc
         }
     }
 
-    // Halves a piece until its quarter points are within the tolerance of the chord.
+    // TwoThreads a piece until its quarter points are within the tolerance of the chord.
     private void Refine(Func<double, Point2?, Point2> place, double from, Point2 a, double to, Point2 b, int halvings)
     {
         if (halvings >= MaxHalvings)

@@ -36,7 +36,7 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
 
     /// <summary>The inner lines of both directions to leave out in turn, each with the remaining values. The outermost lines stay, because
     /// a fit without them would have to extrapolate.</summary>
-    public IReadOnlyList<(int[] Line, FieldData Kept)> LinesOut =>
+    public IReadOnlyList<(int[] Line, FieldData Stored)> LinesOut =>
         _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
 
     private (int[], FieldData)[]? _linesOut;

@@ -20,7 +20,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     {
         _shell = shell;
         _choice = new(shell);
-        _pause = new(Station.Clock, SayDecisions);
+        _pause = new(Station.Clock, OnDecisionsChanged);
         Approve = Decision(
             Act.Approve,
             needsReason: false,
@@ -33,7 +33,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             (id, by, reason, cancellation) => Task.Run(
                 () => new SlotRelease(Station.Settings, Station.Store, Station.Open).ReleaseAsync(id, by, reason, cancellation),
                     cancellation));
-        ComputeAnew = new(_ => ComputeAnewAsync(), () => IsDecidable && IsOutdated);
+        Recalculate = new(_ => RecalculateAsync(), () => IsDecidable && IsOutdated);
         LookAtFirst = new(() =>
         {
             if (Wait is { } wait)
@@ -43,7 +43,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         });
         Revert = new(
             () => Sign(k => RevertSigning.Of(_shell, k)),
-            () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
+            () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Stored));
         Refresh();
     }
 
@@ -91,7 +91,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     public Command Reject { get; }
 
     /// <summary>Recalculates it with the current job, without a confirmation: this sends nothing and loses nothing.</summary>
-    public LongCommand ComputeAnew { get; }
+    public LongCommand Recalculate { get; }
 
     /// <summary>Reports that the piece is cut.</summary>
     public Command Release { get; }
@@ -107,7 +107,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>True if it is at its machine.</summary>
     public bool IsAtMachine =>
-        State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Kept.Correction.Id));
+        State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Stored.Correction.Id));
 
     /// <summary>Why a button is disabled or missing; null if no explanation is needed.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
@@ -116,17 +116,17 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve)
             ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
-        : State is CorrectionState.Verified && Detail.Kept.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
+        : State is CorrectionState.Verified && Detail.Stored.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
         : null;
 
     /// <summary>The next step, who takes it, and what a person has to do; null if that is a decision here, if <see cref="Waits"/>
     /// tells it, or if there is no next step.</summary>
-    public string? Next => Detail?.Kept.Correction switch
+    public string? Next => Detail?.Stored.Correction switch
     {
         null or { State: CorrectionState.Proposed } => null,
         _ when Waits is not null => null,
         { State: CorrectionState.Released } cut when !IsToBeMeasured(cut) => null,
-        { State: CorrectionState.Verified, Machine: { } machine } when Detail.Kept.LacksToolCall =>
+        { State: CorrectionState.Verified, Machine: { } machine } when Detail.Stored.LacksToolCall =>
             Texts.Current.With("Next.NoToolCall", machine),
         var correction => NextStep.Of(Station.Settings, Station.State.Status, correction),
     };
@@ -155,11 +155,11 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             && last.Correction.Id == cut.Id;
 
     // Not part of the details: the correction ahead of it can change while it stays the same.
-    private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Kept.Correction) : null;
+    private WaitReason? Wait => Detail is { } detail ? WaitOf(detail.Stored.Correction) : null;
 
     private WaitReason? WaitOf(Correction correction) => Station.State.Status is { } status ? WaitReason.Of(status, correction.Id) : null;
 
-    private CorrectionState? State => Detail?.Kept.Correction.State;
+    private CorrectionState? State => Detail?.Stored.Correction.State;
 
     /// <inheritdoc/>
     public void LookAt(long correction)
@@ -226,16 +226,16 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                     .. detail.Now().Facts]
                 : null,
             }),
-        () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Kept.Correction is var c && act switch
+        () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Stored.Correction is var c && act switch
         {
             Act.Approve => c.State is CorrectionState.Proposed || (c.State is CorrectionState.Failed && c.ProgramSha256 is not null),
             Act.Reject => IsUndecided,
             _ => IsAtMachine,
         });
 
-    private async Task ComputeAnewAsync()
+    private async Task RecalculateAsync()
     {
-        var (id, by) = (Detail!.Kept.Correction.Id, _shell.Who!);
+        var (id, by) = (Detail!.Stored.Correction.Id, _shell.Who!);
         _choice.Look(id);
         Undone = null;
         Correction? given = null;
@@ -243,7 +243,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             () =>
             {
                 Station.Users.Demand(by, Act.Reject);
-                given = new ComputingAnew(Station.Settings, Station.Store).GiveAgain(id, by.Name, null);
+                given = new Recalculation(Station.Settings, Station.Store).Resubmit(id, by.Name, null);
             },
             Station.Clock);
         if (_choice.Current != id)
@@ -265,19 +265,19 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     // The decision applies to what is shown. Keep it selected, so that the user sees the outcome.
     private void Sign(Func<StoredCorrection, SigningViewModel> signing)
     {
-        var kept = Detail!.Kept;
+        var kept = Detail!.Stored;
         _choice.Look(kept.Correction.Id);
         _shell.Sign(signing(kept));
     }
 
     // The selected correction is shown, and has been for a while.
-    private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Kept.Correction.Id == _choice.Current;
+    private bool IsDecidable => !_pause.IsOn && Detail is { } detail && detail.Stored.Correction.Id == _choice.Current;
 
     private void Refresh()
     {
         if (Station.State.Status is not { } status)
         {
-            Say(nameof(IsEmpty));
+            OnPropertyChanged(nameof(IsEmpty));
             return;
         }
 
@@ -290,7 +290,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
                     .OrderBy(c => c.Turn)
                     .ThenBy(c => c.Id)
                     .Select(Row)]);
-        Say(nameof(IsEmpty));
+        OnPropertyChanged(nameof(IsEmpty));
         var waiting = _shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided;
         Choose(_choice.Follow(Rows, waiting, status.InWork));
     }
@@ -309,8 +309,8 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private void Choose(long? id)
     {
         _chosen = Rows.FirstOrDefault(r => r.Id == id);
-        Say(nameof(Chosen));
-        SayDecisions();
+        OnPropertyChanged(nameof(Chosen));
+        OnDecisionsChanged();
         if (id is { } shown)
         {
             Loading = LoadAsync(shown).Watched();
@@ -330,7 +330,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         {
             if (Station.Store.Find(id) is { } correction && (correction.Id, correction.Version, isOfChangedJob) != shown)
             {
-                var kept = detail?.Kept is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
+                var kept = detail?.Stored is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
                     ? known
                     : StoredCorrection.Read(Station.Store, correction);
                 read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
@@ -344,10 +344,10 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         }
 
         // Of several concurrent loads, the first one to finish is shown and stays.
-        if (read is not null && (id, read.Kept.Correction.Version, isOfChangedJob) != _shown)
+        if (read is not null && (id, read.Stored.Correction.Version, isOfChangedJob) != _shown)
         {
-            _shown = (id, read.Kept.Correction.Version, isOfChangedJob);
-            if (!_isExpected && (Detail is not { Kept.Correction: var was } || (was.Id, was.Version, Detail.IsOfChangedJob) != _shown))
+            _shown = (id, read.Stored.Correction.Version, isOfChangedJob);
+            if (!_isExpected && (Detail is not { Stored.Correction: var was } || (was.Id, was.Version, Detail.IsOfChangedJob) != _shown))
             {
                 _pause.Begin();
             }
@@ -358,7 +358,7 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         }
 
         _isExpected = false;
-        SayDecisions();
+        OnDecisionsChanged();
 
         // Not if the screen is only being rehearsed.
         if (_shell.Current == this)
@@ -367,21 +367,21 @@ public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         }
     }
 
-    private void SayDecisions()
+    private void OnDecisionsChanged()
     {
-        Say(nameof(IsUndecided));
-        Say(nameof(IsOutdated));
-        Say(nameof(IsAtMachine));
-        Say(nameof(Forbidden));
-        Say(nameof(Waits));
-        Say(nameof(WaitsSeverity));
-        Say(nameof(Next));
+        OnPropertyChanged(nameof(IsUndecided));
+        OnPropertyChanged(nameof(IsOutdated));
+        OnPropertyChanged(nameof(IsAtMachine));
+        OnPropertyChanged(nameof(Forbidden));
+        OnPropertyChanged(nameof(Waits));
+        OnPropertyChanged(nameof(WaitsSeverity));
+        OnPropertyChanged(nameof(Next));
         foreach (var command in new[] { Approve, Reject, Release, Revert })
         {
             command.Refresh();
         }
 
-        ComputeAnew.Refresh();
+        Recalculate.Refresh();
     }
 
     private CorrectionRow Row(Correction c) => new(

@@ -13,7 +13,7 @@ public sealed class CorrectionDetail
     /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
     public CorrectionDetail(StoredCorrection kept, TimeProvider clock)
     {
-        Kept = kept ?? throw new ArgumentNullException(nameof(kept));
+        Stored = kept ?? throw new ArgumentNullException(nameof(kept));
         _clock = clock;
         var report = kept.Report;
         Quantities = [.. report?.Features.SelectMany(f => f.Quantities.Select(q => Row(f, q))) ?? []];
@@ -31,13 +31,13 @@ public sealed class CorrectionDetail
         Surface = kept.Surface is { } surface ? new(surface) : null;
     }
 
-    public StoredCorrection Kept { get; }
+    public StoredCorrection Stored { get; }
 
     /// <summary>The language of its texts.</summary>
     public Language Language { get; } = Texts.Current.Language;
 
     /// <summary>The same in the current display language, which may have changed while this was being formatted.</summary>
-    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Kept, _clock) { IsOfChangedJob = IsOfChangedJob };
+    public CorrectionDetail Now() => Language == Texts.Current.Language ? this : new(Stored, _clock) { IsOfChangedJob = IsOfChangedJob };
 
     /// <summary>True if it waits, and its job was changed after it was computed.</summary>
     public bool IsOfChangedJob { get; init; }
@@ -46,37 +46,37 @@ public sealed class CorrectionDetail
     public bool IsAtWarnings { get; internal set; }
 
     /// <summary>Number and serial number or file.</summary>
-    public string Title => CorrectionLabel.Of(Kept.Correction);
+    public string Title => CorrectionLabel.Of(Stored.Correction);
 
-    public string State => Texts.Current.Word(Kept.Correction.State);
+    public string State => Texts.Current.Word(Stored.Correction.State);
 
     /// <summary>The reason for that state; null if there is none.</summary>
-    public string? Reason => Kept.Correction.Code is { } code ? CodeText.Of(code, Kept.Correction.Reason) : null;
+    public string? Reason => Stored.Correction.Code is { } code ? CodeText.Of(code, Stored.Correction.Reason) : null;
 
     /// <summary>The workpiece's name.</summary>
-    public string? Job => Kept.JobName;
+    public string? Job => Stored.JobName;
 
     /// <summary>Machine, slot and file of its program in a sentence; null if none goes to a machine.</summary>
-    public string? Target => CorrectionLabel.Target(Kept.Correction);
+    public string? Target => CorrectionLabel.Target(Stored.Correction);
 
     /// <summary>Work order, gauge and file in one line.</summary>
     public string Origin => string.Join(
         " · ",
         new[]
         {
-            Kept.Correction.WorkOrder ?? Kept.Report?.Job.WorkOrder,
-            Kept.Correction.Gauge,
-            Kept.Correction.FileName,
-            Shown.Time(Kept.Correction.ArrivedAt, _clock)
+            Stored.Correction.WorkOrder ?? Stored.Report?.Job.WorkOrder,
+            Stored.Correction.Gauge,
+            Stored.Correction.FileName,
+            Shown.Time(Stored.Correction.ArrivedAt, _clock)
         }.Where(t => !string.IsNullOrEmpty(t)));
 
     /// <summary>The largest displacement of the program and its place; null before it is computed.</summary>
     public string? Largest =>
-        Kept.Correction.LargestMm is not > 0
+        Stored.Correction.LargestMm is not > 0
             ? null
-            : (Kept.TriedAt is { } at ? StoredMove.PlaceOf(at) : StoredMove.PlaceOf(Kept.Steps)) is { } place
-        ? Texts.Current.With("Head.LargestAt", Shown.Mm(Kept.Correction.LargestMm), place)
-        : Texts.Current.With("Head.Largest", Shown.Mm(Kept.Correction.LargestMm));
+            : (Stored.TriedAt is { } at ? StoredMove.PlaceOf(at) : StoredMove.PlaceOf(Stored.Steps)) is { } place
+        ? Texts.Current.With("Head.LargestAt", Shown.Mm(Stored.Correction.LargestMm), place)
+        : Texts.Current.With("Head.Largest", Shown.Mm(Stored.Correction.LargestMm));
 
     /// <summary>The largest error predicted to remain, and the points that will be outside their limits; null without prediction.</summary>
     public string? LeftOver
@@ -104,7 +104,7 @@ public sealed class CorrectionDetail
     public bool IsWithin => _piece?.IsWithin ?? true;
 
     /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
-    public string? Missing => Kept.Missing;
+    public string? Missing => Stored.Missing;
 
     public IReadOnlyList<PointRow> Points { get; } = [];
 
@@ -118,7 +118,7 @@ public sealed class CorrectionDetail
 
     /// <summary>The sign convention of the deviations, with one of them as an example; empty if there are none.</summary>
     public string DecisionsNote =>
-        Kept.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example
+        Stored.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example
             ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm))
             : "";
 
@@ -129,13 +129,13 @@ public sealed class CorrectionDetail
     public bool HasCourse => Steps.Count > 0;
 
     /// <summary>The two programs; null if there are none, or if the program was newly generated, as only a surface's can be.</summary>
-    public ProgramLines? Lines => IsSurface && Kept.Correction.BaseSha256 is null ? null : Kept.Lines;
+    public ProgramLines? Lines => IsSurface && Stored.Correction.BaseSha256 is null ? null : Stored.Lines;
 
     /// <summary>True if two programs are shown, once they exist.</summary>
     public bool ShowsProgram => !IsSurface || Lines is not null;
 
     /// <summary>True if there is a report of a mating.</summary>
-    public bool HasReport => Kept.Report is not null;
+    public bool HasReport => Stored.Report is not null;
 
     /// <summary>The results and drawings of a surface; null for a mating.</summary>
     public SurfaceFigures? Surface { get; }
@@ -163,10 +163,10 @@ public sealed class CorrectionDetail
     /// <summary>True unless a proof fails.</summary>
     public bool IsProved => ProofSeverity != Severity.Alarm;
 
-    public Severity ProofSeverity => Surface?.ProofSeverity ?? (Kept.Report is { Proof.Holds: true } ? Severity.Quiet : Severity.Alarm);
+    public Severity ProofSeverity => Surface?.ProofSeverity ?? (Stored.Report is { Proof.Holds: true } ? Severity.Quiet : Severity.Alarm);
 
     /// <summary>What was proved, in one or two sentences.</summary>
-    public string Proof => Kept.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
+    public string Proof => Stored.Report is not { Proof: var proof } ? Surface?.Proof ?? "" : Texts.Current.With(
         proof.Holds ? "Head.Proved" : "Head.NotProved",
         Shown.Count(proof.Motions),
         Shown.Count(proof.MovedMotions),
@@ -174,10 +174,10 @@ public sealed class CorrectionDetail
 
     /// <summary>How much of the program differs.</summary>
     public string Changed =>
-        Kept.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
+        Stored.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
 
     /// <summary>What the user should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => [.. Kept.Report?.Warnings.Select(WarningText.Of) ?? Surface?.Warnings ?? []];
+    public IReadOnlyList<string> Warnings => [.. Stored.Report?.Warnings.Select(WarningText.Of) ?? Surface?.Warnings ?? []];
 
     public bool HasWarnings => Warnings.Count > 0;
 
@@ -198,9 +198,9 @@ public sealed class CorrectionDetail
     // The recorded step also contains the warnings. They are shown elsewhere, so here they are only counted.
     private string BasisOf(CorrectionStep step)
     {
-        string[] recorded = [.. Kept.Report?.Warnings.Select(w => w.Message) ?? Kept.Surface?.Warnings ?? []];
+        string[] recorded = [.. Stored.Report?.Warnings.Select(w => w.Message) ?? Stored.Surface?.Warnings ?? []];
         var parts = step.Basis.Parts.ToLookup(p => recorded.Contains(p.Sentence, StringComparer.Ordinal));
-        var (basis, warnings) = (RecordedText.Of(Statement.InARow(parts[false]), Kept.Correction), parts[true].Count());
+        var (basis, warnings) = (RecordedText.Of(Statement.InARow(parts[false]), Stored.Correction), parts[true].Count());
         return warnings == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", warnings));
     }
 

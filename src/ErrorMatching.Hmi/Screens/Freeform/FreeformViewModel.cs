@@ -119,7 +119,7 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(CellJobSettings job, int load)
     {
         IReadOnlyList<(Correction Correction, StoredSurface Surface)> measured = [];
-        (StoredCorrection Kept, SurfaceDetail Detail)? read = null;
+        (StoredCorrection Stored, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
         var (looked, shown, isPlanned) = (_looked, _shown, _isPlanned);
@@ -163,21 +163,21 @@ public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Message = trouble;
         if (read is { } it)
         {
-            _shown = (it.Kept.Correction.Id, it.Kept.Correction.Version);
+            _shown = (it.Stored.Correction.Id, it.Stored.Correction.Version);
             (Detail, Plan) = (it.Detail, null);
         }
 
         Plan = plan ?? Plan;
         _isPlanned = Plan is not null;
         _chosen = Rows.FirstOrDefault(r => r.Id == _shown.Id);
-        Say(nameof(Chosen));
+        OnPropertyChanged(nameof(Chosen));
     }
 
     private void ShowRows(IReadOnlyList<SurfaceRow> rows, bool isKnown)
     {
         Rows.Show(rows);
         IsEmpty = isKnown && rows.Count == 0;
-        Say(nameof(IsEmpty));
+        OnPropertyChanged(nameof(IsEmpty));
     }
 
     private List<(Correction Correction, StoredSurface Surface)> Measured(CellJobSettings job)

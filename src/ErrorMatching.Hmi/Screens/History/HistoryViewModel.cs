@@ -36,12 +36,12 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         Revert = new(
             () =>
             {
-                var signing = RevertSigning.Of(shell, Detail!.Kept);
-                var id = Detail.Kept.Correction.Id;
+                var signing = RevertSigning.Of(shell, Detail!.Stored);
+                var id = Detail.Stored.Correction.Id;
                 signing.Signed += () => Loading = OpenAsync(id).Watched();
                 shell.Sign(signing);
             },
-            () => shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Kept));
+            () => shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Stored));
         Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
         ChooseFolder = new(
             async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
@@ -129,8 +129,8 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
                 Exported = null;
                 Export.Refresh();
                 Revert.Refresh();
-                Say(nameof(IsList));
-                Say(nameof(CanRevert));
+                OnPropertyChanged(nameof(IsList));
+                OnPropertyChanged(nameof(CanRevert));
             }
         }
     }
@@ -223,15 +223,15 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
 
         Rows.Show([.. _found.Select(Row)]);
-        _detail = _detail is null ? null : new(_detail.Kept, Station.Clock);
-        Say();
+        _detail = _detail is null ? null : new(_detail.Stored, Station.Clock);
+        OnPropertyChanged();
     }
 
     private void SetMore<T>(ref T field, T value, [CallerMemberName] string? name = null)
     {
         if (Set(ref field, value, name))
         {
-            Say(nameof(HasMore));
+            OnPropertyChanged(nameof(HasMore));
         }
     }
 
@@ -276,7 +276,7 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
                 _isKnown = true;
                 _found = [.. found.OrderByDescending(c => c.Id)];
                 Rows.Show([.. _found.Select(Row)]);
-                Say(nameof(Found));
+                OnPropertyChanged(nameof(Found));
             }
 
             query = Query() is { } now && now != sought ? now : null;
@@ -334,16 +334,16 @@ public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }))
         {
             (_measured, Detail) = (measured, read!.Now());
-            Say(nameof(Measured));
-            Say(nameof(MeasuredInShort));
-            Say(nameof(MeasuredSeverity));
+            OnPropertyChanged(nameof(Measured));
+            OnPropertyChanged(nameof(MeasuredInShort));
+            OnPropertyChanged(nameof(MeasuredSeverity));
             LookAtMeasured.Refresh();
         }
     }
 
     private async Task ExportAsync(CancellationToken cancellation)
     {
-        var (correction, folder) = (Detail!.Kept.Correction, Folder.Trim());
+        var (correction, folder) = (Detail!.Stored.Correction, Folder.Trim());
         if (await TryAsync(() => OutputFile.WriteAll(
             [
                 .. CorrectionFiles.Of(correction).Select(

@@ -11,5 +11,5 @@ public sealed class StateChoice(CorrectionState? state) : Observable
     public string Name => State is { } known ? Texts.Current.Word(known) : Texts.Current["History.AnyState"];
 
     /// <summary>Updates the name after a change of language.</summary>
-    internal void Rename() => Say(nameof(Name));
+    internal void Rename() => OnPropertyChanged(nameof(Name));
 }

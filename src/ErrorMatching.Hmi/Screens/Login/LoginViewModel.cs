@@ -62,7 +62,7 @@ public sealed class LoginViewModel : ScreenViewModel
         {
             if (Set(ref _name, value ?? ""))
             {
-                Say(nameof(Chosen));
+                OnPropertyChanged(nameof(Chosen));
                 SignIn.Refresh();
             }
         }
@@ -112,8 +112,8 @@ public sealed class LoginViewModel : ScreenViewModel
     protected override void Translate()
     {
         Users = [.. Users.Select(u => u with { RoleName = Texts.Current.Word(u.Role) })];
-        Say(nameof(Chosen));
-        Say(nameof(Hint));
+        OnPropertyChanged(nameof(Chosen));
+        OnPropertyChanged(nameof(Hint));
     }
 
     private async Task LoadAsync()
@@ -123,8 +123,8 @@ public sealed class LoginViewModel : ScreenViewModel
         {
             Users = [.. users.Where(u => !u.IsDisabled).Select(u => new UserTile(u.Name, u.Role, Texts.Current.Word(u.Role)))];
             (_isListed, HasNoUsers) = (true, users.Count == 0);
-            Say(nameof(HasNoUsers));
-            Say(nameof(Chosen));
+            OnPropertyChanged(nameof(HasNoUsers));
+            OnPropertyChanged(nameof(Chosen));
         }
     }
 

@@ -29,8 +29,8 @@ public sealed partial class MessagesViewModel : ScreenViewModel
             if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings.KeysFolder).Verify(null, cancellation)))
             {
                 _finding = finding;
-                Say(nameof(Finding));
-                Say(nameof(FindingSeverity));
+                OnPropertyChanged(nameof(Finding));
+                OnPropertyChanged(nameof(FindingSeverity));
             }
         });
         More = new(_ => ReadAsync(_entries.Count + Page), () => _entries.Count > 0 && _entries[^1].Seq > 1);
@@ -85,7 +85,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
     {
         Refresh();
         Entries.Show([.. _entries.Select(Row)]);
-        Say();
+        OnPropertyChanged();
     }
 
     private void Refresh()
@@ -95,7 +95,7 @@ public sealed partial class MessagesViewModel : ScreenViewModel
             Messages.Show([.. Of(status)]);
         }
 
-        Say(nameof(IsQuiet));
+        OnPropertyChanged(nameof(IsQuiet));
 
         if (!_isReading)
         {

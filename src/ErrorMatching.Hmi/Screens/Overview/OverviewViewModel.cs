@@ -57,7 +57,7 @@ public sealed class OverviewViewModel : ScreenViewModel
             (Summary, Severity) = Station.State.StoreTrouble is null
                 ? (Texts.Current["Overview.Looking"], Severity.Quiet)
                 : (Texts.Current["Overview.StoreAway"], Severity.Alarm);
-            Say();
+            OnPropertyChanged();
             return;
         }
 
@@ -89,7 +89,7 @@ public sealed class OverviewViewModel : ScreenViewModel
             : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots
                 ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
             : (texts["Overview.Well"], Severity.Quiet);
-        Say();
+        OnPropertyChanged();
     }
 
     private static string? CountOf(string key, long count) =>

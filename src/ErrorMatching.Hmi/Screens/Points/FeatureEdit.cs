@@ -72,7 +72,7 @@ public sealed class FeatureEdit : Observable
 
         if (_index < _editing.Draft.Features.Count)
         {
-            Say();
+            OnPropertyChanged();
         }
     }
 }

@@ -19,6 +19,6 @@ public sealed class KindChoice(FeatureKind kind, Command add) : Observable
     internal void Refresh()
     {
         Add.Refresh();
-        Say(nameof(Name));
+        OnPropertyChanged(nameof(Name));
     }
 }

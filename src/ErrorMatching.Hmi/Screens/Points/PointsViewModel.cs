@@ -20,7 +20,7 @@ public sealed class PointsViewModel : SetupViewModel, ITakesCodes
         _features = new(Editing, "$.features", "Points.Features");
         Adds = [.. FeatureKinds.All.Select(k => new KindChoice(k, Adding(k)))];
         _minute = Station.Clock.CreateTimer(
-            _ => _screen.Post(_ => Say(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
+            _ => _screen.Post(_ => OnPropertyChanged(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
         Editing.Begun += GoToFirstField;
         Begin();
     }

@@ -40,7 +40,7 @@ public sealed class AboutViewModel : ScreenViewModel
     }
 
     /// <inheritdoc/>
-    protected override void Translate() => Say();
+    protected override void Translate() => OnPropertyChanged();
 
     // Release number, and the first digits of the commit.
     private static string Version =>

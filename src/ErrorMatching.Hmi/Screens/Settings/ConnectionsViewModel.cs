@@ -46,8 +46,8 @@ public sealed class ConnectionsViewModel : ScreenViewModel
             if (Set(ref _chosen, value))
             {
                 Password = "";
-                Say(nameof(TakesPassword));
-                Say(nameof(PasswordLabel));
+                OnPropertyChanged(nameof(TakesPassword));
+                OnPropertyChanged(nameof(PasswordLabel));
                 SetPassword.Refresh();
             }
         }
@@ -88,7 +88,7 @@ public sealed class ConnectionsViewModel : ScreenViewModel
     protected override void Translate()
     {
         Show();
-        Say();
+        OnPropertyChanged();
     }
 
     /// <inheritdoc/>

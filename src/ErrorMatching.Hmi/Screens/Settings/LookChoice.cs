@@ -12,5 +12,5 @@ public sealed class LookChoice(string key, Func<string> name) : Observable
     public string AutomationId => "look-" + Key;
 
     /// <summary>Updates the name after a change of language.</summary>
-    internal void Rename() => Say(nameof(Name));
+    internal void Rename() => OnPropertyChanged(nameof(Name));
 }

@@ -60,8 +60,8 @@ public sealed class LookViewModel : ScreenViewModel
     }
 
     /// <summary>Where it is stored, in words.</summary>
-    public string Kept =>
-        _shell.Preferences.File is { } file ? Texts.Current.With("Look.Kept", _shell.UserName, file) : Texts.Current["Look.NotKept"];
+    public string Stored =>
+        _shell.Preferences.File is { } file ? Texts.Current.With("Look.Stored", _shell.UserName, file) : Texts.Current["Look.NotKept"];
 
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)
@@ -84,13 +84,13 @@ public sealed class LookViewModel : ScreenViewModel
             choice.Rename();
         }
 
-        Say(nameof(Language));
-        Say(nameof(Kept));
+        OnPropertyChanged(nameof(Language));
+        OnPropertyChanged(nameof(Stored));
     }
 
     private void OnPreferences(object? sender, System.ComponentModel.PropertyChangedEventArgs e)
     {
-        Say(nameof(Theme));
-        Say(nameof(Size));
+        OnPropertyChanged(nameof(Theme));
+        OnPropertyChanged(nameof(Size));
     }
 }

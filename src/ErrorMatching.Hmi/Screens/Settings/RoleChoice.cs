@@ -11,5 +11,5 @@ public sealed class RoleChoice(Role role) : Observable
     public string Name => Texts.Current.Word(Role);
 
     /// <summary>Updates the name after a change of language.</summary>
-    internal void Rename() => Say(nameof(Name));
+    internal void Rename() => OnPropertyChanged(nameof(Name));
 }

@@ -68,7 +68,7 @@ public sealed class UsersViewModel : ScreenViewModel
             {
                 (Name, Password, Again) = ("", "", "");
                 Role = Roles.First(r => r.Role == (value?.Role ?? Cell.Role.Operator));
-                Say();
+                OnPropertyChanged();
                 Refresh();
             }
         }
@@ -162,7 +162,7 @@ public sealed class UsersViewModel : ScreenViewModel
         }
 
         Loading = LoadAsync(Chosen?.Name).Watched();
-        Say();
+        OnPropertyChanged();
     }
 
     // A signature is valid for one act only, and the user book demands it.
@@ -187,7 +187,7 @@ public sealed class UsersViewModel : ScreenViewModel
     {
         if (Set(ref field, value, name))
         {
-            Say(nameof(PasswordProblem));
+            OnPropertyChanged(nameof(PasswordProblem));
             Refresh();
         }
     }
@@ -208,7 +208,7 @@ public sealed class UsersViewModel : ScreenViewModel
             Rows.Show([.. users.Select(Row)]);
             _chosen = null;
             Chosen = Rows.FirstOrDefault(r => r.Name == choose);
-            Say();
+            OnPropertyChanged();
             Refresh();
         }
     }

@@ -15,7 +15,7 @@ public abstract class SetupViewModel : ScreenViewModel
     {
         _shell = shell;
         Editing = shell.Editing;
-        TellProblems = new(Editing.Tell, () => IsIncomplete || HasAsked);
+        TellProblems = new(Editing.Report, () => IsIncomplete || HasAsked);
         LookAtWaiting = new(() =>
         {
             if (Editing.FirstWaiting is { } first)
@@ -125,10 +125,10 @@ public abstract class SetupViewModel : ScreenViewModel
         Editing.Jobs.Count == 0 ? Texts.Current["Setup.NoJobs"] : Editing.MayEdit ? null : Texts.Current["Setup.TakesSetter"];
 
     /// <summary>True if earlier unsaved changes wait for a decision.</summary>
-    public bool HasKept => Editing.Kept is not null || Editing.IsKeptBroken;
+    public bool HasKept => Editing.Stored is not null || Editing.IsKeptBroken;
 
     /// <summary>Whose changes they are.</summary>
-    public string KeptText => Editing.Kept is { } kept ? Texts.Current.With("Setup.Kept", kept.By, Shown.Time(kept.At, Station.Clock)) : "";
+    public string StoredText => Editing.Stored is { } kept ? Texts.Current.With("Setup.Stored", kept.By, Shown.Time(kept.At, Station.Clock)) : "";
 
     /// <summary>A failure or message of the screen, otherwise of the job.</summary>
     public string? Trouble => Message ?? Editing.Message;
@@ -164,7 +164,7 @@ public abstract class SetupViewModel : ScreenViewModel
     internal void Look(string automationId)
     {
         _at = automationId;
-        Say(nameof(Told));
+        OnPropertyChanged(nameof(Told));
     }
 
     /// <summary>Starts to follow the draft, once the fields exist.</summary>
@@ -225,7 +225,7 @@ public abstract class SetupViewModel : ScreenViewModel
         ShowFields();
         ShowMore();
         TellProblems.Refresh();
-        Say();
+        OnPropertyChanged();
     }
 
     /// <summary>Moves the user to a field of the screen.</summary>

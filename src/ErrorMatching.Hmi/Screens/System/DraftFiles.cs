@@ -74,7 +74,7 @@ internal sealed class DraftFiles
     {
         if (_screen.NeedsFeatures)
         {
-            _screen.Tell(() => Texts.Current["System.NoFeatures"]);
+            _screen.Report(() => Texts.Current["System.NoFeatures"]);
             _screen.Show();
             return;
         }
@@ -88,7 +88,7 @@ internal sealed class DraftFiles
         var taken = table.Into(Editing.Draft);
         Editing.Change("", _ => taken.Draft);
         var refused = TableText.Refused(table, taken);
-        _screen.Tell(refused);
+        _screen.Report(refused);
 
         // Clear the note on the previous table even if nothing was taken from this one.
         Editing.Note(refused is not null ? null : () => Sentence.Joined(

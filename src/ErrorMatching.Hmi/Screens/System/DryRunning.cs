@@ -44,7 +44,7 @@ internal sealed class DryRunning
     /// <summary>Warning that the dry run probably used a drawing: every point is exactly as designed, which no measurement is. Null
     /// otherwise.</summary>
     public string? Doubt =>
-        Detail?.Kept is { Report: { KeyPoints.Count: > 0 } report, Correction.FileName: var file }
+        Detail?.Stored is { Report: { KeyPoints.Count: > 0 } report, Correction.FileName: var file }
             && report.KeyPoints.All(p => p.Actual == p.Theoretical)
             ? Texts.Current.With("System.DryRunDrawing", file)
             : null;
@@ -60,7 +60,7 @@ internal sealed class DryRunning
     private Station Station => _screen.Station;
 
     /// <summary>Shows the result in the language of the screen.</summary>
-    public void Translate() => Detail = Detail is null ? null : new(Detail.Kept, Station.Clock);
+    public void Translate() => Detail = Detail is null ? null : new(Detail.Stored, Station.Clock);
 
     private bool CanTry() => Editing.Job is not null && Editing.Problems.Count == 0 && Editing.IsChecked;
 
@@ -89,7 +89,7 @@ internal sealed class DryRunning
         }
         else
         {
-            _screen.Tell(() => Texts.Current["System.NoMeasurement"]);
+            _screen.Report(() => Texts.Current["System.NoMeasurement"]);
             _screen.Show();
         }
     }
@@ -137,7 +137,7 @@ internal sealed class DryRunning
                 refusal = outcome.Result is null
                     ? () => Sentence.Joined(outcome.Refusals.Select(CodeText.Of))
                     : null;
-                kept = outcome.Result is { } matched ? Kept(correction, matched) : null;
+                kept = outcome.Result is { } matched ? Stored(correction, matched) : null;
             }
             catch (InputException e)
             {
@@ -146,14 +146,14 @@ internal sealed class DryRunning
         });
         if (refusal is not null)
         {
-            _screen.Tell(() => Texts.Current.With("System.DryRunRefused", refusal()));
+            _screen.Report(() => Texts.Current.With("System.DryRunRefused", refusal()));
         }
 
         Detail = kept is null ? null : new(kept, Station.Clock);
         _screen.Show();
     }
 
-    private static StoredCorrection Kept(Correction correction, MatchedProgram matched)
+    private static StoredCorrection Stored(Correction correction, MatchedProgram matched)
     {
         // Rounded as a stored report is, so that the figures can be compared with those.
         var report = StoredReport.Read(matched.ReportJson()).Match!;

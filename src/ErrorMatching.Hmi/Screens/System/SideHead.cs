@@ -41,6 +41,6 @@ public sealed class SideHead(string title) : Observable
     internal void Show(int wrong, int missing, int asked)
     {
         (_wrong, _missing, _asked) = (wrong, missing, asked);
-        Say();
+        OnPropertyChanged();
     }
 }

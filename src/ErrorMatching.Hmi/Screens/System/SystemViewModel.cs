@@ -22,9 +22,9 @@ public sealed class SystemViewModel : SetupViewModel
     {
         _side = Shell.Looked.SystemSide;
         _fields = new(Editing);
-        _picking = new(Editing, () => Say(nameof(Picture)));
+        _picking = new(Editing, () => OnPropertyChanged(nameof(Picture)));
         _running = new(this, shell);
-        _running.Shown += SayDetail;
+        _running.Shown += OnDetailChanged;
         _files = new(this, shell);
         Points = new(Editing, "$.part.theoretical", "System.Coordinates");
         Program = new(Editing, MatingDraftCheck.Program, "System.Program");
@@ -267,7 +267,7 @@ public sealed class SystemViewModel : SetupViewModel
     {
         var isOther = Set(ref _side, side, nameof(Side));
         Shell.Looked.SystemSide = side;
-        Say(nameof(Told));
+        OnPropertyChanged(nameof(Told));
         return isOther;
     }
 
@@ -289,10 +289,10 @@ public sealed class SystemViewModel : SetupViewModel
         GoTo(Coordinates[^1].Label);
     }
 
-    private void SayDetail()
+    private void OnDetailChanged()
     {
-        Say(nameof(Detail));
-        Say(nameof(IsForm));
-        Say(nameof(DryRunDoubt));
+        OnPropertyChanged(nameof(Detail));
+        OnPropertyChanged(nameof(IsForm));
+        OnPropertyChanged(nameof(DryRunDoubt));
     }
 }

@@ -163,7 +163,7 @@ public sealed class PieceDetail : Observable
     internal void Follow(Correction correction, string? next)
     {
         (_isCut, _next) = (correction.State == CorrectionState.Released, next);
-        Say(nameof(ToDo));
+        OnPropertyChanged(nameof(ToDo));
     }
 
     /// <summary>Measured or predicted, in a word.</summary>

@@ -132,11 +132,11 @@ public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         _pieces = pieces;
         Rows.Show([.. pieces.Reverse().Select(Row)]);
         IsEmpty = isKnown && pieces.Count == 0;
-        Say(nameof(IsEmpty));
+        OnPropertyChanged(nameof(IsEmpty));
         var chosen = _looked is { } looked ? pieces.FirstOrDefault(p => p.Correction.Id == looked || p.Counterpart?.Id == looked) : null;
         var piece = chosen ?? pieces.Where(p => p.IsMeasured).MaxBy(p => p.LastId) ?? pieces.MaxBy(p => p.LastId);
         _chosen = piece is null ? null : Rows.First(r => r.Id == piece.Correction.Id);
-        Say(nameof(Chosen));
+        OnPropertyChanged(nameof(Chosen));
 
         // The same pieces give the same drawings; keep them, so that a zoomed view stays.
         var shown = !isKnown ? "" : $"{piece?.Correction.Id} of {string.Join(',', pieces.Select(p => p.LastId))}";

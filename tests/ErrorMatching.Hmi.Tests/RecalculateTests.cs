@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>What was made before its job was changed is computed anew from the station:
 /// one by one, and all together where the job is saved.</summary>
 [Trait("Length", "Long")]
-public sealed class ComputeAnewTests
+public sealed class RecalculateTests
 {
     [Fact]
     public Task One_tap_computes_it_with_the_job_as_it_is_and_shows_what_comes_of_it() => Seat.AtAsync(seat =>
@@ -146,7 +146,7 @@ public sealed class ComputeAnewTests
         seat.See("setup-compute-anew");
         Assert.Equal(before, Top());
         Assert.Contains("Waiting, calculated with the old job: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
-        Assert.Equal("Recalculate these: 3", here.Shell.Editing.ComputeAnewText);
+        Assert.Equal("Recalculate these: 3", here.Shell.Editing.RecalculateText);
         seat.See("setup-compute-anew");
         seat.Tap("setup-look").WaitFor(
             () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002",

@@ -3,7 +3,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Nc;
 
 /// <summary>Runs long work on independent parts on two threads.</summary>
-internal static class Halves
+internal static class TwoThreads
 {
     /// <summary>Minimum number of parts for a second thread to pay off.</summary>
     public const int Many = 20_000;

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>The preferences in effect: those of the current user, stored as soon as one of them changes. A user without stored
 /// preferences gets the current ones.</summary>
-public sealed class KeptPreferences : Observable, IDisposable
+public sealed class StoredPreferences : Observable, IDisposable
 {
     private readonly Station _station;
     private string? _user;
@@ -14,7 +14,7 @@ public sealed class KeptPreferences : Observable, IDisposable
     private string? _notice;
 
     /// <summary>The preferences of a station before the first sign-in.</summary>
-    public KeptPreferences(Station station)
+    public StoredPreferences(Station station)
     {
         _station = station ?? throw new ArgumentNullException(nameof(station));
         Texts.Current.LanguageChanged += Keep;

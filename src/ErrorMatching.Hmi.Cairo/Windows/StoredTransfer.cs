@@ -3,7 +3,7 @@ using Avalonia.Input;
 namespace ErrorMatching.Hmi.Cairo;
 
 /// <summary>Wraps a transfer that the clipboard returns and keeps: readers dispose of what they get.</summary>
-internal sealed class KeptTransfer(IAsyncDataTransfer inner) : IAsyncDataTransfer
+internal sealed class StoredTransfer(IAsyncDataTransfer inner) : IAsyncDataTransfer
 {
     public IReadOnlyList<DataFormat> Formats => inner.Formats;
 

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Jobs;
 
 /// <summary>Stored unsaved changes of a job.</summary>
-public sealed record KeptDraft
+public sealed record StoredDraft
 {
     /// <summary>The job's name in the cell.</summary>
     public required string Job { get; init; }

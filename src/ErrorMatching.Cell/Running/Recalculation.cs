@@ -7,7 +7,7 @@ namespace ErrorMatching.Cell;
 /// and proposes the new correction like any other.</summary>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
-public sealed class ComputingAnew(CellSettings settings, CellStore store)
+public sealed class Recalculation(CellSettings settings, CellStore store)
 {
     private readonly CorrectionComputer _computer = new(settings.Policy);
     private readonly CorrectionDecisions _decisions = new(store);
@@ -19,7 +19,7 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
     /// <returns>The new correction, which the cell processes next.</returns>
     /// <exception cref="DecisionException">It cannot be recalculated, or the result would be the same.</exception>
     /// <exception cref="StoreException">The store cannot be used, or the measurement is not in it.</exception>
-    public Correction GiveAgain(long id, string by, string? reason)
+    public Correction Resubmit(long id, string by, string? reason)
     {
         var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
         if (correction.Identity is null)
@@ -34,7 +34,7 @@ public sealed class ComputingAnew(CellSettings settings, CellStore store)
         DemandOther(correction, JobOf(correction));
         try
         {
-            return store.GiveAgain(correction, by, reason);
+            return store.Resubmit(correction, by, reason);
         }
         catch (StoreException e) when (e.Error == StoreError.Conflict)
         {

@@ -5,10 +5,10 @@ namespace ErrorMatching.Cell;
 /// <param name="Value">The row's value.</param>
 /// <param name="Coded">The row in coded form.</param>
 /// <param name="Code">The stored code; null for none.</param>
-internal sealed record KeptRow<T>(T Value, CodedRow Coded, string? Code)
+internal sealed record StoredRow<T>(T Value, CodedRow Coded, string? Code)
 {
     /// <summary>Creates a row from its value and its coding function.</summary>
-    public KeptRow(T value, Func<T, CodedRow> coded, string? code)
+    public StoredRow(T value, Func<T, CodedRow> coded, string? code)
         : this(value, coded(value), code)
     {
     }

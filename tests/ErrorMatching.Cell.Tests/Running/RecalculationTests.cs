@@ -4,7 +4,7 @@ namespace ErrorMatching.Cell.Tests;
 
 /// <summary>A job is changed while corrections wait that were made with it as it was:
 /// they are computed anew from the measurements that are kept.</summary>
-public sealed class ComputingAnewTests
+public sealed class RecalculationTests
 {
     private const string ByPerson = """{ "approve": "person" }""";
 
@@ -17,7 +17,7 @@ public sealed class ComputingAnewTests
         var old = await cell.Until(1, CorrectionState.Proposed);
         Change(cell.PathOf("job/theoretical.csv"));
         var before = cell.Store.ChangeCount();
-        var given = Anew(cell).GiveAgain(1, "olga", "nose was wrong");
+        var given = Anew(cell).Resubmit(1, "olga", "nose was wrong");
         Assert.Equal(
             (2L, CorrectionState.Archived, 1L, "cmm", "a_S1.csv", old.MeasurementSha256),
             (given.Id, given.State, given.MeasuredAs, given.Gauge, given.FileName, given.MeasurementSha256));
@@ -65,7 +65,7 @@ public sealed class ComputingAnewTests
 
         await cell.StopAsync();
         Change(cell.PathOf("job/theoretical.csv"));
-        Anew(cell).GiveAgain(2, "olga", null);
+        Anew(cell).Resubmit(2, "olga", null);
         new CorrectionDecisions(cell.Store).Release(1, "olga", null);
 
         // Before anybody has looked at it, it holds its place already.
@@ -88,7 +88,7 @@ public sealed class ComputingAnewTests
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Failed);
         Change(cell.PathOf("job/theoretical.csv"));
-        Anew(cell).GiveAgain(1, "olga", null);
+        Anew(cell).Resubmit(1, "olga", null);
 
         // What somebody changed at the machine is looked at by a person all the same.
         Assert.Equal("changed-at-machine", (await cell.Until(2, CorrectionState.Failed)).Code);
@@ -107,7 +107,7 @@ public sealed class ComputingAnewTests
         await cell.StopAsync();
         Change(cell.PathOf("job/theoretical.csv"));
         cell.Store.Archive(new("cmm", "a_S1_again.csv", "newer", System.Text.Encoding.UTF8.GetBytes(RunningCell.Measurement(2))));
-        Assert.Equal(3, Anew(cell).GiveAgain(old.Id, "olga", null).Id);
+        Assert.Equal(3, Anew(cell).Resubmit(old.Id, "olga", null).Id);
         cell.Start();
         await cell.Until(2, CorrectionState.Proposed);
         Assert.Equal("superseded", (await cell.Until(3, CorrectionState.Superseded)).Code);
@@ -127,7 +127,7 @@ public sealed class ComputingAnewTests
         cell.Drop("part_next.csv", PairedCell.Part + "\n");
         await cell.Until(3, CorrectionState.Recorded);
         Change(cell.PathOf("job/theoretical.csv"));
-        Assert.Equal(4, new ComputingAnew(cell.Settings, cell.Store).GiveAgain(2, "olga", null).Id);
+        Assert.Equal(4, new Recalculation(cell.Settings, cell.Store).Resubmit(2, "olga", null).Id);
         Assert.Equal(part.MeasurementSha256, (await cell.Until(4, CorrectionState.Proposed)).PartSha256);
         Assert.Equal(CorrectionState.Superseded, cell.Store.Find(2)!.State);
 
@@ -136,14 +136,14 @@ public sealed class ComputingAnewTests
         Assert.Equal(
             (5L, 2L),
             (
-                new ComputingAnew(cell.Settings, cell.Store).GiveAgain(4, "olga", null) is var twice
+                new Recalculation(cell.Settings, cell.Store).Resubmit(4, "olga", null) is var twice
                     ? (twice.Id, twice.MeasuredAs!.Value)
                     : default));
         Assert.Equal(part.MeasurementSha256, (await cell.Until(5, CorrectionState.Proposed)).PartSha256);
 
         // And back to what it was in the beginning.
         Change(cell.PathOf("job/theoretical.csv"), "-31.952", "-31.950");
-        new ComputingAnew(cell.Settings, cell.Store).GiveAgain(5, "olga", null);
+        new Recalculation(cell.Settings, cell.Store).Resubmit(5, "olga", null);
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(6, CorrectionState.Proposed)).ProgramSha256);
     }
 
@@ -171,7 +171,7 @@ public sealed class ComputingAnewTests
         decisions.Approve(3, "sam", null);
         await cell.Until(3, CorrectionState.Verified);
         Change(cell.PathOf("job/theoretical.csv"));
-        Assert.Equal(5, new ComputingAnew(cell.Settings, cell.Store).GiveAgain(4, "olga", null).Id);
+        Assert.Equal(5, new Recalculation(cell.Settings, cell.Store).Resubmit(4, "olga", null).Id);
         var anew = await cell.Until(5, CorrectionState.Proposed);
         Assert.Equal((cut.ProgramSha256, cut.PartSha256), (anew.BaseSha256, anew.PartSha256));
 
@@ -196,7 +196,7 @@ public sealed class ComputingAnewTests
         var original = RunningCell.Hash(
             await File.ReadAllBytesAsync(cell.PathOf("job/counterpart.nc"), TestContext.Current.CancellationToken));
         Assert.Equal([2L], new ChangedJobs(cell.Settings).Among(cell.Store, [cell.Store.Find(2)!]));
-        new ComputingAnew(cell.Settings, cell.Store).GiveAgain(2, "olga", null);
+        new Recalculation(cell.Settings, cell.Store).Resubmit(2, "olga", null);
         Assert.Equal(original, (await cell.Until(3, CorrectionState.Proposed)).BaseSha256);
     }
 
@@ -233,7 +233,7 @@ public sealed class ComputingAnewTests
         var settings = cell.Settings;
         foreach (var other in new[] { settings with { Jobs = [] }, settings with { Gauges = [] } })
         {
-            var refusal = Assert.Throws<DecisionException>(() => new ComputingAnew(other, cell.Store).GiveAgain(2, "olga", null));
+            var refusal = Assert.Throws<DecisionException>(() => new Recalculation(other, cell.Store).Resubmit(2, "olga", null));
             Assert.Equal(DecisionException.JobUnusable, refusal.Code);
             Assert.Contains(
                 "does not have the " + (other.Jobs.Count == 0 ? "job \"a\"" : "gauge \"cmm\""), refusal.Message, StringComparison.Ordinal);
@@ -276,7 +276,7 @@ public sealed class ComputingAnewTests
                 start.SignalAndWait();
                 try
                 {
-                    return new ComputingAnew(settings, store).GiveAgain(1, $"olga {i}", null).Id.ToString(
+                    return new Recalculation(settings, store).Resubmit(1, $"olga {i}", null).Id.ToString(
                         System.Globalization.CultureInfo.InvariantCulture);
                 }
                 catch (DecisionException e)
@@ -293,14 +293,14 @@ public sealed class ComputingAnewTests
         Assert.Null(cell.Store.Find(3));
 
         // Whoever looked before and comes afterwards.
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => cell.Store.GiveAgain(old, "sam", null)).Error);
+        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => cell.Store.Resubmit(old, "sam", null)).Error);
         Assert.Null(cell.Store.Find(3));
     }
 
-    private static ComputingAnew Anew(RunningCell cell) => new(cell.Settings, cell.Store);
+    private static Recalculation Anew(RunningCell cell) => new(cell.Settings, cell.Store);
 
     private static DecisionException Refusal(RunningCell cell, long id) =>
-        Assert.Throws<DecisionException>(() => Anew(cell).GiveAgain(id, "olga", null));
+        Assert.Throws<DecisionException>(() => Anew(cell).Resubmit(id, "olga", null));
 
     // What a cell computes that never knew the job as it was.
     private static async Task<string> ProgramOfChangedJob(int measurement)
