@@ -1,0 +1,98 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc.Tests;
+
+/// <summary>Which words of a block may change, come and go with a motion that moved: those that its new place needs, and no byte
+/// more.</summary>
+public sealed class BlockWordTests
+{
+    private const string Other = "something other than the words of its new place changed in it.";
+
+    // N20 ends 0.1 to the right and 0.2 higher. Its words do not name Y at first.
+    [Theory]
+    [InlineData("N20 G1 X10.1 Y0.2 F100")]
+    [InlineData("N20 G1 Y0.2 X10.1 F100")]
+    [InlineData("Y0.2 N20 G1 X10.1 F100")]
+    [InlineData("N20 G1 X10.1 F100 Y0.2")]
+    [InlineData("N20 G1 X10.10 Y0.2 F100")]
+    [InlineData("Y0.2  N20 G1 X10.1 F100", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2  F100", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1  Y0.2 F100", "N20: " + Other)]
+    [InlineData("N20 G1  X10.1 Y0.2 F100", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 F100 ", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 F100\r", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 Z0. F100", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 F100.", "N20: " + Other)]
+    [InlineData("N20 G01 X10.1 Y0.2 F100", "N20: " + Other)]
+    [InlineData("N21 G1 X10.1 Y0.2 F100", "N20: " + Other)]
+    [InlineData("n20 G1 X10.1 Y0.2 F100", "N20: " + Other)]
+    [InlineData("N20 G1 x10.1 Y0.2 F100", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 F100 (A)", "N20: " + Other)]
+    [InlineData("N20 G1 X10.1 Y0.2 F100 S1", "N20: " + Other)]
+    public void A_line_gets_the_word_that_it_needs(string block, params string[] found)
+    {
+        const string Before = "G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10. F100\nN25 X20. Y5.\nG0 Z5.\n";
+        var after = Before.Replace("N20 G1 X10. F100", block, StringComparison.Ordinal);
+
+        Assert.Equal(found, Found(Before, after, "N20", new(0.1, 0.2, 0)));
+    }
+
+    // It goes up by 0.3 as well, or along one axis only.
+    [Theory]
+    [InlineData(0.1, 0.2, -0.3, "N20 G1 X10.1 Y0.2 Z-0.3 F100")]
+    [InlineData(0, 0, -0.3, "N20 G1 X10. Z-0.3 F100")]
+    [InlineData(0, 0, -0.3, "N20 G1 X10. Y0. Z-0.3 F100", "N20: " + Other)]
+    [InlineData(0, 0.2, 0, "N20 G1 X10. Y0.2 F100")]
+    [InlineData(0, 0.2, 0, "N20 G1 X10.0 Y0.2 F100", "N20: " + Other)]
+    [InlineData(0, 0.2, 0, "N20 G1 Y0.2 X10. F100")]
+    public void A_word_comes_for_an_axis_that_moves(double x, double y, double z, string block, params string[] found)
+    {
+        const string Before = "G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10. F100\nN25 X20. Y5. Z0.\nG0 Z5.\n";
+        var after = Before.Replace("N20 G1 X10. F100", block, StringComparison.Ordinal);
+
+        Assert.Equal(found, Found(Before, after, "N20", new(x, y, z)));
+    }
+
+    // The arc of each plane has its own two center words.
+    // It begins at (-3.8, 0) instead of (-4, 0), about (0.1, -2.8025) instead of (0, -3).
+    [Theory]
+    [InlineData("G17", "X", "Y", "Z", "I", "J", "K")]
+    [InlineData("G18", "Z", "X", "Y", "K", "I", "J")]
+    [InlineData("G19", "Y", "Z", "X", "J", "K", "I")]
+    public void An_arc_changes_the_center_words_of_its_plane(string code, string u, string v, string w, string i, string j, string k)
+    {
+        var head = $"G90 {code}\nG0 X0. Y0. Z0.\nG0 {u}-10. {v}0.\n";
+        var before = $"{head}N20 G1 {u}-4. {v}0. F100\nN30 G2 {u}4. {v}0. {i}4. {j}-3.\nG0 {w}5.\n";
+        var after = $"{head}N20 G1 {u}-3.8 {v}0. F100\nN30 G2 {u}4. {v}0. {i}3.9 {j}-2.8025\nG0 {w}5.\n";
+        var by = new Vector3(u == "X" ? 0.2 : 0, u == "Y" ? 0.2 : 0, u == "Z" ? 0.2 : 0);
+
+        Assert.Empty(Found(before, after, "N20", by));
+        Assert.Equal(["N30: " + Other], Found(before, after.Replace("-2.8025", $"-2.8025 {k}0.", StringComparison.Ordinal), "N20", by));
+        Assert.Equal(["N30: " + Other], Found(before, after.Replace("-2.8025", $"-2.8025 {w}0.", StringComparison.Ordinal), "N20", by));
+    }
+
+    // It goes with N20 by (0.1, 0.2).
+    [Theory]
+    [InlineData("X15. Y5. R5.", "X15.1 Y5.2 R5.")]
+    [InlineData("X15. Y5. R5.", "X15.1 Y5.2 I0. J5.")]
+    [InlineData("X15. Y5. R5.", "X15.1 Y5.2 J5. I0.")]
+    [InlineData("X15. Y5. J5.", "X15.1 Y5.2 J5.")]
+    [InlineData("X15. Y5. J5.", "X15.1 Y5.2 I0. J5.", "N30: " + Other)]
+    [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 J5.", "N30: " + Other)]
+    [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 R5.", "N30: " + Other)]
+    [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 I0.0 J5.", "N30: " + Other)]
+    public void A_radius_may_give_way_to_a_center(string was, string now, params string[] found)
+    {
+        var before = $"G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10. Y0. F100\nN30 G3 {was}\nG0 Z5.\nX50. Y0.\n";
+        var after = $"G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10.1 Y0.2 F100\nN30 G3 {now}\nG0 Z5.\nX50. Y0.\n";
+
+        Assert.Equal(found, Found(before, after, "N20..N30", new(0.1, 0.2, 0)));
+    }
+
+    private static string[] Found(string before, string after, string blocks, Vector3 by)
+    {
+        var proof = Verdict.OnEnds(before, after, blocks, by);
+        Assert.Equal(proof.Holds, proof.UntouchedBytesIdentical);
+        return [.. proof.Failures.Select(f => f.Message)];
+    }
+}

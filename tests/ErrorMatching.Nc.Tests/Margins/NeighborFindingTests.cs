@@ -1,0 +1,115 @@
+namespace ErrorMatching.Nc.Tests;
+
+/// <summary>What the proof finds at arcs, joints and motions that nobody named: each result has one fault, and all its consequences are
+/// listed.</summary>
+public sealed class NeighborFindingTests
+{
+    private const string Retract = "a move along the tool axis now moves in the plane or ends at another height.";
+    private const string Head = "G90 G17\nG0 X0. Y0. Z0.\nN10 G1 X10. Y0. F100\n";
+    private const string GoodHead = "G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X10. Y0.1 F100\n";
+
+    [Theory]
+    [InlineData("G0 Z5.")]
+    [InlineData("G0 X11. Z5.", "4 line 4: " + Retract)]
+    [InlineData("G0 X10. Z5.", "4 line 4: something other than the words of its new place changed in it.")]
+    [InlineData("G0 Y0. Z5.", "4 line 4: " + Retract)]
+    public void A_retract_goes_straight_up(string retract, params string[] found) =>
+        Assert.Equal(found, Found(Head + "G0 Z5.\n", GoodHead + retract + "\n", ("N10", 0.1)));
+
+    [Fact]
+    public void An_end_that_went_deeper_is_found_and_so_is_its_retract() =>
+        Assert.Equal(
+            ["3 N10: an end moved along the tool axis.", "4 line 4: " + Retract],
+            Found(Head + "G0 Z5.\n", GoodHead.Replace("Y0.1 F", "Y0.1 Z-0.1 F", StringComparison.Ordinal) + "G0 Z5.\n", ("N10", 0.1)));
+
+    [Fact]
+    public void A_center_that_moved_alone_is_found()
+    {
+        const string Rest = "N20 G1 X10. Y10.\nN30 G2 X20. Y0. I0. J-10.\nG0 Z5.\n";
+
+        Assert.Equal(
+            ["5 N30: its center moved although its ends did not."],
+            Found(Head + Rest, GoodHead + Rest.Replace("I0. ", "I0.001 ", StringComparison.Ordinal), ("N10", 0.1)));
+    }
+
+    // Its radii are 1.4 and 9.5.
+    [Fact]
+    public void An_arc_without_a_circle_must_not_begin_elsewhere()
+    {
+        const string Rest = "N20 G2 X20. Y3. I1. J1.\nG0 Z5.\n";
+
+        Assert.Equal(
+            ["4 N20: an end of it moved, but its words do not say which arc it is."], Found(Head + Rest, GoodHead + Rest, ("N10", 0.1)));
+    }
+
+    // The quarter about (0, 0) begins at (sqrt(100 - 0.01), 0.1) where the line y = 0.1 meets it.
+    // About (0.01, 0.01), its radius is 9.9899, and its old middle, moved by half of what its start moved, is 10.0211 from there.
+    [Theory]
+    [InlineData("I-9.9995 J-0.1")]
+    [InlineData(
+        "I-9.9895 J-0.09",
+        "4 N20: its ends slid along its circle, but its center moved.",
+        "4 N20: it lies 0.0312 mm from where it was wanted.")]
+    public void An_arc_whose_end_slides_keeps_its_center(string center, params string[] found) =>
+        Assert.Equal(
+            found,
+            Found(
+                Head + "N20 G3 X0. Y10. I-10. J0.\nG0 Z5.\n",
+                GoodHead.Replace("X10.", "X9.9995", StringComparison.Ordinal) + $"N20 G3 X0. Y10. {center}\nG0 Z5.\n",
+                ("N10", 0.1)));
+
+    [Fact]
+    public void A_short_neighbor_that_turned_round_is_found()
+    {
+        const string Rest = "N20 X10. Y0.05\nN30 X20. Y10.\nG0 Z5.\n";
+
+        Assert.Equal(["4 N20: it turned round."], Found(Head + Rest, GoodHead + Rest, ("N10", 0.1)));
+    }
+
+    [Theory]
+    [InlineData("Y0.1")]
+    [InlineData("Y0.3", "4 N10: the contour no longer closes.")]
+    [InlineData("Y0.101", "4 N10: the contour no longer closes.")]
+    public void A_contour_closes_where_it_begins(string end, params string[] found)
+    {
+        const string Before =
+            "G90 G17\nG0 X0. Y0.\nG1 Z-1. F100\nN10 X10. Y0.\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\nX50. Y50.\n";
+        var after = "G90 G17\nG0 X0. Y0.1\nG1 Z-1. F100\nN10 X10. Y0.1\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. "
+            + $"{end}\nG0 Z5.\nX50. Y50.\n";
+
+        Assert.Equal(found, Found(Before, after, ("N10", 0.1)));
+    }
+
+    // About (15, 0) instead of (10, 5), and by 270 degrees instead of 90: its quarters are 5.1025, 7.0711 and 5.1025 outside.
+    [Fact]
+    public void An_arc_that_goes_the_long_way_is_found()
+    {
+        const string Before = Head + "N20 G3 X15. Y5. R5.\nG0 Z5.\n";
+
+        Assert.Equal(
+            [
+                "4 N20: it lies 5.1025 mm from where it was wanted.",
+                "4 N20: it lies 7.0711 mm from where it was wanted.",
+                "4 N20: it lies 5.1025 mm from where it was wanted.",
+                "4 N20: it turns by another angle than before.",
+            ],
+            Found(Before, Before.Replace("R5.", "R-5.", StringComparison.Ordinal), ("N20", 0)));
+    }
+
+    // N10 by 0.1 and N30 by 0.3: the fillet between them touches at (9.9, 0.1) and (14.7, 4.9), with a radius of 4.8.
+    [Theory]
+    [InlineData("X9.9 Y0.1", "X14.7 Y4.9 I0. J4.8")]
+    [InlineData(
+        "X9.9008 Y0.1", "X14.7 Y4.9 I-0.0008 J4.8", "4 N20: the fillet does not end where it touches the lines beside it.")]
+    [InlineData("X9.9 Y0.1", "X14.7 Y4.9008 I0. J4.8", "4 N20: the fillet does not end where it touches the lines beside it.")]
+    public void A_fillet_ends_where_it_touches(string start, string arc, params string[] found)
+    {
+        const string Before = Head + "N20 G3 X15. Y5. I0. J5.\nN30 G1 X15. Y15.\nG0 Z5.\n";
+        var after = $"G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X14.7 Y15.\nG0 Z5.\n";
+
+        Assert.Equal(found, Found(Before, after, ("N10", 0.1), ("N30", 0.3)));
+    }
+
+    private static string[] Found(string before, string after, params (string Block, double Left)[] wishes) =>
+        [.. Verdict.OnElements(before, after, wishes).Failures.Select(f => $"{f.Place.Line ?? 0} {f.Message}")];
+}
