@@ -1,10 +1,5 @@
 using System.CommandLine;
-using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
-using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;

@@ -6,8 +6,6 @@ using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Cairo;
-using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>The codes of <see cref="InputException"/>: stable identifiers for scripts. Codes may be added but never change.</summary>

@@ -2,6 +2,17 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace ErrorMatching.Refusals;
 
+/// <summary>Makes refused outcomes.</summary>
+public static class Outcome
+{
+    /// <summary>A refused outcome with one or more reasons.</summary>
+    /// <typeparam name="T">Type of the result.</typeparam>
+    public static Outcome<T> Refused<T>(IReadOnlyList<Refusal> refusals)
+        where T : class => refusals is { Count: > 0 }
+        ? Outcome<T>.Of(refusals)
+        : throw new ArgumentException("A refused outcome has at least one reason.", nameof(refusals));
+}
+
 /// <summary>A result, or the reasons why there is none. A refusal is a normal outcome, not an error.</summary>
 /// <typeparam name="T">Type of the result.</typeparam>
 public sealed class Outcome<T>
@@ -28,10 +39,8 @@ public sealed class Outcome<T>
         new(result ?? throw new ArgumentNullException(nameof(result)), []);
 
     /// <summary>Creates a refused outcome.</summary>
-    public static implicit operator Outcome<T>(Refusal refusal) => Refused([refusal]);
+    public static implicit operator Outcome<T>(Refusal refusal) =>
+        new(null, [refusal ?? throw new ArgumentNullException(nameof(refusal))]);
 
-    /// <summary>Creates a refused outcome with one or more reasons.</summary>
-    public static Outcome<T> Refused(IReadOnlyList<Refusal> refusals) => refusals is { Count: > 0 }
-        ? new(null, refusals)
-        : throw new ArgumentException("A refused outcome has at least one reason.", nameof(refusals));
+    internal static Outcome<T> Of(IReadOnlyList<Refusal> refusals) => new(null, refusals);
 }

@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;

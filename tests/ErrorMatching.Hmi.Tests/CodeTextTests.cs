@@ -7,7 +7,6 @@ using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
-using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;

@@ -1,4 +1,3 @@
-using ErrorMatching.Json;
 using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 using ErrorMatching.Testing;

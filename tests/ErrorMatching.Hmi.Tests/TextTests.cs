@@ -1,9 +1,7 @@
 using System.Text.RegularExpressions;
 using ErrorMatching.Cell;
-using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
-using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;

@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 using FsCheck;

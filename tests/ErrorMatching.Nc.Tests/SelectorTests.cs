@@ -31,13 +31,13 @@ public sealed partial class SelectorTests
                 [BlockSelector.Parse("N20..N30"), BlockSelector.Parse("N10"), BlockSelector.Parse("/N20/")]).Result!);
 
     [Theory]
-    [InlineData("N999", NcRefusalCodes.BlockNotFound, "N999", 0)]
-    [InlineData("N10..N999", NcRefusalCodes.BlockNotFound, "N999", 0)]
+    [InlineData("N999", NcRefusalCodes.BlockNotFound, "N999", null)]
+    [InlineData("N10..N999", NcRefusalCodes.BlockNotFound, "N999", null)]
     [InlineData("N50", NcRefusalCodes.BlockAmbiguous, "N50", 9)]
     [InlineData("N10..N50", NcRefusalCodes.BlockAmbiguous, "N50", 9)]
     [InlineData("N40..N20", NcRefusalCodes.BlockNotFound, "N20", 3)]
-    [InlineData("/Q7/", NcRefusalCodes.BlockNotFound, "", 0)]
-    public void What_names_no_block_or_several_is_refused(string selector, string code, string block, int line)
+    [InlineData("/Q7/", NcRefusalCodes.BlockNotFound, null, null)]
+    public void What_names_no_block_or_several_is_refused(string selector, string code, string? block, int? line)
     {
         var refusal = Selected(selector).Refusal!;
         Assert.Equal((code, block, line), (refusal.Code, refusal.Place.Block, refusal.Place.Line));

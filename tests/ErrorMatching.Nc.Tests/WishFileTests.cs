@@ -1,7 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;

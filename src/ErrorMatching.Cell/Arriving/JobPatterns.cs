@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -21,7 +22,7 @@ internal sealed class JobPatterns
     public CellJobSettings Job { get; }
 
     /// <summary>What the patterns capture; null if one of them does not match. The content is read only if the name matches.</summary>
-    /// <exception cref="Measurement.InputException">The content is needed and cannot be read.</exception>
+    /// <exception cref="InputException">The content is needed and cannot be read.</exception>
     public FoundWords? Match(LookInside file)
     {
         var found = new FoundWords();

@@ -1,7 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using ErrorMatching.Jobs;
-using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;

@@ -1,8 +1,6 @@
-using System.Globalization;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;

@@ -1,6 +1,3 @@
-using ErrorMatching.Jobs;
-using ErrorMatching.Json;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 

@@ -1,4 +1,3 @@
-using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;

@@ -1,9 +1,5 @@
-using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
-using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 

@@ -1,5 +1,4 @@
 using ErrorMatching.Cell;
-using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;

@@ -20,9 +20,9 @@ public static partial class SurfaceReader
     /// <param name="entity">Name or number, from 1, of the surface if the file has several; null if it has one.</param>
     /// <param name="outsideIsUp">True if the material is below the surface (towards -z), false if above it.</param>
     /// <returns>The surface in millimeters with its boundaries.</returns>
-    /// <exception cref="Measurement.InputException">A grid (<c>.csv</c>) is unreadable or does not determine a surface.</exception>
-    /// <exception cref="InputException">The file is broken, does not contain the surface, or contains several matching ones; or the
-    /// surface is vertical somewhere or folded, so that up and down are ambiguous.</exception>
+    /// <exception cref="InputException">A grid (<c>.csv</c>) is unreadable or does not determine a surface. The file is broken,
+    /// does not contain the surface, or contains several matching ones; or the surface is vertical somewhere or folded, so that up
+    /// and down are ambiguous.</exception>
     public static PartSurface Read(ReadOnlySpan<byte> bytes, string file, string? entity, bool outsideIsUp)
     {
         if (bytes.Length > ExchangeLimits.MaxBytes)

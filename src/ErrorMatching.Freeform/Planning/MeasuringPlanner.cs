@@ -1,6 +1,5 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 

@@ -1,6 +1,5 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 

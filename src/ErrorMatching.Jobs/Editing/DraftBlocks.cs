@@ -1,4 +1,3 @@
-using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 

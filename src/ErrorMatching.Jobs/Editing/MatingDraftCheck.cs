@@ -1,8 +1,5 @@
-using System.Globalization;
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
 using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 

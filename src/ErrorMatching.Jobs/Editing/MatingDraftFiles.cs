@@ -2,6 +2,7 @@ using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 

@@ -1,6 +1,4 @@
 using ErrorMatching.Mating;
-using ErrorMatching.Measurement;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;

@@ -1,4 +1,3 @@
-using ErrorMatching.Mating;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;

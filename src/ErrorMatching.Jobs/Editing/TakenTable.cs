@@ -1,5 +1,3 @@
-using ErrorMatching.Refusals;
-
 namespace ErrorMatching.Jobs;
 
 /// <summary>The result of putting a <see cref="PointTable"/> into a draft.</summary>

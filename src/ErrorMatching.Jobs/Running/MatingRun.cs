@@ -1,8 +1,6 @@
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -35,7 +33,7 @@ public static class MatingRun
             var outcome = Matcher.Match(new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
             if (outcome.Result is not { } result)
             {
-                return Outcome<MatchedProgram>.Refused(InputRefusals.Of(outcome.Refusals, job.File, program));
+                return Outcome.Refused<MatchedProgram>(InputRefusals.Of(outcome.Refusals, job.File, program));
             }
 
             var report = MatchReporter.Report(

@@ -2,7 +2,6 @@ using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
-using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
@@ -39,7 +38,7 @@ public static class SurfaceRun
                 files, job, surface, request, dialect.Syntax, made, surfaceSha256, cancellation, out var refusals, out var cutBy)
                 is not { } result)
             {
-                return Outcome<FinishedSurface>.Refused(refusals);
+                return Outcome.Refused<FinishedSurface>(refusals);
             }
 
             cancellation.ThrowIfCancellationRequested();
@@ -90,7 +89,7 @@ public static class SurfaceRun
                 files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)
                 is not { } compensation)
             {
-                return Outcome<DisplacedSurface>.Refused(refusals);
+                return Outcome.Refused<DisplacedSurface>(refusals);
             }
 
             if (!asked.Fit.OfError)

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 

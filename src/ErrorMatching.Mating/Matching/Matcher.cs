@@ -1,5 +1,4 @@
 using ErrorMatching.Geometry;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -35,7 +34,7 @@ public static class Matcher
         var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart));
         if (!decision.IsUsable)
         {
-            return Outcome<MatchResult>.Refused(decision.Refusals);
+            return Outcome.Refused<MatchResult>(decision.Refusals);
         }
 
         return decision.Compensates
@@ -133,7 +132,7 @@ public static class Matcher
                 rewrite.Result,
                 marker,
                 proof)
-            : Outcome<MatchResult>.Refused([.. proof.Failures.Select(f => Named(f, maps))]);
+            : Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
     }
 
     // Adds the name of the feature that owns the refused block, if any.

@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using ErrorMatching.Geometry;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;

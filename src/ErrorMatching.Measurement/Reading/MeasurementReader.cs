@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>Columns of decimal numbers, stored as text so that no digits are lost before a calculation.</summary>

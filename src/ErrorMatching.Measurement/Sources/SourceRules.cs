@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>The shop's rules that distinguish measurements of a part and its counterpart. A file belongs to a side if any rule of that

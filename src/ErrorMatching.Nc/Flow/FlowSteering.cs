@@ -11,7 +11,7 @@ internal sealed class FlowSteering(
     MacroCalls macros,
     IsoWords words)
 {
-    /// <summary>True if the block last given to <see cref="Behind"/> had a flow word that was executed.</summary>
+    /// <summary>True if the block last given to <see cref="ExecuteCalls"/> had a flow word that was executed.</summary>
     public bool HasSteered { get; private set; }
 
     /// <summary>Executes what a block does after its words.</summary>

@@ -3,7 +3,8 @@ namespace ErrorMatching.Nc;
 /// <summary>Finds the blocks that the flow must see: those that assign, branch, call, return, end, or begin a program.</summary>
 internal static class FlowTrigger
 {
-    /// <summary>True if a block must be given to <see cref="NcFlow.Before"/>. Returning true for another block only costs time.</summary>
+    /// <summary>True if a block must be given to <see cref="NcFlow.ExecuteStatements"/>. Returning true for another block only costs
+    /// time.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
         var syntax = dialect.Syntax;

@@ -5,9 +5,9 @@ namespace ErrorMatching.Nc;
 /// <summary>Executes the computing part of a program: determines the next block, and keeps variables and calls. Stops if a program would
 /// never end, or if only the machine knows how it continues. A program without such statements does not need it.</summary>
 /// <remarks>
-/// Give a block for which <see cref="FlowTrigger"/> is true to <see cref="Before"/>. If that returns <see cref="FlowAction.Words"/>, read
-/// its words (with <see cref="TryValue"/> for computed ones), apply them, and then call <see cref="Behind"/>. All other blocks run in
-/// sequence.
+/// Give a block for which <see cref="FlowTrigger"/> is true to <see cref="ExecuteStatements"/>. If that returns
+/// <see cref="FlowAction.Words"/>, read its words (with <see cref="TryValue"/> for computed ones), apply them, and then call
+/// <see cref="ExecuteCalls"/>. All other blocks run in sequence.
 /// </remarks>
 internal sealed class NcFlow
 {
@@ -65,10 +65,10 @@ internal sealed class NcFlow
 
     public NcVariables Variables => _memory.Variables;
 
-    /// <summary>True while a macro is called after every motion: then give each block that moves to <see cref="Behind"/>.</summary>
+    /// <summary>True while a macro is called after every motion: then give each block that moves to <see cref="ExecuteCalls"/>.</summary>
     public bool HasModalCall => _macros.HasModalCall;
 
-    /// <summary>True if the block last given to <see cref="Behind"/> had a flow word that was executed.</summary>
+    /// <summary>True if the block last given to <see cref="ExecuteCalls"/> had a flow word that was executed.</summary>
     public bool HasSteered => _steering.HasSteered;
 
     /// <summary>The block that runs first: 0, or the main program's first in an archive that begins with a subprogram.</summary>

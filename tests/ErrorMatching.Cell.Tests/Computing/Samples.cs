@@ -1,4 +1,3 @@
-using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;

@@ -1,4 +1,3 @@
-using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell.Tests;

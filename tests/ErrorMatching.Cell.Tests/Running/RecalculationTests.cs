@@ -1,5 +1,3 @@
-using ErrorMatching.Refusals;
-
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>A job is changed while corrections wait that were made with it as it was:

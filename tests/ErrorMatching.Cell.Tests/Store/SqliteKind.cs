@@ -14,5 +14,9 @@ internal sealed class SqliteKind : StoreKind
 
     public override StoreSettings NewSettings() => new SqliteSettings(Path.Combine(_folder, $"{Guid.NewGuid():N}.db"));
 
-    protected override void Dispose(bool disposing) => Directory.Delete(_folder, recursive: true);
+    protected override void Dispose(bool disposing)
+    {
+        Directory.Delete(_folder, recursive: true);
+        base.Dispose(disposing);
+    }
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;

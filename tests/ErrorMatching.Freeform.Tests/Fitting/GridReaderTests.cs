@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;

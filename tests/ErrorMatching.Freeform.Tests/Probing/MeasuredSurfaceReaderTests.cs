@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;

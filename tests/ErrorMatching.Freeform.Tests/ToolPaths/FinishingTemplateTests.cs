@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 

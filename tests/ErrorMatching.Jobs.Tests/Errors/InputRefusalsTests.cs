@@ -78,7 +78,7 @@ public sealed class InputRefusalsTests
         Outcome<string> refused = Problem;
         Assert.Equal((true, "result", null, 0), (usable.IsUsable, usable.Result, usable.Refusal, usable.Refusals.Count));
         Assert.Equal((false, null, Problem, 1), (refused.IsUsable, refused.Result, refused.Refusal, refused.Refusals.Count));
-        Assert.Throws<ArgumentException>(() => Outcome<string>.Refused([]));
+        Assert.Throws<ArgumentException>(() => Outcome.Refused<string>([]));
     }
 
     [Fact]

@@ -1,5 +1,4 @@
 using ErrorMatching.Refusals;
-using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating.Tests;
 

@@ -1,5 +1,3 @@
-using ErrorMatching.Refusals;
-
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>What the peer made of a program.</summary>

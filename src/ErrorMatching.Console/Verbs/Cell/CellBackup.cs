@@ -1,6 +1,5 @@
 using System.CommandLine;
 using ErrorMatching.Cell;
-using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Globalization;
 using System.Security.Cryptography;
 using ErrorMatching.Cell;
-using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 using Serilog;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using ErrorMatching.Jobs;
-using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 

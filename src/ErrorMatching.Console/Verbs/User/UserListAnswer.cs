@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
-using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Detects surfaces that a file displays at another place than they are defined: members of a subfigure (308) that an instance

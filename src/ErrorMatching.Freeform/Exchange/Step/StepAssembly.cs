@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Detects STEP files that move their parts. A surface is then not at its own coordinates.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Finds the surfaces of a STEP file, from its representations through solids and shells down to faces.</summary>

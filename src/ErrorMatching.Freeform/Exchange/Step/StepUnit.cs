@@ -1,3 +1,5 @@
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The length unit of a representation in a STEP file (ISO 10303-41).</summary>

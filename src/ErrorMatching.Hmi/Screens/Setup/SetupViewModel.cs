@@ -128,7 +128,9 @@ public abstract class SetupViewModel : ScreenViewModel
     public bool HasKept => Editing.Stored is not null || Editing.IsKeptBroken;
 
     /// <summary>Whose changes they are.</summary>
-    public string StoredText => Editing.Stored is { } kept ? Texts.Current.With("Setup.Stored", kept.By, Shown.Time(kept.At, Station.Clock)) : "";
+    public string StoredText => Editing.Stored is { } stored
+        ? Texts.Current.With("Setup.Stored", stored.By, Shown.Time(stored.At, Station.Clock))
+        : "";
 
     /// <summary>A failure or message of the screen, otherwise of the job.</summary>
     public string? Trouble => Message ?? Editing.Message;
