@@ -4,7 +4,7 @@ using Avalonia.Controls.Templates;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Maps view models to views. A new screen needs one line.</summary>
-public sealed class Views : IRecyclingDataTemplate
+internal sealed class Views : IRecyclingDataTemplate
 {
     private static readonly Dictionary<Type, (Type View, Func<Control> Make)> All = new()
     {

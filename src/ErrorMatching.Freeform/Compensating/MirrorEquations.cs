@@ -8,7 +8,7 @@ namespace ErrorMatching.Freeform;
 /// (stock + e) V_N. With P_M = P_P + stock / 2 V_N and D_M = stock / 2 + e,
 /// the compensation point is P_C = P_R - 2 D_M V_N = P_P - e V_N: the ideal point moved by the error to the other side.
 /// </remarks>
-public static class MirrorEquations
+internal static class MirrorEquations
 {
     /// <summary>Equation (1): the point of the mirror surface, P_M = P_P + D_H V_N, with D_H half the stock of semi-finishing.</summary>
     /// <param name="ideal">P_P, on the ideal finished surface, in millimeters.</param>

@@ -5,7 +5,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Converts measured points to errors along the normal.</summary>
-public static class SurfaceErrors
+internal static class SurfaceErrors
 {
     /// <summary>Returns the error at each measured point: its signed distance from the nominal surface along the normal, minus the stock
     /// of the stage.</summary>

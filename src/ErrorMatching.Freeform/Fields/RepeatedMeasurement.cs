@@ -7,7 +7,7 @@ namespace ErrorMatching.Freeform;
 /// <remarks>A measurement is reported as an outlier if it differs from the median of its point by more than <see cref="OutlierFactor"/>
 /// robust standard deviations of all differences (1.4826 times the median of the absolute values; Huber, Robust Statistics, section 5.1).
 /// It stays in the mean. The user may exclude it if the cause is known.</remarks>
-public sealed class RepeatedMeasurement
+internal sealed class RepeatedMeasurement
 {
     /// <summary>Robust standard deviations beyond which a measurement is an outlier.</summary>
     public const double OutlierFactor = 5;
@@ -130,10 +130,10 @@ public sealed class RepeatedMeasurement
 /// <param name="StandardDeviationMm">Standard deviation of its measurements with n - 1, in millimeters; NaN for one measurement.</param>
 /// <param name="StandardErrorMm">Standard uncertainty of the mean, the standard deviation divided by the root of n, in millimeters; NaN
 /// for one measurement.</param>
-public sealed record RepeatedPoint(ErrorSample Mean, int Count, double StandardDeviationMm, double StandardErrorMm);
+internal sealed record RepeatedPoint(ErrorSample Mean, int Count, double StandardDeviationMm, double StandardErrorMm);
 
 /// <summary>A measurement far from the others of the same point.</summary>
 /// <param name="Point">Number of the point.</param>
 /// <param name="Measurement">Index of the measurement in the given order, from 0.</param>
 /// <param name="DifferenceMm">Its error minus the median error of the point, in millimeters.</param>
-public sealed record MeasurementOutlier(int Point, int Measurement, double DifferenceMm);
+internal sealed record MeasurementOutlier(int Point, int Measurement, double DifferenceMm);

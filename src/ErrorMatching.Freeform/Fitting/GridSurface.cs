@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Interpolates a grid of points to obtain a nominal surface.</summary>
-public static class GridSurface
+internal static class GridSurface
 {
     private const int Degree = 3;
 

@@ -7,7 +7,7 @@ using Avalonia.Threading;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The file chooser dialog.</summary>
-public sealed partial class FileChooserView : UserControl
+internal sealed partial class FileChooserView : UserControl
 {
     public FileChooserView()
     {

@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>The area for messages. Its size is fixed, so messages never move a button. A longer message scrolls by finger, wheel
 /// or keys.</summary>
-public sealed class SaidStrip : ScrollViewer
+internal sealed class SaidStrip : ScrollViewer
 {
     // Less than this is rounding.
     private const double Least = 1;

@@ -4,7 +4,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Tiles side by side, as many per row as fit. They fill the width equally; tiles in a row have the same height.</summary>
-public sealed class TilePanel : Panel
+internal sealed class TilePanel : Panel
 {
     public static readonly StyledProperty<double> LeastWidthProperty = AvaloniaProperty.Register<TilePanel, double>(nameof(LeastWidth), 1);
 

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Simulates a gauge that delivers files and a machine that cuts, so that there is something to see and to decide.</summary>
 /// <param name="cell">The cell.</param>
 /// <param name="clock">The clock.</param>
-public sealed class DemoDay(DemoCell cell, TimeProvider clock)
+internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
 {
     internal const double SpreadMm = 0.003, SurfaceSpreadMm = 0.0005;
 

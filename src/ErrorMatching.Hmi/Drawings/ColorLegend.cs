@@ -8,7 +8,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Color scale of a map: a bar from the lowest value to the highest with zero in the middle, with signs and unit.</summary>
-public sealed class ColorLegend : Control, IDrawnWords
+internal sealed class ColorLegend : Control, IDrawnWords
 {
     public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<ColorLegend, double>(nameof(LimitMm));
 

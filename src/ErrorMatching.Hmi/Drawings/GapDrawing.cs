@@ -15,7 +15,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="LargestMm">The largest absolute gap or overlap at a key point.</param>
 /// <param name="IsLong">True if one side is much longer than the other.</param>
 /// <param name="IsTurned">True if it is turned clockwise by 90 degrees.</param>
-public sealed record GapDrawing(
+internal sealed record GapDrawing(
     IReadOnlyList<IReadOnlyList<Point2>> Part,
     IReadOnlyList<IReadOnlyList<Point2>> Counterpart,
     IReadOnlyList<(string Label, Point2 At, Point2 Opposite, double GapMm, double PartMm, bool IsOutside)> Points,

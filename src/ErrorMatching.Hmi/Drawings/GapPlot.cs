@@ -5,7 +5,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Draws the two boundaries of a mating, true to scale. Tapping a key point shows its gap.</summary>
-public sealed class GapPlot : PlotArea
+internal sealed class GapPlot : PlotArea
 {
     public static readonly StyledProperty<GapDrawing?> DrawingProperty = AvaloniaProperty.Register<GapPlot, GapDrawing?>(nameof(Drawing));
 

@@ -7,7 +7,7 @@ using Avalonia.Media;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A line of a program with the changed words marked by a background and by weight, not by color alone.</summary>
-public sealed class MarkedText : TextBlock
+internal sealed class MarkedText : TextBlock
 {
     public static readonly StyledProperty<string?> LineProperty = AvaloniaProperty.Register<MarkedText, string?>(nameof(Line));
 

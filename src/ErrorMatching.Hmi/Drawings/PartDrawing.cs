@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsSchematic">True if positions are schematic.</param>
 /// <param name="Known">Number of points with coordinates.</param>
 /// <param name="Total">Number of points.</param>
-public sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic, int Known, int Total)
+internal sealed record PartDrawing(IReadOnlyList<PartLine> Lines, bool IsSchematic, int Known, int Total)
 {
     private const double Step = 10, Depth = 12;
 

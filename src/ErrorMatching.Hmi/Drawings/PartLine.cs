@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Name">Its name.</param>
 /// <param name="Points">Its points: labels, and positions in mm or schematic.</param>
 /// <param name="Outline">The line through them. A triangle's line passes through its apex, which is not measured.</param>
-public sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 At)> Points, IReadOnlyList<Point2> Outline)
+internal sealed record PartLine(string Name, IReadOnlyList<(string Label, Point2 At)> Points, IReadOnlyList<Point2> Outline)
 {
     /// <summary>The position at a share of its length from its first point.</summary>
     /// <param name="share">From 0 for the first point to 1 for the last one.</param>

@@ -5,7 +5,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Draws a part's features with their points and names.</summary>
-public sealed class PartPlot : PlotArea
+internal sealed class PartPlot : PlotArea
 {
     public static readonly StyledProperty<PartDrawing?> DrawingProperty = AvaloniaProperty.Register<PartPlot, PartDrawing?>(
         nameof(Drawing));

@@ -5,4 +5,4 @@ namespace ErrorMatching.Hmi;
 /// <param name="Last">The last place.</param>
 /// <param name="Low">The lower limit.</param>
 /// <param name="High">The upper limit.</param>
-public sealed record SeriesBand(int First, int Last, double Low, double High);
+internal sealed record SeriesBand(int First, int Last, double Low, double High);

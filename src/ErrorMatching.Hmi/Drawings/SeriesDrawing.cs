@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsHollow">For each place, whether its marks are hollow: predicted, not measured. Empty if none are.</param>
 /// <param name="Unit">The unit of the values, written at their axis.</param>
 /// <param name="IsMagnitude">True if the values have no sign.</param>
-public sealed record SeriesDrawing(
+internal sealed record SeriesDrawing(
     IReadOnlyList<string> Labels,
     IReadOnlyList<string> Values,
     IReadOnlyList<SeriesLine> Lines,

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>The meaning of a plot line, which decides how it looks: never by color alone.</summary>
-public enum SeriesKind
+internal enum SeriesKind
 {
     /// <summary>Without compensation: a line with circles.</summary>
     Before,

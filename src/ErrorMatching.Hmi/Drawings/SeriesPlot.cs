@@ -7,7 +7,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Draws values over a series of places, with numbered rules and shaded limits. Tapping a place shows its values.</summary>
-public sealed class SeriesPlot : PlotArea
+internal sealed class SeriesPlot : PlotArea
 {
     public static readonly StyledProperty<SeriesDrawing?> DrawingProperty = AvaloniaProperty.Register<SeriesPlot, SeriesDrawing?>(
         nameof(Drawing));

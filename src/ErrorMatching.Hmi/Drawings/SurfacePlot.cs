@@ -6,7 +6,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Draws a surface from above, with colors by value or with the path of the stylus. Tapping a point shows its values.</summary>
-public sealed class SurfacePlot : PlotArea
+internal sealed class SurfacePlot : PlotArea
 {
     public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(
         nameof(Drawing));

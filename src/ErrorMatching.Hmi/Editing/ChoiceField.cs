@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="words">The job's words.</param>
 /// <param name="get">Reads the word from the draft.</param>
 /// <param name="set">Returns the draft with another word.</param>
-public sealed class ChoiceField(
+internal sealed class ChoiceField(
     JobEditing editing,
     string path,
     string label,

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A choice field with its name above and its problem below.</summary>
-public sealed partial class ChoiceFieldView : StackPanel
+internal sealed partial class ChoiceFieldView : StackPanel
 {
     public ChoiceFieldView() => InitializeComponent();
 

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="editing">The edited job.</param>
 /// <param name="path">Its path in the draft (<see cref="DraftPaths"/>).</param>
 /// <param name="label">Text key of its name.</param>
-public abstract class EditField(JobEditing editing, string path, string label) : Observable
+internal abstract class EditField(JobEditing editing, string path, string label) : Observable
 {
     /// <summary>Prefix of field identifiers.</summary>
     internal const string IdStart = "edit-";

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="editing">The edited job.</param>
 /// <param name="path">Its path in the draft.</param>
 /// <param name="label">Text key of its name.</param>
-public sealed class NoteField(JobEditing editing, string path, string label) : EditField(editing, path, label)
+internal sealed class NoteField(JobEditing editing, string path, string label) : EditField(editing, path, label)
 {
     protected override bool IsEmpty => true;
 

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The problem of a field, or of a place without input.</summary>
-public sealed partial class NoteFieldView : DockPanel
+internal sealed partial class NoteFieldView : DockPanel
 {
     public NoteFieldView() => InitializeComponent();
 

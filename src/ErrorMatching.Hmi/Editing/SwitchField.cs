@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="label">Text key of its name.</param>
 /// <param name="get">Reads the value from the draft.</param>
 /// <param name="set">Returns the draft with another value.</param>
-public sealed class SwitchField(
+internal sealed class SwitchField(
     JobEditing editing, string path, string label, Func<MatingDraft, bool> get, Func<MatingDraft, bool, MatingDraft> set)
     : EditField(editing, path, label)
 {

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A field that is on or off.</summary>
-public sealed partial class SwitchFieldView : UserControl
+internal sealed partial class SwitchFieldView : UserControl
 {
     public SwitchFieldView() => InitializeComponent();
 }

@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="set">Returns the draft with another text.</param>
 /// <param name="misread">Returns the code of the problem with a text that the draft cannot store, null for any other text; null if the
 /// draft can store every text.</param>
-public sealed class TextField(
+internal sealed class TextField(
     JobEditing editing,
     string path,
     string label,

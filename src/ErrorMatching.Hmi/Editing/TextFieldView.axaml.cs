@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A text field with its name above; marked if it has a problem.</summary>
-public sealed partial class TextFieldView : StackPanel
+internal sealed partial class TextFieldView : StackPanel
 {
     public TextFieldView() => InitializeComponent();
 

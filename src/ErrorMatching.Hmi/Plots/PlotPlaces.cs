@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-public static class PlotPlaces
+internal static class PlotPlaces
 {
     /// <summary>The screen position of a plot position.</summary>
     public static Point At(this PlotView view, Point2 place)

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Reduces a line to the points that the screen can resolve. Each pixel column keeps its first, lowest, highest and last
 /// point; invisible parts are left out.</summary>
 /// <remarks>A line of 100,000 points over 1,000 pixels becomes one of at most 4,000. No pixel moves by more than its own width.</remarks>
-public sealed class PlotThinning
+internal sealed class PlotThinning
 {
     private readonly PlotView _view;
     private readonly PlotBox _seen;

@@ -4,7 +4,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A program as text and as a drawn path.</summary>
-public sealed partial class ProgramPictureView : UserControl
+internal sealed partial class ProgramPictureView : UserControl
 {
     public ProgramPictureView() => InitializeComponent();
 

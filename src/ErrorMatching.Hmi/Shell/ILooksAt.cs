@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>A screen that can be opened at a correction.</summary>
-public interface ILooksAt
+internal interface ILooksAt
 {
     /// <summary>Shows the correction.</summary>
     /// <param name="correction">Its number.</param>

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Input from a barcode scanner, which acts as a keyboard: characters while no field has the focus, ended by Enter.
 /// Nothing else uses such characters, so their speed does not matter. A pause only discards accidental key presses.</summary>
 /// <param name="clock">Times the pauses.</param>
-public sealed class ScannedCode(TimeProvider clock)
+internal sealed class ScannedCode(TimeProvider clock)
 {
     /// <summary>Maximum length: longer codes are not serial numbers.</summary>
     public const int Most = 128;

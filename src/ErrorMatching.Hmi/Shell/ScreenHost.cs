@@ -7,7 +7,7 @@ using Avalonia.VisualTree;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Shows a screen, or a detail of one, part by part: keys and taps have priority over the remaining parts.</summary>
-public sealed class ScreenHost : Decorator
+internal sealed class ScreenHost : Decorator
 {
     public static readonly StyledProperty<object?> ScreenProperty = AvaloniaProperty.Register<ScreenHost, object?>(nameof(Screen));
 

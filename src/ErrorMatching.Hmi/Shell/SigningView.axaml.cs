@@ -7,7 +7,7 @@ using Avalonia.Threading;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The signing dialog.</summary>
-public sealed partial class SigningView : UserControl
+internal sealed partial class SigningView : UserControl
 {
     public SigningView() => InitializeComponent();
 

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Shows that a long operation is running, with a way to cancel it.</summary>
-public sealed partial class WorkingView : UserControl
+internal sealed partial class WorkingView : UserControl
 {
     public WorkingView() => InitializeComponent();
 }

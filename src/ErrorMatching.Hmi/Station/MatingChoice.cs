@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>A mating to choose.</summary>
 /// <param name="Name">Its display name: the name of the first of the cell's jobs with its file.</param>
 /// <param name="Jobs">The cell's jobs with its file: those of parts and those of counterparts.</param>
-public sealed record MatingChoice(string Name, IReadOnlyList<string> Jobs)
+internal sealed record MatingChoice(string Name, IReadOnlyList<string> Jobs)
 {
     /// <summary>The matings of a cell, in the order of its configuration.</summary>
     /// <param name="settings">The configuration.</param>

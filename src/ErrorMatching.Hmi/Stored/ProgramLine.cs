@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Modified">The new text.</param>
 /// <param name="OriginalSpans">Replaced spans.</param>
 /// <param name="ModifiedSpans">New spans.</param>
-public sealed record ProgramLine(
+internal sealed record ProgramLine(
     int Index,
     int? Block,
     string Original,

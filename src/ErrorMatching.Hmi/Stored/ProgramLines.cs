@@ -7,7 +7,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Two programs side by side, line by line. A line becomes text only when shown, so a program of a million blocks costs
 /// no more than its bytes.</summary>
 /// <remarks>A list for a virtualizing view. It aligns only changed and inserted blocks, because rewriting makes no other changes.</remarks>
-public sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
+internal sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 {
     private readonly NcProgram _original;
     private readonly NcProgram _modified;

@@ -4,7 +4,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Where a correction moves its program most, as recorded by the step that computed it: at a key point or in a block.</summary>
-public static class StoredMove
+internal static class StoredMove
 {
     /// <summary>The place in the display language; null if no step records one, as in a store of an earlier version.</summary>
     /// <param name="steps">The correction's history, step by step.</param>

@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The last pieces of a mating in the store. Each report is read only once, because it never changes.</summary>
-public sealed class StoredPieces
+internal sealed class StoredPieces
 {
     /// <summary>How many measurements of a mating are considered when its last pieces are listed.</summary>
     public const int Most = 60;

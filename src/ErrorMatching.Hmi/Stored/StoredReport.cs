@@ -7,7 +7,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A report in the store: the same numbers as the console's, read and not recomputed.</summary>
-public sealed record StoredReport
+internal sealed record StoredReport
 {
     private static readonly StoredReport Other = new();
 

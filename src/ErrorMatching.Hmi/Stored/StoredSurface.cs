@@ -13,7 +13,7 @@ namespace ErrorMatching.Hmi;
 /// because it is old or an existing program was displaced.</param>
 /// <param name="Warnings">What the user should know before using the program. A missing tool call is reported by
 /// <paramref name="CallsTool"/>.</param>
-public sealed record StoredSurface(
+internal sealed record StoredSurface(
     string JobName,
     SurfaceFindings Findings,
     ToolPathFigures? ToolPath,

@@ -3,7 +3,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Texts for the warnings of a report.</summary>
-public static class WarningText
+internal static class WarningText
 {
     /// <summary>The warning in the display language if the station knows its code; otherwise the report's sentence.</summary>
     public static string Of(ReportWarning warning)

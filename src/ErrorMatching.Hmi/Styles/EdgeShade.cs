@@ -5,7 +5,7 @@ using Avalonia.Media;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The shade at the edge of a scrolled area: it shows that there is more content beyond the last visible row.</summary>
-public sealed class EdgeShade : Control
+internal sealed class EdgeShade : Control
 {
     public static readonly StyledProperty<Vector> OffsetProperty = AvaloniaProperty.Register<EdgeShade, Vector>(nameof(Offset));
 

@@ -4,7 +4,7 @@ using Avalonia.Data.Converters;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Converters from view model values to icons.</summary>
-public static class Icons
+internal static class Icons
 {
     public static IValueConverter ByKey { get; } = new FuncValueConverter<string?, Avalonia.Media.Geometry?>(Find);
 

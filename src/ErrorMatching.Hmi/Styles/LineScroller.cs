@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Shows one line of text; if it does not fit, the part with the caret.</summary>
 // The few functions of a scroll viewer that a field needs. A full one would take most of the time to open a screen of fields.
-public sealed class LineScroller : Decorator
+internal sealed class LineScroller : Decorator
 {
     /// <summary>The decimals that a number lacks compared with others in its column, such as <c>.000</c>. Space for them is left at the
     /// right, so that decimal signs align. The typed text does not change.</summary>

@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>Texts in the display language for the stable codes of the cell and of file readers.</summary>
 /// <remarks>A new code needs one text in each language: <c>Code.CODE</c> if the text is complete, or <c>Meaning.CODE</c> if the
 /// accompanying sentence says more (it names blocks, points, files and numbers).</remarks>
-public static class CodeText
+internal static class CodeText
 {
     // Errors of a store or machine already have texts.
     private static readonly Dictionary<string, string> Outside = Enum.GetValues<StoreError>()

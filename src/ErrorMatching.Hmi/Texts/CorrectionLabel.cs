@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Label of a correction: its number, and the serial number of its piece or the name of its file.</summary>
-public static class CorrectionLabel
+internal static class CorrectionLabel
 {
     /// <summary>The label; only the file name if the correction is not in the store and so has no number.</summary>
     public static string Of(Correction correction)

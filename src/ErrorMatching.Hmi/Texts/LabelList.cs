@@ -3,7 +3,7 @@ using System.Globalization;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Short lists of key point labels: a run of consecutive labels is written as its first and last, as in a job.</summary>
-public static class LabelList
+internal static class LabelList
 {
     // Two labels are just as short without dots.
     private const int LeastRun = 3;

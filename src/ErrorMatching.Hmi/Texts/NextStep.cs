@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The next step for a correction, who takes it, and what a person has to do: the same sentence on every screen.</summary>
-public static class NextStep
+internal static class NextStep
 {
     /// <summary>The next step, in one line.</summary>
     /// <param name="settings">The cell's configuration.</param>

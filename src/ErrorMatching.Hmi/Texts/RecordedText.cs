@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Recorded statements in the display language. Words, such as a person's reason or a sentence of an earlier version, are shown
 /// as they were written.</summary>
-public static class RecordedText
+internal static class RecordedText
 {
     private const string WordKey = "RecordedWord.";
 

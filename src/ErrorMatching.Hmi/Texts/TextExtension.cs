@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>A text by its key in a view: <c>Text="{l:Text Overview.Waiting}"</c>. It follows the language.</summary>
 /// <param name="key">The key.</param>
-public sealed class TextExtension(string key) : MarkupExtension
+internal sealed class TextExtension(string key) : MarkupExtension
 {
     // A screen has dozens of texts: each binding path is created once.
     private static readonly ConcurrentDictionary<string, CompiledBindingPath> Paths = new(StringComparer.Ordinal);

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Text">In a sentence.</param>
 /// <param name="Severity">Attention if it waits for a decision.</param>
 /// <param name="First">Number of the correction that it waits for, to be handled first.</param>
-public sealed record WaitReason(string Text, Severity Severity, long First)
+internal sealed record WaitReason(string Text, Severity Severity, long First)
 {
     // More than this add nothing: the first one is decided first.
     private const int Most = 5;

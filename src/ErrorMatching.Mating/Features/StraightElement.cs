@@ -6,7 +6,7 @@ namespace ErrorMatching.Mating;
 internal sealed record StraightElement(IReadOnlyList<string> Points, LineMethod Method);
 
 /// <summary>How a straight line is fitted to more than two points.</summary>
-public enum LineMethod
+internal enum LineMethod
 {
     /// <summary>Total least squares: perpendicular residuals.</summary>
     Total,

@@ -10,18 +10,18 @@ public abstract record JobComparison(string Name);
 /// <param name="Name">Its name.</param>
 /// <param name="First">The element that is cut first.</param>
 /// <param name="Second">The element that is cut next.</param>
-public sealed record AngleComparison(string Name, ElementReference First, ElementReference Second) : JobComparison(Name);
+internal sealed record AngleComparison(string Name, ElementReference First, ElementReference Second) : JobComparison(Name);
 
 /// <summary>The largest deviation of some key points.</summary>
 /// <param name="Name">Its name.</param>
 /// <param name="AlongX">True for deviations along the first axis, as in the paper; false for deviations along the normals.</param>
 /// <param name="Points">Labels of at least one key point.</param>
-public sealed record DeviationComparison(string Name, bool AlongX, IReadOnlyList<string> Points) : JobComparison(Name);
+internal sealed record DeviationComparison(string Name, bool AlongX, IReadOnlyList<string> Points) : JobComparison(Name);
 
 /// <summary>A straight element of the boundary: a line feature, or a flank of a triangle.</summary>
 /// <param name="Feature">Name of the feature.</param>
 /// <param name="Flank">1 or 2 for a flank in the order of cutting; null for a line.</param>
-public readonly record struct ElementReference(string Feature, int? Flank)
+internal readonly record struct ElementReference(string Feature, int? Flank)
 {
     /// <summary>As the job writes it: <c>L1</c> or <c>L2L3/1</c>.</summary>
     public override string ToString() => Flank is null ? Feature : string.Create(CultureInfo.InvariantCulture, $"{Feature}/{Flank}");

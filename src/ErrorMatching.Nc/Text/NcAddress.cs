@@ -1,7 +1,7 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>Codes of multi-letter addresses that describe a motion, used in place of a word's letter.</summary>
-public static class NcAddress
+internal static class NcAddress
 {
     /// <summary>Radius of an arc, <c>CR=</c>.</summary>
     public const byte CircleRadius = (byte)'Z' + 1;

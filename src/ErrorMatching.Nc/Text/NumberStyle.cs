@@ -8,7 +8,7 @@ namespace ErrorMatching.Nc;
 /// <param name="LeadingZero">Values below one have a zero before the point.</param>
 /// <param name="FixedDecimals">Minimum number of decimals; -1 if trailing zeros are omitted.</param>
 /// <param name="WholeDigits">Minimum number of digits before the point.</param>
-public readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZero, int FixedDecimals, int WholeDigits)
+internal readonly record struct NumberStyle(bool Plus, bool Point, bool LeadingZero, int FixedDecimals, int WholeDigits)
 {
     /// <summary>The style of a number as written.</summary>
     /// <remarks>

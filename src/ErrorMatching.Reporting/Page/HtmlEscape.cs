@@ -4,7 +4,7 @@ using System.Text;
 namespace ErrorMatching.Reporting;
 
 /// <summary>Escapes text from files, names and programs, so that a browser shows it but never executes it.</summary>
-public static class HtmlEscape
+internal static class HtmlEscape
 {
     /// <summary>Appends text with markup characters as entities. Characters that are invalid in XML and lone surrogates become U+FFFD.
     /// Marks that change the text direction are spelled out, because a block must be read in the same order as on the control.</summary>

@@ -11,7 +11,7 @@ namespace ErrorMatching.Freeform;
 /// z over its mean chord lengths from 0 to 1. Breaks of the curvature are found only along grid lines, with at least two lines on each
 /// side. Oblique breaks, and breaks too faint for the noise, are rounded off. Waves need a Gaussian process. Beyond about 300 points it
 /// requires a grid of straight lines; otherwise the cubic spline is used.</remarks>
-public static class BestSurface
+internal static class BestSurface
 {
     /// <summary>Returns the surface, with its breaks and its line-out error.</summary>
     /// <param name="grid">At least two curves of at least two points each; curves may have different numbers of points.</param>

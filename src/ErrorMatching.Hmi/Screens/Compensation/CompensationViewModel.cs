@@ -3,7 +3,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>On-line compensation: shows the change at the machine before it happens, and takes the decision about it.</summary>
-public sealed class CompensationViewModel : ScreenViewModel, ILooksAt
+internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
     private readonly CorrectionChoice _choice;

@@ -5,7 +5,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>All details of one correction, formatted for display.</summary>
-public sealed class CorrectionDetail
+internal sealed class CorrectionDetail
 {
     private readonly TimeProvider _clock;
     private readonly StoredPiece? _piece;

@@ -6,7 +6,7 @@ using Avalonia.Threading;
 namespace ErrorMatching.Hmi;
 
 /// <summary>All details of one correction.</summary>
-public sealed partial class CorrectionDetailView : UserControl
+internal sealed partial class CorrectionDetailView : UserControl
 {
     private object? _begun;
 

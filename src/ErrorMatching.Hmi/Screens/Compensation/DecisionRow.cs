@@ -5,4 +5,4 @@ namespace ErrorMatching.Hmi;
 /// <param name="Decision">The decision, in a word or two.</param>
 /// <param name="Reason">The reason.</param>
 /// <param name="Largest">The largest deviation in mm, with its sign: part - counterpart along the normal.</param>
-public sealed record DecisionRow(string Feature, string Decision, string Reason, string Largest);
+internal sealed record DecisionRow(string Feature, string Decision, string Reason, string Largest);

@@ -12,7 +12,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Without">The mating error without compensation: counterpart - part along the normal.</param>
 /// <param name="LeftOver">The predicted mating error with compensation, by the same convention.</param>
 /// <param name="IsOutside">True if that error is outside its limits.</param>
-public sealed record PointRow(
+internal sealed record PointRow(
     string Point,
     string Feature,
     string TheoreticalX,

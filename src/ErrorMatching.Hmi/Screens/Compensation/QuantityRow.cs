@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Corrected">Predicted value of the corrected counterpart: close to the measured value, except for the errors
 /// remaining at its points and deviations along the boundary.</param>
 /// <param name="Unit">mm or degrees.</param>
-public sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
+internal sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
 {
     /// <summary>Its name for screen readers: a feature has several quantities.</summary>
     public string Name => $"{Feature} · {Quantity}";

@@ -5,4 +5,4 @@ namespace ErrorMatching.Hmi;
 /// <param name="State">The new state.</param>
 /// <param name="By">Who took it.</param>
 /// <param name="Basis">Its basis.</param>
-public sealed record StepRow(string Time, string State, string By, string Basis);
+internal sealed record StepRow(string Time, string State, string By, string Basis);

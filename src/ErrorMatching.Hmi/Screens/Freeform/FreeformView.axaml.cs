@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Measured surfaces and their compensation.</summary>
-public sealed partial class FreeformView : UserControl
+internal sealed partial class FreeformView : UserControl
 {
     public FreeformView() => InitializeComponent();
 }

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Free-form surfaces: where a surface is probed, where its error is, what either way of compensation leaves of it, and
 /// the finishing program.</summary>
-public sealed class FreeformViewModel : ScreenViewModel, ILooksAt
+internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
     private readonly Dictionary<string, StoredSurface?> _read = new(StringComparer.Ordinal);

@@ -8,4 +8,4 @@ namespace ErrorMatching.Hmi;
 /// <param name="Profile">Profile of a surface by ISO 1101.</param>
 /// <param name="Range">Largest minus smallest.</param>
 /// <param name="IsChosen">True for the chosen way of compensation.</param>
-public sealed record StatisticsRow(string Name, string Count, string Mean, string Deviation, string Profile, string Range, bool IsChosen);
+internal sealed record StatisticsRow(string Name, string Count, string Mean, string Deviation, string Profile, string Range, bool IsChosen);

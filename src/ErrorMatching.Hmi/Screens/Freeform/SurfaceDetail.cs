@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>All details of one measured surface.</summary>
-public sealed class SurfaceDetail
+internal sealed class SurfaceDetail
 {
     private readonly StoredCorrection _kept;
     private readonly TimeProvider _clock;

@@ -5,7 +5,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A stored surface report, formatted for display, with its drawings.</summary>
-public sealed class SurfaceFigures
+internal sealed class SurfaceFigures
 {
     private readonly StoredSurface _stored;
     private readonly SurfaceFindings _findings;

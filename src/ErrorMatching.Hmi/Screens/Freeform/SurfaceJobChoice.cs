@@ -5,4 +5,4 @@ namespace ErrorMatching.Hmi;
 /// <summary>A free-form job of the cell.</summary>
 /// <param name="Name">Its display name.</param>
 /// <param name="Settings">The job.</param>
-public sealed record SurfaceJobChoice(string Name, CellJobSettings Settings);
+internal sealed record SurfaceJobChoice(string Name, CellJobSettings Settings);

@@ -7,7 +7,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="State">Its state.</param>
 /// <param name="Profile">Its measured profile.</param>
 /// <param name="Severity">Its severity.</param>
-public sealed record SurfaceRow(long Id, string Title, string Job, string State, string Profile, Severity Severity)
+internal sealed record SurfaceRow(long Id, string Title, string Job, string State, string Profile, Severity Severity)
 {
     public string AutomationId => "surface-" + Shown.Id(Id);
 }

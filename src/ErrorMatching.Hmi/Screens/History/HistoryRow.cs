@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Job">The job.</param>
 /// <param name="State">Its state.</param>
 /// <param name="Largest">Its largest displacement.</param>
-public sealed record HistoryRow(long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest)
+internal sealed record HistoryRow(long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest)
 {
     public string Number => "#" + Shown.Id(Id);
 

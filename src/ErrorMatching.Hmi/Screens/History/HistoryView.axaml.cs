@@ -6,7 +6,7 @@ using Avalonia.Interactivity;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Search for past corrections.</summary>
-public sealed partial class HistoryView : UserControl
+internal sealed partial class HistoryView : UserControl
 {
     // Below this height, all fields would leave no room for results.
     private const double LowHeight = 520;

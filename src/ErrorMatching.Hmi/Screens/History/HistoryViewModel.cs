@@ -6,7 +6,7 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Hmi;
 
 /// <summary>History: finds every file that ever arrived, and reopens it exactly as it was.</summary>
-public sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
+internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 {
     private const int Most = 1000;
     private string _serial = "";

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>A state to search for. The object stays the same in another language, so that it stays selected.</summary>
 /// <param name="state">The state; null for any.</param>
-public sealed class StateChoice(CorrectionState? state) : Observable
+internal sealed class StateChoice(CorrectionState? state) : Observable
 {
     public CorrectionState? State { get; } = state;
 

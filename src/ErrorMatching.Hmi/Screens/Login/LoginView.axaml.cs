@@ -4,7 +4,7 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-public sealed partial class LoginView : UserControl
+internal sealed partial class LoginView : UserControl
 {
     public LoginView() => InitializeComponent();
 

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="What">The situation.</param>
 /// <param name="Next">What to do.</param>
 /// <param name="Correction">The correction to open; null if there is none.</param>
-public sealed record MessageRow(Severity Severity, string What, string Next, long? Correction)
+internal sealed record MessageRow(Severity Severity, string What, string Next, long? Correction)
 {
     /// <summary>True to open the verification of a measured piece instead.</summary>
     public bool IsMeasured { get; init; }

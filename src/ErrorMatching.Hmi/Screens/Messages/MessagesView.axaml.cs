@@ -4,7 +4,7 @@ using Avalonia.Interactivity;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Current messages and the audit trail.</summary>
-public sealed partial class MessagesView : UserControl
+internal sealed partial class MessagesView : UserControl
 {
     // Share of the height for messages, however many: the audit trail needs room as well, and no button above it moves.
     private const double ShareOfNow = 1.0 / 3;

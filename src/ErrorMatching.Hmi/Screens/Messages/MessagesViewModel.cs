@@ -4,7 +4,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Messages and audit trail: what happened, what to do next, and whether the trail is intact.</summary>
-public sealed partial class MessagesViewModel : ScreenViewModel
+internal sealed partial class MessagesViewModel : ScreenViewModel
 {
     private const int Page = 200;
     private const int Digits = 8;

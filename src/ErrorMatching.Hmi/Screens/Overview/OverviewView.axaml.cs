@@ -4,7 +4,7 @@ using Avalonia.Interactivity;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The cell at a glance.</summary>
-public sealed partial class OverviewView : UserControl
+internal sealed partial class OverviewView : UserControl
 {
     public OverviewView() => InitializeComponent();
 

@@ -5,7 +5,7 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A feature in the point setup: its name, its kind and its numbers of points.</summary>
-public sealed class FeatureEdit : Observable
+internal sealed class FeatureEdit : Observable
 {
     private readonly JobEditing _editing;
     private readonly int _index;

@@ -4,7 +4,7 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The number of points of a feature, or of one of its flanks.</summary>
-public sealed class FlankEdit : Observable
+internal sealed class FlankEdit : Observable
 {
     private const int Most = 1000;
     private readonly int _feature;

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The controls to set the number of points of a flank, or of a whole feature.</summary>
-public sealed partial class FlankEditView : UserControl
+internal sealed partial class FlankEditView : UserControl
 {
     public FlankEditView() => InitializeComponent();
 }

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>A kind of feature that can be added.</summary>
 /// <param name="kind">The kind.</param>
 /// <param name="add">Adds a feature of it.</param>
-public sealed class KindChoice(FeatureKind kind, Command add) : Observable
+internal sealed class KindChoice(FeatureKind kind, Command add) : Observable
 {
     public Command Add { get; } = add;
 

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>The screen to enter features and their numbers of points.</summary>
-public sealed partial class PointsView : SetupView
+internal sealed partial class PointsView : SetupView
 {
     public PointsView() => InitializeComponent();
 }

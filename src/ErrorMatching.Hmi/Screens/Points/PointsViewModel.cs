@@ -5,7 +5,7 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Point setup: the part's features and their numbers of points, with a drawing of the part as it grows.</summary>
-public sealed class PointsViewModel : SetupViewModel, ITakesCodes
+internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
 {
     private readonly ITimer _minute;
     private readonly SynchronizationContext _screen = SynchronizationContext.Current!;

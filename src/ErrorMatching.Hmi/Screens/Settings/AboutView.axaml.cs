@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Information about the station.</summary>
-public sealed partial class AboutView : UserControl
+internal sealed partial class AboutView : UserControl
 {
     public AboutView() => InitializeComponent();
 }

@@ -5,7 +5,7 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Hmi;
 
 /// <summary>About: what the station is, where it stores data, and its components.</summary>
-public sealed class AboutViewModel : ScreenViewModel
+internal sealed class AboutViewModel : ScreenViewModel
 {
     private const int CommitDigits = 10;
     private readonly ShellViewModel _shell;

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Where">Its address or path.</param>
 /// <param name="Found">The result of the test; null before it was tested.</param>
 /// <param name="Outcome">The result in words.</param>
-public sealed record ConnectionRow(string Kind, string Name, string Where, Severity? Found, string Outcome)
+internal sealed record ConnectionRow(string Kind, string Name, string Where, Severity? Found, string Outcome)
 {
     /// <summary>Its kind, in a word.</summary>
     public string KindName => Texts.Current["Connection." + Kind];

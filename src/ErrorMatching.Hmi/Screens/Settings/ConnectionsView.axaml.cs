@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Test of machines and gauges.</summary>
-public sealed partial class ConnectionsView : UserControl
+internal sealed partial class ConnectionsView : UserControl
 {
     public ConnectionsView() => InitializeComponent();
 }

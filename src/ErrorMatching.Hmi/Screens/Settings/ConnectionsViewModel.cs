@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Machines and gauges: tests the connections, as <c>errormatch cell check</c> does. An administrator can set a
 /// machine's password.</summary>
-public sealed class ConnectionsViewModel : ScreenViewModel
+internal sealed class ConnectionsViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
     private CellCheck? _check;

@@ -3,7 +3,7 @@ namespace ErrorMatching.Hmi;
 /// <summary>An option for the appearance. The object stays the same in another language, so that it stays selected.</summary>
 /// <param name="key">Its key.</param>
 /// <param name="name">Returns its name in the display language.</param>
-public sealed class LookChoice(string key, Func<string> name) : Observable
+internal sealed class LookChoice(string key, Func<string> name) : Observable
 {
     public string Key { get; } = key;
 

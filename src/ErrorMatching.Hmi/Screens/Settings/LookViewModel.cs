@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>The station's appearance for the current user: language, theme, height of touch targets. It is stored by user name.</summary>
-public sealed class LookViewModel : ScreenViewModel
+internal sealed class LookViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
 

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>A role to choose. The object stays the same in another language, so that it stays selected.</summary>
 /// <param name="role">The role.</param>
-public sealed class RoleChoice(Role role) : Observable
+internal sealed class RoleChoice(Role role) : Observable
 {
     public Role Role { get; } = role;
 

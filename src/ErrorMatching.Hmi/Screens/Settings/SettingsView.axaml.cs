@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The station's settings.</summary>
-public sealed partial class SettingsView : UserControl
+internal sealed partial class SettingsView : UserControl
 {
     public SettingsView() => InitializeComponent();
 }

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>Settings: users, connections, appearance, and information about the station.</summary>
-public sealed class SettingsViewModel : ScreenViewModel
+internal sealed class SettingsViewModel : ScreenViewModel
 {
     private readonly ScreenViewModel[] _pages;
 

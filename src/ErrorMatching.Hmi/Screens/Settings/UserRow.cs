@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="RoleName">The role in a word.</param>
 /// <param name="IsDisabled">True if the user may not sign in.</param>
 /// <param name="Standing">Disabled or locked, in words; empty if neither.</param>
-public sealed record UserRow(string Name, Role Role, string RoleName, bool IsDisabled, string Standing)
+internal sealed record UserRow(string Name, Role Role, string RoleName, bool IsDisabled, string Standing)
 {
     public string AutomationId => "user-row-" + Name;
 }

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Users: an administrator adds and disables them and sets roles and passwords. All others can view them and change
 /// their own password. Each change is signed.</summary>
-public sealed class UsersViewModel : ScreenViewModel
+internal sealed class UsersViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
     private UserRow? _chosen;

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The bar above both setup screens: edited job, undo, problems, and saving.</summary>
-public sealed partial class SetupBar : UserControl
+internal sealed partial class SetupBar : UserControl
 {
     public SetupBar() => InitializeComponent();
 }

@@ -8,7 +8,7 @@ using Avalonia.Threading;
 namespace ErrorMatching.Hmi;
 
 /// <summary>What the views of both setup screens share: undo and redo keys wherever the focus is, and going to a field.</summary>
-public abstract class SetupView : UserControl
+internal abstract class SetupView : UserControl
 {
     private SetupViewModel? _setup;
     private TopLevel? _window;

@@ -4,7 +4,7 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Hmi;
 
 /// <summary>What both setup screens share: edited job, undo, problems, and saving.</summary>
-public abstract class SetupViewModel : ScreenViewModel
+internal abstract class SetupViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
     private string _shape = "";

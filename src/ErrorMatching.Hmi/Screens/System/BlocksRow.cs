@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="name">Its name.</param>
 /// <param name="blocks">The field of its blocks.</param>
 /// <param name="pick">Starts picking blocks for it.</param>
-public sealed class BlocksRow(int index, string name, TextField blocks, Command pick) : Observable
+internal sealed class BlocksRow(int index, string name, TextField blocks, Command pick) : Observable
 {
     private bool _isPicked;
 

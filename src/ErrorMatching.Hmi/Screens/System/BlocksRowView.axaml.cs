@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A feature's name, the button to pick blocks for it, and the field for its blocks.</summary>
-public sealed partial class BlocksRowView : Border
+internal sealed partial class BlocksRowView : Border
 {
     public BlocksRowView() => InitializeComponent();
 

@@ -4,7 +4,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The headings above the fields of theoretical points.</summary>
-public sealed partial class CoordinateHead : UserControl
+internal sealed partial class CoordinateHead : UserControl
 {
     public static readonly StyledProperty<bool> HasZProperty = AvaloniaProperty.Register<CoordinateHead, bool>(nameof(HasZ));
 

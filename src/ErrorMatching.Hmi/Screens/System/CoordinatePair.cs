@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="First">The first one.</param>
 /// <param name="Second">The next one; null if there is none, or if three coordinates take up the width.</param>
 /// <param name="Columns">Number that fits side by side.</param>
-public sealed record CoordinatePair(CoordinateRow First, CoordinateRow? Second, int Columns)
+internal sealed record CoordinatePair(CoordinateRow First, CoordinateRow? Second, int Columns)
 {
     /// <summary>Arranges points side by side, line by line in order.</summary>
     public static IEnumerable<CoordinatePair> Of(IReadOnlyCollection<CoordinateRow> rows)

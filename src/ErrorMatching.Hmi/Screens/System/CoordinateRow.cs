@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="X">Its first coordinate.</param>
 /// <param name="Y">Its second coordinate.</param>
 /// <param name="Z">Its third coordinate, or null.</param>
-public sealed record CoordinateRow(string Feature, TextField Label, TextField X, TextField Y, TextField? Z)
+internal sealed record CoordinateRow(string Feature, TextField Label, TextField X, TextField Y, TextField? Z)
 {
     public bool HasZ => Z is not null;
 

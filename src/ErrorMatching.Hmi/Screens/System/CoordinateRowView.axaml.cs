@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>A theoretical point: its feature, and the fields for label and coordinates.</summary>
-public sealed partial class CoordinateRowView : UserControl
+internal sealed partial class CoordinateRowView : UserControl
 {
     public CoordinateRowView() => InitializeComponent();
 }

@@ -5,7 +5,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Cells">The fields.</param>
 /// <param name="Remove">Removes the row; null if it cannot be removed.</param>
 /// <param name="RemoveId">Identifies the button for that.</param>
-public sealed record FieldRow(string Title, IReadOnlyList<EditField> Cells, Command? Remove = null, string RemoveId = "")
+internal sealed record FieldRow(string Title, IReadOnlyList<EditField> Cells, Command? Remove = null, string RemoveId = "")
 {
     /// <summary>Number of columns, so that the fields of several rows align; 0 to use the number of fields.</summary>
     public int Columns { get; init; }

@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Fields side by side.</summary>
-public sealed partial class FieldRowView : Border
+internal sealed partial class FieldRowView : Border
 {
     public FieldRowView() => InitializeComponent();
 

@@ -2,7 +2,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>The head of a tab: its name, how much is to be corrected and filled in there, and whether there are questions.</summary>
 /// <param name="title">Text key of its name.</param>
-public sealed class SideHead(string title) : Observable
+internal sealed class SideHead(string title) : Observable
 {
     private int _wrong;
     private int _missing;

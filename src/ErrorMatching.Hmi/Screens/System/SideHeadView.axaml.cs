@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The head of a tab.</summary>
-public sealed partial class SideHeadView : StackPanel
+internal sealed partial class SideHeadView : StackPanel
 {
     public SideHeadView() => InitializeComponent();
 

@@ -5,7 +5,7 @@ using Avalonia.Interactivity;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The screen to enter and try out coordinates, blocks and limits.</summary>
-public sealed partial class SystemView : SetupView
+internal sealed partial class SystemView : SetupView
 {
     public SystemView()
     {

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>System setup: coordinates of each point, blocks of each feature, and how deviations are judged and compensated; tried out
 /// before saving.</summary>
-public sealed class SystemViewModel : SetupViewModel
+internal sealed class SystemViewModel : SetupViewModel
 {
     // The number that fits in two lines; the others are marked at their fields.
     private const int MostCorners = 6;

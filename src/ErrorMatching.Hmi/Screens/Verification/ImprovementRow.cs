@@ -9,5 +9,5 @@ namespace ErrorMatching.Hmi;
 /// <param name="Improvement">Reduction of the error in percent of the error before, or a text that it has grown and by how much.</param>
 /// <param name="Unit">mm or degrees.</param>
 /// <param name="IsWorse">True if the error has grown.</param>
-public sealed record ImprovementRow(
+internal sealed record ImprovementRow(
     string Feature, string Quantity, string Wanted, string Before, string After, string Improvement, string Unit, bool IsWorse);

@@ -9,5 +9,5 @@ namespace ErrorMatching.Hmi;
 /// <param name="After">The error with compensation.</param>
 /// <param name="Verdict">Whether it is within its limits, in a word.</param>
 /// <param name="IsOutside">True if it is outside its limits.</param>
-public sealed record MatingErrorRow(
+internal sealed record MatingErrorRow(
     string Point, string Feature, string Low, string High, string Before, string After, string Verdict, bool IsOutside);

@@ -4,7 +4,7 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>One piece and the ones before it, formatted for display.</summary>
-public sealed class PieceDetail : Observable
+internal sealed class PieceDetail : Observable
 {
     // Enough points to show where to look; the error and point tabs list all of them.
     private const int MostMissed = 6;

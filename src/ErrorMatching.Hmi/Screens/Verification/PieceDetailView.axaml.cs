@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>One piece: its errors, its assembly, the improvement, and the trend.</summary>
-public sealed partial class PieceDetailView : UserControl
+internal sealed partial class PieceDetailView : UserControl
 {
     public PieceDetailView() => InitializeComponent();
 }

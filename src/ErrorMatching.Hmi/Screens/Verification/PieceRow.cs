@@ -7,7 +7,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Kind">Measured or predicted.</param>
 /// <param name="Largest">The largest mating error with compensation.</param>
 /// <param name="Severity">Attention if a measured error is outside its limits.</param>
-public sealed record PieceRow(long Id, string Title, string Job, string Kind, string Largest, Severity Severity)
+internal sealed record PieceRow(long Id, string Title, string Job, string Kind, string Largest, Severity Severity)
 {
     public string AutomationId => "piece-" + Shown.Id(Id);
 }

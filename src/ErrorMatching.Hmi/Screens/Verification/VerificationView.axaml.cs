@@ -3,7 +3,7 @@ using Avalonia.Controls;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Whether the compensation worked as predicted.</summary>
-public sealed partial class VerificationView : UserControl
+internal sealed partial class VerificationView : UserControl
 {
     public VerificationView() => InitializeComponent();
 }

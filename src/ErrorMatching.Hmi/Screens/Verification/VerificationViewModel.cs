@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>Verification: whether the compensation worked as predicted, by point, assembly and feature, and from piece to piece.</summary>
-public sealed class VerificationViewModel : ScreenViewModel, ILooksAt
+internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly StoredPieces _kept = new();
     private readonly ShellViewModel _shell;

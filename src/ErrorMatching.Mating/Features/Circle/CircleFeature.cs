@@ -12,7 +12,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least three labels around it.</param>
 /// <param name="Method">Which circle represents its points.</param>
-public sealed record CircleFeature(
+internal sealed record CircleFeature(
     string Name,
     IReadOnlyList<string> Blocks,
     JobTolerance Tolerance,

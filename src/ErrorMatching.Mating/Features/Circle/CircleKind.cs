@@ -4,7 +4,7 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>Bores and bosses: whole circles, or the larger part of one.</summary>
-public sealed class CircleKind : FeatureKind
+internal sealed class CircleKind : FeatureKind
 {
     internal const string CenterX = "centerXMm", CenterY = "centerYMm", Diameter = "diameterMm", Roundness = "roundnessMm";
 

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Mating;
 
 /// <summary>Which circle represents measured points.</summary>
-public enum CircleMethod
+internal enum CircleMethod
 {
     /// <summary>The circle with the least sum of squared distances from them (Gauss).</summary>
     LeastSquares,

@@ -14,7 +14,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Points">At least three labels in the order of cutting.</param>
 /// <param name="Degree">Degree of the polynomial; null to choose it by leave-one-out error.</param>
 /// <param name="Ridge">Weight against overfitting; null to choose it by leave-one-out error.</param>
-public sealed record CurveFeature(
+internal sealed record CurveFeature(
     string Name,
     IReadOnlyList<string> Blocks,
     JobTolerance Tolerance,

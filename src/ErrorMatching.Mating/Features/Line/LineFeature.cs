@@ -10,7 +10,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Points">At least two labels in the order of cutting.</param>
 /// <param name="Method">How the line is fitted.</param>
-public sealed record LineFeature(
+internal sealed record LineFeature(
     string Name,
     IReadOnlyList<string> Blocks,
     JobTolerance Tolerance,

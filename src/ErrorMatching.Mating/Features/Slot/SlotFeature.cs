@@ -13,7 +13,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="Lists">In the order of cutting: at least two labels on a flank, one on the end after it, two on the other flank and one
 /// on the other end.</param>
-public sealed record SlotFeature(
+internal sealed record SlotFeature(
     string Name,
     IReadOnlyList<string> Blocks,
     JobTolerance Tolerance,

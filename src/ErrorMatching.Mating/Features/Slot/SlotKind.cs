@@ -4,7 +4,7 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>Slots and keys: two parallel flanks with round ends.</summary>
-public sealed class SlotKind : FeatureKind
+internal sealed class SlotKind : FeatureKind
 {
     internal const string Width = "widthMm", Length = "lengthMm", CenterX = "centerXMm", CenterY = "centerYMm";
 

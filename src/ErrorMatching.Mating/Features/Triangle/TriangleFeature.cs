@@ -10,7 +10,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 /// <param name="FirstFlank">At least two labels on the flank that is cut first, in the order of cutting.</param>
 /// <param name="SecondFlank">At least two labels on the other flank, in the order of cutting.</param>
-public sealed record TriangleFeature(
+internal sealed record TriangleFeature(
     string Name,
     IReadOnlyList<string> Blocks,
     JobTolerance Tolerance,

@@ -7,7 +7,7 @@ namespace ErrorMatching.Measurement;
 /// <param name="Nominal">The nominal value.</param>
 /// <param name="Actual">The measured value.</param>
 /// <param name="Deviation">Actual - nominal, checked against both; null if the file has none.</param>
-public sealed record FeatureTableColumns(
+internal sealed record FeatureTableColumns(
     ColumnSelector Feature, ColumnSelector Item, ColumnSelector Nominal, ColumnSelector Actual, ColumnSelector? Deviation)
     : MeasurementColumns
 {
