@@ -15,7 +15,7 @@ public sealed partial class StationProcessTests
     [InlineData("--demo --scale 99", 1, "--scale is out of range; expected 100 to 200.")]
     [InlineData("--demo --scale 201", 1, "--scale is out of range; expected 100 to 200.")]
     [InlineData("nowhere.json", 1, "nowhere.json cannot be opened: ")]
-    [InlineData("/dev/null", 1, "/dev/null:1:1 ")]
+    [InlineData("/dev/null", 1, "/dev/null, line 1, column 1, $: ")]
     [InlineData(
         "--demo", 3, "No X server answers: DISPLAY is not set, or names one that is not there. The operator station needs a screen.")]
     public async Task What_it_cannot_do_is_said_in_a_line_and_by_its_exit_code(string arguments, int exit, string said)

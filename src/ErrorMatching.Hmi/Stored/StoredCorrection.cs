@@ -11,7 +11,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Report">The report of the match; null if there is none, or if it is of another kind.</param>
 /// <param name="Lines">The original program and the new one; a newly generated program is its own original. Null before it is
 /// computed.</param>
-internal sealed record StoredCorrection(Correction Correction, IReadOnlyList<CorrectionStep> Steps, MatchReport? Report, ProgramLines? Lines)
+internal sealed record StoredCorrection(
+    Correction Correction, IReadOnlyList<CorrectionStep> Steps, MatchReport? Report, ProgramLines? Lines)
 {
     // Several corrections may have produced the same program, from identical pieces or a piece measured twice.
     private const int Looked = 100;
