@@ -81,12 +81,27 @@ public sealed class BlockWordTests
     [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 J5.", "N30: " + Other)]
     [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 R5.", "N30: " + Other)]
     [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 I0.0 J5.", "N30: " + Other)]
+    [InlineData("X15. Y5. I0. J5.", "X15.1 Y5.2 I0. J5. R5.", "N30: " + Other)]
     public void A_radius_may_give_way_to_a_center(string was, string now, params string[] found)
     {
         var before = $"G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10. Y0. F100\nN30 G3 {was}\nG0 Z5.\nX50. Y0.\n";
         var after = $"G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10.1 Y0.2 F100\nN30 G3 {now}\nG0 Z5.\nX50. Y0.\n";
 
         Assert.Equal(found, Found(before, after, "N20..N30", new(0.1, 0.2, 0)));
+    }
+
+    // N26 begins and ends where it did; the way its place is written stays.
+    [Theory]
+    [InlineData("N26 X30. Y5.")]
+    [InlineData("N26 X30.0 Y5.", "N26: " + Other)]
+    [InlineData("N26 X30. Y05.", "N26: " + Other)]
+    public void A_block_that_did_not_move_keeps_its_words(string block, params string[] found)
+    {
+        const string Before = "G90 G17\nG0 X0. Y0. Z0.\nN20 G1 X10. F100\nN25 X20. Y5.\nN26 X30. Y5.\nG0 Z5.\n";
+        var after = Before.Replace("N20 G1 X10.", "N20 G1 X10.1 Y0.2", StringComparison.Ordinal)
+            .Replace("N26 X30. Y5.", block, StringComparison.Ordinal);
+
+        Assert.Equal(found, Found(Before, after, "N20", new(0.1, 0.2, 0)));
     }
 
     private static string[] Found(string before, string after, string blocks, Vector3 by)
