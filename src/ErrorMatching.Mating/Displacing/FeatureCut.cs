@@ -9,11 +9,11 @@ namespace ErrorMatching.Mating;
 /// <param name="Corrections">The corrections at its key points in the program's frame, in the order of the job.</param>
 internal sealed record FeatureCut(NcPath Path, FeaturePass Pass, Vector2[] Corrections)
 {
-    /// <summary>Along the normal, or along the full difference vector of the points.</summary>
-    public required CompensationDirection Along { get; init; }
+    /// <summary>Its elements in the order of cutting; empty for kinds that are estimated on their own.</summary>
+    public IReadOnlyList<BoundaryElement> Elements { get; init; } = [];
 
-    /// <summary>Standard uncertainty of a measured coordinate, mm.</summary>
-    public required double UncertaintyMm { get; init; }
+    /// <summary>The displacement of each element at a length along the boundary, for the left normal there.</summary>
+    public IReadOnlyList<Func<double, Vector2, Vector2>> Courses { get; init; } = [];
 
     /// <summary>Diameter of the tool that cuts it, mm.</summary>
     public required double ToolDiameterMm { get; init; }

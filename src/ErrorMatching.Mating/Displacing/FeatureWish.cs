@@ -10,32 +10,9 @@ internal static class FeatureWish
     /// <summary>Sine of the largest angle between two lines of one polyline: 5.7 degrees, as in the program rewriter.</summary>
     private const double PolylineSine = 0.1;
 
-    /// <summary>Shift and tilt of a straight element: a field of values at the key points of a cut.</summary>
-    public static Func<double[], ArcLengthField> Straight(FeatureCut cut) =>
-        values => ArcLengthField.Straight([.. cut.Pass.Feet.Select(cut.Pass.Along)], values, cut.UncertaintyMm);
-
-    /// <summary>The displacement at a length for the left normal there: along the normal, or both vector components, as the job
-    /// requests.</summary>
-    /// <param name="cut">The cut.</param>
-    /// <param name="field">The field of values at its key points.</param>
-    public static Func<double, Vector2, Vector2> Course(FeatureCut cut, Func<double[], ArcLengthField> field)
-    {
-        if (cut.Along == CompensationDirection.Vector)
-        {
-            var (x, y) = (field([.. cut.Corrections.Select(c => c.X)]), field([.. cut.Corrections.Select(c => c.Y)]));
-            return (s, _) => new(x.At(s), y.At(s));
-        }
-
-        var left = field([.. cut.Corrections.Select((c, i) => c.Dot(LeftOf(cut.Pass.Feet[i])))]);
-        return (s, normal) => normal * left.At(s);
-    }
-
-    /// <summary>The left normal of the path at a foot.</summary>
-    public static Vector2 LeftOf(KeyPointFoot foot) => foot.MaterialIsLeft ? -foot.Normal : foot.Normal;
-
     /// <summary>The wishes for a cut whose motions all follow one course.</summary>
-    public static IEnumerable<ElementWish> Along(FeatureCut cut, Func<double, Vector2, Vector2> course) =>
-        FeaturePass.Moving(cut.Path, cut.Pass.First, cut.Pass.Last).Select(i => Element(cut.Path, cut.Pass, i, course));
+    public static IEnumerable<ElementWish> Along(FeatureCut cut) =>
+        FeaturePass.Moving(cut.Path, cut.Pass.First, cut.Pass.Last).Select(i => Element(cut.Path, cut.Pass, i, cut.Courses[0]));
 
     /// <summary>The wish for one motion of a pass that follows a course.</summary>
     public static ElementWish Element(NcPath path, FeaturePass pass, int index, Func<double, Vector2, Vector2> course)

@@ -1,64 +1,220 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Estimates how far the whole boundary must move, between and beyond its key points too, from the corrections at these points:
-/// a wish for each motion that cuts a compensated feature. Each feature is estimated on its own.</summary>
-internal static class CourseEstimator
+/// <summary>Estimates how far the whole boundary must move, between and beyond its key points too. All elements that one run cuts are
+/// estimated together, because a key point in the round of a corner says something about both its neighbors. Makes the program, measures
+/// exactly what it leaves over, and corrects the estimate by that.</summary>
+internal sealed class CourseEstimator
 {
+    // Each round makes the program once. The second already measures below a micrometer.
+    private const int Rounds = 4;
+
+    private readonly MatingJob _job;
+    private readonly NcPath _path;
+    private readonly IReadOnlyList<FeatureMap> _maps;
+    private readonly MatingDecision _decision;
+    private readonly IReadOnlyList<Point2>[] _theoretical;
+    private readonly List<RunEstimate> _runs = [];
+    private readonly Dictionary<BoundaryElement, int> _features = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<FeaturePass, List<BoundaryElement>> _elements = new(ReferenceEqualityComparer.Instance);
+
+    private CourseEstimator(
+        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, MeasurementFile theoretical)
+    {
+        (_job, _path, _maps, _decision) = (job, path, maps, decision);
+        _theoretical = [
+            .. maps.Select(m => (IReadOnlyList<Point2>)[
+                .. m.Feature.Points.Select(l => job.Counterpart.PlaceOf(theoretical[l], m.Feature.Plane, theoretical.File))])];
+        for (var f = 0; f < maps.Count; f++)
+        {
+            foreach (var pass in maps[f].Passes)
+            {
+                _elements[pass] = [.. maps[f].Feature.Elements(path, pass)];
+                foreach (var element in _elements[pass])
+                {
+                    _features.Add(element, f);
+                }
+            }
+        }
+
+        var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        foreach (var plane in _features.Keys.Select(e => maps[_features[e]].Feature.Plane).Distinct())
+        {
+            BoundaryElement[] elements = [.. _features.Keys.Where(e => maps[_features[e]].Feature.Plane == plane)];
+            foreach (var run in BoundaryRun.Of(path, elements, job.Counterpart.ToolDiameterMm))
+            {
+                _runs.Add(new(run, PointsOf(run), u));
+            }
+        }
+    }
+
     /// <summary>Estimates the courses of all compensated features.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it, in the order of the job.</param>
     /// <param name="decision">The decisions on the features; at least one is compensated.</param>
-    /// <param name="wish">The wish; complete only if nothing is refused.</param>
-    /// <returns>Why a feature cannot follow its corrections, or null.</returns>
-    public static Refusal? Estimate(
-        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, out DisplacementWish wish)
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <returns>The estimate, or why a feature cannot follow its corrections.</returns>
+    public static Outcome<CourseEstimate> Estimate(
+        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, MeasurementFile theoretical) =>
+        new CourseEstimator(job, path, maps, decision, theoretical).Estimate();
+
+    private Outcome<CourseEstimate> Estimate()
+    {
+        CourseEstimate? best = null;
+        _runs.ForEach(r => r.Compare(_path, isWhole: false));
+        for (var round = 0; round < Rounds; round++)
+        {
+            foreach (var run in _runs)
+            {
+                run.Solve();
+                run.Follow(e => IsCompensated(_features[e]));
+            }
+
+            if (Wishes(out var wish) is { } cannotFollow)
+            {
+                return cannotFollow;
+            }
+
+            var rewrite = Rewriter.Apply(_path, wish);
+            if (!rewrite.IsUsable)
+            {
+                return best is null ? rewrite.Refusal : best;
+            }
+
+            var after = rewrite.Result.Patches.Count == 0
+                ? _path
+                : NcInterpreter.Run(rewrite.Result.Program, _path.Dialect);
+            best = new(wish, rewrite.Result, after, _runs);
+            if (_runs.Count(r => !r.Compare(after, isWhole: false)) == 0)
+            {
+                break;
+            }
+        }
+
+        return best!;
+    }
+
+    private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
+
+    private List<RunPoint> PointsOf(BoundaryRun run)
+    {
+        var points = new List<RunPoint>();
+        foreach (var pass in run.Elements.Select(e => e.Pass).Distinct())
+        {
+            var f = _features[_elements[pass][0]];
+            for (var i = 0; i < pass.Feet.Count; i++)
+            {
+                var decided = _decision.Features[f].Points[i];
+                var deviation = _job.Counterpart.Frame.Apply(decided.Point.Displacement);
+                points.Add(new(
+                    f,
+                    i,
+                    _theoretical[f][i],
+                    deviation,
+                    IsCompensated(f) ? deviation * ShareOf(decided) : deviation,
+                    pass.Feet[i].Normal));
+            }
+        }
+
+        return points;
+    }
+
+    // The part of the deviation at a point that is compensated.
+    private double ShareOf(PointDecision decided)
+    {
+        var normal = decided.Point.NormalMm;
+        return _job.Compensation.Gain
+            * (_job.Compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : decided.ExcessMm / normal);
+    }
+
+    private Refusal? Wishes(out DisplacementWish wish)
     {
         var elements = new List<ElementWish>();
         wish = DisplacementWish.OfElements([]);
-        foreach (var (map, decided) in maps.Zip(decision.Features).Where(m => m.Second.Decision == Decision.Compensated))
+        for (var f = 0; f < _maps.Count; f++)
         {
-            Vector2[] corrections = [.. decided.Points.Select(p => job.Counterpart.Frame.Apply(p.Correction))];
-            foreach (var cut in map.Passes.Select(pass => Cut(job, path, pass, corrections)))
+            if (!IsCompensated(f))
             {
-                if (map.Feature.RefuseCut(cut) is { } cannotFollow)
+                continue;
+            }
+
+            Vector2[] corrections = [.. _decision.Features[f].Points.Select(p => _job.Counterpart.Frame.Apply(p.Correction))];
+            foreach (var pass in _maps[f].Passes)
+            {
+                var cut = new FeatureCut(_path, pass, corrections)
+                {
+                    Elements = _elements[pass],
+                    Courses = [.. _elements[pass].Select(e => CourseOf(e, corrections))],
+                    ToolDiameterMm = _job.Counterpart.ToolDiameterMm,
+                };
+                if (_maps[f].Feature.RefuseCut(cut) is { } cannotFollow)
                 {
                     return cannotFollow;
                 }
 
-                elements.AddRange(map.Feature.Wishes(cut));
+                elements.AddRange(_maps[f].Feature.Wishes(cut));
             }
         }
 
+        foreach (var lines in _runs.SelectMany(r => r.Run.Following).GroupBy(f => f.Motion))
+        {
+            var (start, end) = (EndOf(lines.FirstOrDefault(l => l.AtStart)), EndOf(lines.FirstOrDefault(l => !l.AtStart)));
+            elements.Add(new(lines.Key, start, (start + end) / 2, end));
+        }
+
         wish = DisplacementWish.OfElements([.. elements.OrderBy(e => e.Motion)]);
-        return BeyondLimit(job.Compensation, path, maps, wish);
+        return BeyondLimit(wish);
+
+        Vector2 EndOf(FollowingLine? line) => line is null ? Vector2.Zero
+            : line.AtStart ? elements.First(e => e.Motion == line.Element.Last).End
+            : elements.First(e => e.Motion == line.Element.First).Start;
     }
 
-    private static FeatureCut Cut(MatingJob job, NcPath path, FeaturePass pass, Vector2[] corrections) => new(path, pass, corrections)
+    // The displacement at a length for the left normal there: along it, or both components of the vector, as the job asks.
+    private Func<double, Vector2, Vector2> CourseOf(BoundaryElement element, Vector2[] corrections)
     {
-        Along = job.Compensation.Along,
-        UncertaintyMm = job.Gauge.Uncertainty.CombinedMm,
-        ToolDiameterMm = job.Counterpart.ToolDiameterMm,
-    };
+        var run = _runs.First(r => r.Run.Elements.Contains(element));
+        if (_job.Compensation.Along == CompensationDirection.Normal)
+        {
+            var (cut, left) = (run.CutOf(element), run.Run.MaterialIsLeft ? -1 : 1);
+            return (along, normal) => normal * (left * cut.At(along));
+        }
+
+        var (x, y) = (Component(run, element, c => c.X), Component(run, element, c => c.Y));
+        return (along, _) => new(x.At(along), y.At(along));
+    }
+
+    // One component of the corrections at the points of an element.
+    private ElementCut Component(RunEstimate run, BoundaryElement element, Func<Vector2, double> component)
+    {
+        BoundaryElement[] elements = [element];
+        BoundaryRow[] rows = [
+            .. run.Points.Where(p => p.Feature == _features[element]).Select(p => (Point: p, Foot: element.Pass.Feet[p.Index]))
+                .Where(p => element.Contains(p.Foot.Motion))
+                .Select(p => new BoundaryRow([new(0, element.Pass.Along(p.Foot), 1)], component(p.Point.Wanted)))];
+        var u = _job.Gauge.Uncertainty.CombinedMm;
+        var field = new DeviationField(PriorChoice.Of(elements, rows, u), rows, u);
+        return ElementCut.Following(element, along => field.Mean(0, along));
+    }
 
     // The limit applies between and beyond the points too: a course that swings out there follows no measurement.
-    private static Refusal? BeyondLimit(
-        JobCompensation compensation, NcPath path, IReadOnlyList<FeatureMap> maps, DisplacementWish wish)
+    private Refusal? BeyondLimit(DisplacementWish wish)
     {
-        var limit = compensation.LimitMm * Math.Max(1, compensation.Gain);
-        var worst = wish.Elements.MaxBy(Largest)!;
-        if (Largest(worst) <= limit)
+        var limit = _job.Compensation.LimitMm * Math.Max(1, _job.Compensation.Gain);
+        var worst = wish.Elements.MaxBy(Largest);
+        if (wish.Elements.Count == 0 || Largest(worst) <= limit)
         {
             return null;
         }
 
-        var block = path.Motions[worst.Motion].Block;
-        var name = path.Program.NameOf(path.Program[block]);
-        var feature = maps.First(m => m.Blocks.Contains(block)).Feature.Name;
+        var block = _path.Motions[worst.Motion].Block;
+        var name = _path.Program.NameOf(_path.Program[block]);
+        var feature = _maps.FirstOrDefault(m => m.Blocks.Contains(block))?.Feature.Name ?? "";
         return RefusalForms.Refusal(
             RefusalForms.ImplausibleCourse,
             new() { Feature = feature, Block = name, Line = block + 1 },
@@ -70,3 +226,10 @@ internal static class CourseEstimator
         static double Largest(ElementWish element) => Math.Max(element.Start.Length, Math.Max(element.Middle.Length, element.End.Length));
     }
 }
+
+/// <summary>The estimate of a whole boundary, and the program that follows it.</summary>
+/// <param name="Wish">The wish for each motion that cuts a compensated feature.</param>
+/// <param name="Rewrite">The changes that follow it.</param>
+/// <param name="After">The changed program, interpreted, without a marker.</param>
+/// <param name="Runs">The estimates of the runs.</param>
+internal sealed record CourseEstimate(DisplacementWish Wish, Rewrite Rewrite, NcPath After, IReadOnlyList<RunEstimate> Runs);

@@ -39,6 +39,12 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <param name="map">Its mapping onto the program.</param>
     internal virtual Refusal? RefuseMap(NcPath path, FeatureMap map) => null;
 
+    /// <summary>The elements of one of its cuts that deviate on their own, in the order of cutting; none for kinds that are estimated as a
+    /// whole from their own points.</summary>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="pass">The cut.</param>
+    internal virtual IEnumerable<BoundaryElement> Elements(NcPath path, FeaturePass pass) => [];
+
     /// <summary>Why a cut cannot follow the corrections at its points, or null.</summary>
     /// <param name="cut">One of its cuts.</param>
     internal virtual Refusal? RefuseCut(FeatureCut cut) => null;

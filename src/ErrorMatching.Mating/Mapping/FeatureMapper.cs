@@ -230,7 +230,8 @@ internal static class FeatureMapper
         var side = (point - found.PlaneAt(nearestFraction)).Dot(left);
         var materialIsLeft = compensated ? found.Has(MotionFlags.CompensationRight) : side > 0;
         var onCorner = Math.Abs(side) < CornerCosine * nearestDistance && wanted > 0;
-        foot = new(label, nearest, nearestFraction, nearestDistance, materialIsLeft ? -left : left, materialIsLeft, onCorner)
+        var normal = onCorner ? (found.PlaneAt(nearestFraction) - point).Normalize() : materialIsLeft ? -left : left;
+        foot = new(label, nearest, nearestFraction, nearestDistance, normal, materialIsLeft, onCorner)
         {
             BeyondEndMm = onCorner ? BeyondEnd(path, point, nearest, last, nearestDistance) : 0
         };

@@ -99,26 +99,22 @@ public static class Matcher
         AlignedMeasurement? counterpart,
         MatingDecision decision)
     {
-        if (CourseEstimator.Estimate(input.Job, path, maps, decision, out var wish) is { } cannotFollow)
+        var outcome = CourseEstimator.Estimate(input.Job, path, maps, decision, input.Theoretical);
+        if (!outcome.IsUsable)
         {
-            return cannotFollow;
+            return Named(outcome.Refusal, maps);
         }
 
-        var rewrite = Rewriter.Apply(path, wish);
-        if (!rewrite.IsUsable)
-        {
-            return Named(rewrite.Refusal, maps);
-        }
-
-        if (rewrite.Result.Patches.Count == 0)
+        var (wish, rewrite) = (outcome.Result.Wish, outcome.Result.Rewrite);
+        if (rewrite.Patches.Count == 0)
         {
             // Every correction is less than half an increment, so the program is already right.
             return Unchanged(input, path, maps, part, counterpart, decision);
         }
 
         var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
-        var program = NcProgram.Read(marker.InsertInto(rewrite.Result.Program), path.Dialect.Syntax);
-        var proof = Prover.Check(path, program, wish, rewrite.Result.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
+        var program = NcProgram.Read(marker.InsertInto(rewrite.Program), path.Dialect.Syntax);
+        var proof = Prover.Check(path, program, wish, rewrite.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         return proof.Holds
             ? new MatchResult(
                 input,
@@ -129,7 +125,7 @@ public static class Matcher
                 counterpart,
                 decision,
                 wish,
-                rewrite.Result,
+                rewrite,
                 marker,
                 proof)
             : Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
@@ -137,7 +133,8 @@ public static class Matcher
 
     // Adds the name of the feature that owns the refused block, if any.
     private static Refusal Named(Refusal refusal, IReadOnlyList<FeatureMap> maps) =>
-        FeatureRefusal.Of(refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
+        refusal.Place.Feature is not null ? refusal
+            : FeatureRefusal.Of(refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
 
     private static Outcome<MatchResult> Unchanged(
         MatchInput input,

@@ -30,8 +30,8 @@ internal sealed record CurveFeature(
     // 64 nodes integrate the arc length of a polynomial of degree 10 to nanometers if its slope is below 10.
     private const int QuadratureOrder = 64;
 
-    /// <summary>Leave-one-out errors below half the usual smallest increment are considered equal, mm.</summary>
-    private const double Rounding = 0.0005;
+    /// <summary>Centers and radii that differ by no more are those of one circle, mm.</summary>
+    private const double SameCircleMm = 0.01;
 
     /// <inheritdoc/>
     public override FeatureKind Kind => CurveKind.Instance;
@@ -61,7 +61,14 @@ internal sealed record CurveFeature(
         };
     }
 
-    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut, CurveCourse(cut));
+    // An arc of the program can only follow as an arc.
+    internal override IEnumerable<BoundaryElement> Elements(NcPath path, FeaturePass pass) =>
+        [
+            SweepOf(path, pass) is { } sweep
+                ? new(pass, pass.First, pass.Last, ElementForm.Arc) { Sweep = sweep }
+                : new(pass, pass.First, pass.Last, ElementForm.Free) { Degree = Degree, Ridge = Ridge ?? 0 }];
+
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut);
 
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         Outlines.Boundary(
@@ -70,22 +77,25 @@ internal sealed record CurveFeature(
             measured.Map.Passes[0],
             Smooth(measured.UncertaintyMm, measured.Map.Passes[0], measured.Normals).At);
 
-    // An arc of the program can only follow as an arc. If that predicts its key points clearly worse than a smooth course does, use the
-    // smooth course; the arc then comes as close as it can.
-    private Func<double, Vector2, Vector2> CurveCourse(FeatureCut cut)
+    // The angle that a pass turns, radians, if it consists of arcs of one circle; otherwise null.
+    private static double? SweepOf(NcPath path, FeaturePass pass)
     {
-        if (cut.Along == CompensationDirection.Vector
-            || CircleField.Of(cut.Path, cut.Pass, cut.Corrections) is not { } circle)
+        var (first, sweep) = (path.Motions[pass.First], 0.0);
+        foreach (var i in FeaturePass.Moving(path, pass.First, pass.Last))
         {
-            return FeatureWish.Course(cut, values => Smooth(cut.UncertaintyMm, cut.Pass, values));
+            var motion = path.Motions[i];
+            if (motion.Kind != first.Kind
+                || !motion.IsArc
+                || motion.Center.DistanceTo(first.Center) > SameCircleMm
+                || Math.Abs(motion.Arc.Radius - first.Arc.Radius) > SameCircleMm)
+            {
+                return null;
+            }
+
+            sweep += Math.Abs(motion.Arc.Sweep.Radians);
         }
 
-        var smooth = Smooth(
-            cut.UncertaintyMm, cut.Pass, [.. cut.Corrections.Select((c, i) => c.Dot(FeatureWish.LeftOf(cut.Pass.Feet[i])))]);
-        return double.IsPositiveInfinity(circle.LeaveOneOutRms)
-            || circle.LeaveOneOutRms <= Math.Max(Rounding, smooth.Fit.LeaveOneOutRms ?? double.PositiveInfinity)
-            ? circle.At
-            : (s, normal) => normal * smooth.At(s);
+        return sweep;
     }
 
     private ArcLengthField Smooth(double uncertaintyMm, FeaturePass pass, double[] values) =>

@@ -47,8 +47,10 @@ internal sealed record LineFeature(
             []);
     }
 
-    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) =>
-        FeatureWish.Along(cut, FeatureWish.Course(cut, FeatureWish.Straight(cut)));
+    internal override IEnumerable<BoundaryElement> Elements(NcPath path, FeaturePass pass) =>
+        [new(pass, pass.First, pass.Last, ElementForm.Straight)];
+
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut);
 
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) => measured.Actual;
 }

@@ -53,7 +53,10 @@ internal sealed record TriangleFeature(
             []);
     }
 
-    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => TriangleWish.For(cut, FirstFlank.Count);
+    internal override IEnumerable<BoundaryElement> Elements(NcPath path, FeaturePass pass) =>
+        TriangleWish.Flanks(path, pass, FirstFlank.Count);
+
+    internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => TriangleWish.For(cut);
 
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
         [measured.Actual[0], Fit(measured.Actual, 0).Apex, measured.Actual[^1]];

@@ -7,16 +7,14 @@ namespace ErrorMatching.Mating;
 /// tangent to both.</summary>
 internal static class TriangleWish
 {
-    /// <summary>The wishes for one cut, in the order of its motions.</summary>
-    /// <param name="cut">The cut.</param>
+    /// <summary>The two flanks, in the order of cutting.</summary>
+    /// <param name="path">The program, interpreted.</param>
+    /// <param name="pass">The cut.</param>
     /// <param name="firstFlank">Number of its key points on the first flank.</param>
-    public static IEnumerable<ElementWish> For(FeatureCut cut, int firstFlank)
+    public static IEnumerable<BoundaryElement> Flanks(NcPath path, FeaturePass pass, int firstFlank)
     {
-        var (path, pass) = (cut.Path, cut.Pass);
         var inOrder = pass.Along(pass.Feet[0]) <= pass.Along(pass.Feet[firstFlank]);
         var (head, tail) = inOrder ? (..firstFlank, firstFlank..) : (firstFlank.., ..firstFlank);
-        var before = Flank(cut, head);
-        var behind = Flank(cut, tail);
         KeyPointFoot[] feet = [.. pass.Feet];
         int[] moving = [.. FeaturePass.Moving(path, pass.First, pass.Last)];
         var lastBefore = Array.IndexOf(moving, feet[head].Max(f => f.Motion));
@@ -31,11 +29,21 @@ internal static class TriangleWish
             firstBehind--;
         }
 
-        for (var i = 0; i < moving.Length; i++)
+        return [
+            new(pass, pass.First, moving[lastBefore], ElementForm.Straight),
+            new(pass, moving[firstBehind], pass.Last, ElementForm.Straight)];
+    }
+
+    /// <summary>The wishes for one cut, in the order of its motions.</summary>
+    /// <param name="cut">The cut.</param>
+    public static IEnumerable<ElementWish> For(FeatureCut cut)
+    {
+        var (path, pass, before, behind) = (cut.Path, cut.Pass, cut.Elements[0], cut.Elements[1]);
+        foreach (var i in FeaturePass.Moving(path, pass.First, pass.Last))
         {
-            yield return i <= lastBefore ? FeatureWish.Element(path, pass, moving[i], before)
-                : i >= firstBehind ? FeatureWish.Element(path, pass, moving[i], behind)
-                : Between(path, pass, moving[i], moving[lastBefore], moving[firstBehind], before, behind);
+            yield return before.Contains(i) ? FeatureWish.Element(path, pass, i, cut.Courses[0])
+                : behind.Contains(i) ? FeatureWish.Element(path, pass, i, cut.Courses[1])
+                : Between(path, pass, i, before.ToMm, behind.FromMm, cut.Courses[0], cut.Courses[1]);
         }
     }
 
@@ -46,22 +54,15 @@ internal static class TriangleWish
         return !a.IsArc && !b.IsArc && Math.Abs(a.TangentAt(1).Cross(b.TangentAt(0))) < 0.001 && a.TangentAt(1).Dot(b.TangentAt(0)) > 0;
     }
 
-    private static Func<double, Vector2, Vector2> Flank(FeatureCut cut, Range which)
-    {
-        var flank = cut with { Pass = cut.Pass with { Feet = [.. cut.Pass.Feet.Take(which)] }, Corrections = cut.Corrections[which] };
-        return FeatureWish.Course(flank, FeatureWish.Straight(flank));
-    }
-
     private static ElementWish Between(
         NcPath path,
         FeaturePass pass,
         int index,
-        int lastBefore,
-        int firstBehind,
+        double from,
+        double to,
         Func<double, Vector2, Vector2> before,
         Func<double, Vector2, Vector2> behind)
     {
-        var (from, to) = (pass.Starts[lastBefore + 1 - pass.First], pass.Starts[firstBehind - pass.First]);
         var element = FeatureWish.Element(path, pass, index, (s, normal) =>
         {
             var share = to > from ? (s - from) / (to - from) : 0.5;

@@ -1,0 +1,303 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>A run of cuts that follow one another, among them the passes of features: what the tool leaves there is one boundary.</summary>
+internal sealed class BoundaryRun
+{
+    // Longest way before the first and behind the last pass that can shape the boundary of the features, mm, in tool diameters and beyond.
+    private const double BesideMm = 10;
+
+    // Cosine of the largest angle between the normal of a motion and the way to its foot beside the motion.
+    private const double BesideCosine = 0.9999;
+
+    // Sine of the smallest angle at which two elements meet in a corner.
+    private const double CornerSine = 0.02;
+
+    private readonly BoundaryElement?[] _elements;
+    private readonly double _radius;
+
+    private BoundaryRun(NcPath path, int first, int last, IReadOnlyList<BoundaryElement> elements, bool materialIsLeft, double radius)
+    {
+        (Path, First, Last, Elements, MaterialIsLeft, _radius) = (path, first, last, elements, materialIsLeft, radius);
+        _elements = new BoundaryElement?[last - first + 1];
+        foreach (var element in elements)
+        {
+            Array.Fill(_elements, element, element.First - first, element.Last - element.First + 1);
+        }
+    }
+
+    /// <summary>The program before.</summary>
+    public NcPath Path { get; }
+
+    /// <summary>Its first motion.</summary>
+    public int First { get; }
+
+    /// <summary>Its last motion.</summary>
+    public int Last { get; }
+
+    /// <summary>Its elements in the order of cutting.</summary>
+    public IReadOnlyList<BoundaryElement> Elements { get; }
+
+    /// <summary>True if the material is left of the path.</summary>
+    public bool MaterialIsLeft { get; }
+
+    /// <summary>True if it ends where it begins.</summary>
+    public bool IsClosed => Path.Motions[First].PlaneStart.DistanceTo(Path.Motions[Last].PlaneEnd) < 1e-6;
+
+    /// <summary>The runs of a program that cut given elements.</summary>
+    /// <param name="path">The program.</param>
+    /// <param name="elements">Elements of one side and tool, in the order of cutting.</param>
+    /// <param name="toolDiameterMm">Diameter of the tool.</param>
+    public static List<BoundaryRun> Of(NcPath path, IReadOnlyList<BoundaryElement> elements, double toolDiameterMm)
+    {
+        var runs = new List<BoundaryRun>();
+        var group = new List<BoundaryElement>();
+        foreach (var element in elements.OrderBy(e => e.First))
+        {
+            if (group.Count > 0 && !(IsOneSide(group[^1], element) && Follows(path, group[^1].Last, element.First)))
+            {
+                runs.Add(Around(path, group, toolDiameterMm));
+                group.Clear();
+            }
+
+            group.Add(element);
+        }
+
+        if (group.Count > 0)
+        {
+            runs.Add(Around(path, group, toolDiameterMm));
+        }
+
+        return runs;
+    }
+
+    /// <summary>The place of a path of this run that is nearest to a point, and how far it is.</summary>
+    /// <param name="path">The program before, or the one to cut.</param>
+    /// <param name="point">The point.</param>
+    /// <param name="towardTool">Direction from the material to the tool there, for the sign.</param>
+    public RunFoot FootOf(NcPath path, Point2 point, Vector2 towardTool)
+    {
+        var (best, motion, fraction, way) = (double.PositiveInfinity, First, 0.0, Vector2.Zero);
+        for (var i = First; i <= Last; i++)
+        {
+            var m = path.Motions[i];
+            if (!m.MovesInPlane)
+            {
+                continue;
+            }
+
+            var f = m.IsArc ? m.Arc.NearestFraction(point) : m.Segment.NearestFraction(point);
+            var toPath = m.PlaneAt(f) - point;
+            if (toPath.Length < best)
+            {
+                (best, motion, fraction, way) = (toPath.Length, i, f, toPath);
+            }
+        }
+
+        return new(motion, fraction, way.Dot(towardTool) >= 0 ? best : -best, way);
+    }
+
+    /// <summary>The share of each element in the way that the boundary moves at a foot, toward the tool.</summary>
+    /// <param name="path">The path of the foot.</param>
+    /// <param name="foot">The foot.</param>
+    public IEnumerable<(BoundaryElement Element, double AlongMm, double Weight)> SharesAt(NcPath path, RunFoot foot)
+    {
+        var normal = NormalAt(path, foot.Motion, foot.Fraction);
+        var isBeside = _radius == 0 || Math.Abs(foot.Way.Dot(normal)) >= BesideCosine * foot.Way.Length;
+        if (ElementOf(foot.Motion) is { } element && isBeside)
+        {
+            return [(element, Along(element, foot.Motion, foot.Fraction), 1)];
+        }
+
+        if (isBeside && !IsBetween(foot.Motion))
+        {
+            return FollowedBy(foot.Motion) is { } followed
+                ? [(followed.Element, followed.AtStart ? followed.Element.ToMm : followed.Element.FromMm, Share(path, foot, followed))]
+                : [];
+        }
+
+        var joint = foot.Fraction < 0.5 ? foot.Motion : foot.Motion + 1;
+        var (before, behind) = (Neighbor(joint - 1, -1), Neighbor(joint, 1));
+        if (before is null || behind is null)
+        {
+            return [];
+        }
+
+        var (n1, n2) = (NormalAt(path, before.Value, 1), NormalAt(path, behind.Value, 0));
+        var way = foot.Way.Normalize();
+        if (Math.Abs(n1.Cross(n2)) < CornerSine)
+        {
+            return ElementOf(before.Value) is { } smooth ? [(smooth, Along(smooth, before.Value, 1), 1)]
+                : ElementOf(behind.Value) is { } other ? [(other, Along(other, behind.Value, 0), 1)] : [];
+        }
+
+        var (a, b) = (way.Cross(n2) / n1.Cross(n2), n1.Cross(way) / n1.Cross(n2));
+        if (FollowedBy(before.Value) is { AtStart: false } ahead)
+        {
+            return [(ahead.Element, ahead.Element.FromMm, way.Dot(n2))];
+        }
+
+        if (FollowedBy(behind.Value) is { AtStart: true } back)
+        {
+            return [(back.Element, back.Element.ToMm, way.Dot(n1))];
+        }
+
+        var shares = new List<(BoundaryElement, double, double)>();
+        if (ElementOf(before.Value) is { } first)
+        {
+            shares.Add((first, Along(first, before.Value, 1), a));
+        }
+
+        if (ElementOf(behind.Value) is { } second)
+        {
+            shares.Add((second, Along(second, behind.Value, 0), b));
+        }
+
+        return shares;
+    }
+
+    /// <summary>Lines beside the elements that an end of one takes along: the joint moves with the element, and the line tilts about its
+    /// other end.</summary>
+    public IReadOnlyList<FollowingLine> Following { get; set; } = [];
+
+    /// <summary>The line beside an end of the elements that hides a key point, because the end slid along it past the point's
+    /// foot.</summary>
+    /// <param name="nominal">The foot on the program before.</param>
+    /// <param name="foot">The foot on the program after.</param>
+    public FollowingLine? HiddenBy(RunFoot nominal, RunFoot foot)
+    {
+        if (ElementOf(foot.Motion) is not null || IsBetween(foot.Motion) || FollowedBy(foot.Motion) is not null
+            || Path.Motions[foot.Motion].IsArc || foot.Fraction is <= 0 or >= 1)
+        {
+            return null;
+        }
+
+        var (before, behind) = (Neighbor(foot.Motion - 1, -1), Neighbor(foot.Motion + 1, 1));
+        return SharesAt(Path, nominal).Select(s => s.Element).Select(
+            e => before is { } b && ReferenceEquals(ElementOf(b), e) ? new FollowingLine(foot.Motion, AtStart: true, e)
+                : behind is { } n && ReferenceEquals(ElementOf(n), e) ? new FollowingLine(foot.Motion, AtStart: false, e)
+                : null).FirstOrDefault(f => f is not null);
+    }
+
+    private FollowingLine? FollowedBy(int motion) => Following.FirstOrDefault(f => f.Motion == motion);
+
+    // The line follows in full at the joint and not at all at its other end.
+    private double Share(NcPath path, RunFoot foot, FollowingLine followed)
+    {
+        var (joint, step) = followed.AtStart ? (followed.Motion - 1, -1) : (followed.Motion + 1, 1);
+        var normal = NormalAt(path, Neighbor(joint, step)!.Value, followed.AtStart ? 1 : 0);
+        return normal.Dot(foot.Way.Normalize()) * (followed.AtStart ? 1 - foot.Fraction : foot.Fraction);
+    }
+
+    /// <summary>The element that a motion is part of; null for motions between, before and behind them.</summary>
+    public BoundaryElement? ElementOf(int motion) => motion >= First && motion <= Last ? _elements[motion - First] : null;
+
+    /// <summary>Length along the boundary at a place of a motion.</summary>
+    public static double Along(BoundaryElement element, int motion, double fraction)
+    {
+        var (from, to) = (element.Pass.Starts[motion - element.Pass.First], element.Pass.Starts[motion - element.Pass.First + 1]);
+        return from + ((to - from) * fraction);
+    }
+
+    // The nearest motion with a length, over those that connect elements of one pass and move with them.
+    private int? Neighbor(int motion, int step)
+    {
+        for (var left = Last - First + 1; left > 0; left--, motion += step)
+        {
+            if (IsClosed && motion < First)
+            {
+                motion = Last;
+            }
+            else if (IsClosed && motion > Last)
+            {
+                motion = First;
+            }
+
+            if (motion < First || motion > Last)
+            {
+                return null;
+            }
+
+            if (Path.Motions[motion].MovesInPlane && !IsBetween(motion))
+            {
+                return motion;
+            }
+        }
+
+        return null;
+    }
+
+    // A motion that shrank to a point had the direction before.
+    private Vector2 NormalAt(NcPath path, int motion, double fraction)
+    {
+        var tangent = (path.Motions[motion].MovesInPlane ? path : Path).Motions[motion].TangentAt(fraction);
+        return MaterialIsLeft ? -tangent.Left : tangent.Left;
+    }
+
+    // True for an arc that connects two elements of one pass.
+    private bool IsBetween(int motion) =>
+        ElementOf(motion) is null && Elements.Any(e => motion > e.Last && motion <= e.Pass.Last)
+            && Elements.Any(e => motion < e.First && motion >= e.Pass.First);
+
+    private static bool IsOneSide(BoundaryElement one, BoundaryElement other) =>
+        one.Pass.Feet[0].MaterialIsLeft == other.Pass.Feet[0].MaterialIsLeft;
+
+    private static bool Follows(NcPath path, int last, int next)
+    {
+        for (var i = last; i < next; i++)
+        {
+            if (!Continues(path, i, i + 1))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private static bool Continues(NcPath path, int motion, int next)
+    {
+        var (a, b) = (path.Motions[motion], path.Motions[next]);
+        return a.IsCut && b.IsCut && a.Plane == b.Plane && a.IsKnownInPlane && b.IsKnownInPlane
+            && (a.Flags & Compensation) == (b.Flags & Compensation)
+            && (a.MovesInPlane || a.Start == a.End) && (b.MovesInPlane || b.Start == b.End) && !b.Has(MotionFlags.BadArc);
+    }
+
+    private const MotionFlags Compensation = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
+
+    private static BoundaryRun Around(NcPath path, List<BoundaryElement> elements, double toolDiameterMm)
+    {
+        var (first, last) = (elements[0].Pass.First, elements[^1].Pass.Last);
+        var beside = BesideMm + (2 * toolDiameterMm);
+        for (var way = 0.0; way < beside && first > 0 && Continues(path, first - 1, first); way += path.Motions[first].PlaneLength)
+        {
+            first--;
+        }
+
+        for (var way = 0.0;
+            way < beside && last < path.Motions.Length - 1 && Continues(path, last, last + 1);
+            way += path.Motions[last].PlaneLength)
+        {
+            last++;
+        }
+
+        var isCompensated = (path.Motions[first].Flags & Compensation) != MotionFlags.None;
+        return new(
+            path, first, last, [.. elements], elements[0].Pass.Feet[0].MaterialIsLeft, isCompensated ? 0 : toolDiameterMm / 2);
+    }
+}
+
+/// <summary>The place of a path that is nearest to a point.</summary>
+/// <param name="Motion">Position of the motion in the path.</param>
+/// <param name="Fraction">Place on it, 0 to 1.</param>
+/// <param name="DistanceMm">The distance; positive if the path is on the tool's side of the point.</param>
+/// <param name="Way">From the point to the place.</param>
+internal readonly record struct RunFoot(int Motion, double Fraction, double DistanceMm, Vector2 Way);
+
+/// <summary>A line beside an end of a run's elements that the end takes along.</summary>
+/// <param name="Motion">Position of the line in the path.</param>
+/// <param name="AtStart">True if the line begins at the end of the element; false if it ends at the start of it.</param>
+/// <param name="Element">The element.</param>
+internal sealed record FollowingLine(int Motion, bool AtStart, BoundaryElement Element);

@@ -1,0 +1,96 @@
+using MathNet.Numerics.LinearAlgebra;
+using MathNet.Numerics.LinearAlgebra.Factorization;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The deviations of all elements of a boundary, given the key points: the posterior of a Gaussian process.</summary>
+/// <remarks>Rasmussen and Williams (2006), equations 2.25, 2.26 and 2.30.</remarks>
+internal sealed class DeviationField
+{
+    /// <summary>Smallest standard uncertainty that is calculated with, mm: a tenth of what a word of a program can say.</summary>
+    public const double LeastUncertaintyMm = 0.0001;
+
+    private readonly IReadOnlyList<DeviationPrior> _priors;
+    private readonly IReadOnlyList<BoundaryRow> _rows;
+    private readonly Cholesky<double>? _factor;
+    private readonly Vector<double>? _weights;
+
+    public DeviationField(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+    {
+        (_priors, _rows) = (priors, rows);
+        if (rows.Count == 0)
+        {
+            return;
+        }
+
+        var noise = Math.Max(uncertaintyMm, LeastUncertaintyMm);
+        var covariance = Matrix<double>.Build.Dense(rows.Count, rows.Count);
+        for (var i = 0; i < rows.Count; i++)
+        {
+            for (var j = 0; j <= i; j++)
+            {
+                covariance[i, j] = covariance[j, i] = Covariance(rows[i].Terms, rows[j].Terms) + (i == j ? noise * noise : 0);
+            }
+        }
+
+        var values = Vector<double>.Build.Dense(rows.Count, i => rows[i].ValueMm);
+        _factor = covariance.Cholesky();
+        _weights = _factor.Solve(values);
+        LogEvidence = -0.5 * (values.DotProduct(_weights) + _factor.DeterminantLn);
+    }
+
+    /// <summary>Logarithm of the probability density of the measured values, without its constant.</summary>
+    public double LogEvidence { get; }
+
+    /// <summary>The best estimate of the deviation at a place, mm.</summary>
+    public double Mean(int element, double along)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < _rows.Count; i++)
+        {
+            sum += _weights![i] * WithRow(element, along, i);
+        }
+
+        return sum;
+    }
+
+    /// <summary>Standard deviation of the deviation at a place, mm.</summary>
+    public double StandardDeviation(int element, double along)
+    {
+        var variance = _priors[element].Covariance(along, along);
+        if (_factor is not null)
+        {
+            var with = Vector<double>.Build.Dense(_rows.Count, i => WithRow(element, along, i));
+            variance -= with.DotProduct(_factor.Solve(with));
+        }
+
+        return Math.Sqrt(Math.Max(0, variance));
+    }
+
+    private double WithRow(int element, double along, int row)
+    {
+        var sum = 0.0;
+        foreach (var term in _rows[row].Terms)
+        {
+            sum += term.Element == element ? term.Weight * _priors[element].Covariance(along, term.AlongMm) : 0;
+        }
+
+        return sum;
+    }
+
+    private double Covariance(IReadOnlyList<RowTerm> terms, IReadOnlyList<RowTerm> others)
+    {
+        var sum = 0.0;
+        foreach (var term in terms)
+        {
+            foreach (var other in others)
+            {
+                sum += term.Element == other.Element
+                    ? term.Weight * other.Weight * _priors[term.Element].Covariance(term.AlongMm, other.AlongMm)
+                    : 0;
+            }
+        }
+
+        return sum;
+    }
+}

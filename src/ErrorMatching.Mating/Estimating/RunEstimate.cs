@@ -1,0 +1,108 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The estimate of one run: what its key points say about its elements, and what their cuts follow.</summary>
+internal sealed class RunEstimate
+{
+    // A change of a row below it, mm, changes no word of a program.
+    private const double Settled = 0.0001;
+
+    private readonly double _uncertaintyMm;
+    private BoundaryRow[] _rows = [];
+
+    public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
+    {
+        (Run, Points, _uncertaintyMm) = (run, points, uncertaintyMm);
+        Cuts = [.. run.Elements.Select(_ => ElementCut.Still)];
+        Nominal = [.. points.Select(p => run.FootOf(run.Path, p.Theoretical, p.Normal))];
+    }
+
+    /// <summary>The run.</summary>
+    public BoundaryRun Run { get; }
+
+    /// <summary>The key points of its features.</summary>
+    public IReadOnlyList<RunPoint> Points { get; }
+
+    /// <summary>The feet of the key points as designed on the program before.</summary>
+    public IReadOnlyList<RunFoot> Nominal { get; }
+
+    /// <summary>What the cut of each element follows.</summary>
+    public IReadOnlyList<ElementCut> Cuts { get; private set; }
+
+    /// <summary>The deviations that its key points say; null before the first measuring.</summary>
+    public DeviationField? Field { get; private set; }
+
+    /// <summary>Compares the places that the key points want with a path, exactly.</summary>
+    /// <param name="path">The program before, or one with the displacement that <see cref="Cuts"/> follow.</param>
+    /// <param name="isWhole">True for the measured places themselves; false for those that the compensation wants.</param>
+    /// <returns>True if the comparison says nothing new.</returns>
+    public bool Compare(NcPath path, bool isWhole)
+    {
+        var rows = new List<BoundaryRow>();
+        var following = Run.Following.ToList();
+        for (var i = 0; i < Points.Count; i++)
+        {
+            var place = Points[i].Theoretical + (isWhole ? Points[i].Deviation : Points[i].Wanted);
+            var foot = Run.FootOf(path, place, Points[i].Normal);
+            if (!isWhole && Run.HiddenBy(Nominal[i], foot) is { } line && !following.Contains(line))
+            {
+                following.Add(line);
+            }
+
+            var off = foot.DistanceMm - Nominal[i].DistanceMm;
+            RowTerm[] terms = [.. Run.SharesAt(path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
+            if (terms.Length > 0)
+            {
+                rows.Add(new(terms, terms.Sum(t => t.Weight * Cuts[t.Element].At(t.AlongMm)) - off));
+            }
+        }
+
+        var isSettled = following.Count == Run.Following.Count && rows.Count == _rows.Length
+            && rows.Zip(_rows).All(r => Math.Abs(r.First.ValueMm - r.Second.ValueMm) <= Settled
+                && r.First.Terms.Select(t => t.Element).SequenceEqual(r.Second.Terms.Select(t => t.Element)));
+        _rows = [.. rows];
+        Run.Following = following;
+        return isSettled;
+    }
+
+    /// <summary>Estimates the deviations from the last comparison.</summary>
+    public void Solve()
+    {
+        var priors = PriorChoice.Of(Run.Elements, _rows, _uncertaintyMm);
+        Field = new(priors, _rows, _uncertaintyMm);
+    }
+
+    /// <summary>Lets the cuts of compensated elements follow the field.</summary>
+    public void Follow(Func<BoundaryElement, bool> isCompensated) => Cuts =
+    [
+        .. Run.Elements.Select((element, e) => isCompensated(element)
+            ? ElementCut.Following(element, along => Field!.Mean(e, along))
+            : ElementCut.Still)];
+
+    /// <summary>The cut of an element.</summary>
+    public ElementCut CutOf(BoundaryElement element) => Cuts[IndexOf(element)];
+
+    private int IndexOf(BoundaryElement element)
+    {
+        for (var e = 0; e < Run.Elements.Count; e++)
+        {
+            if (ReferenceEquals(Run.Elements[e], element))
+            {
+                return e;
+            }
+        }
+
+        throw new ArgumentException("The element is not of this run.", nameof(element));
+    }
+}
+
+/// <summary>A key point beside a run, in the program's frame.</summary>
+/// <param name="Feature">Index of its feature in the job.</param>
+/// <param name="Index">Its index in the feature.</param>
+/// <param name="Theoretical">Its designed place.</param>
+/// <param name="Deviation">From there to the measured place that the boundary should have.</param>
+/// <param name="Wanted">From there to the place that the compensation wants.</param>
+/// <param name="Normal">Unit normal toward the tool.</param>
+internal sealed record RunPoint(int Feature, int Index, Point2 Theoretical, Vector2 Deviation, Vector2 Wanted, Vector2 Normal);
