@@ -1,5 +1,3 @@
-using ErrorMatching.Nc;
-
 namespace ErrorMatching.Mating;
 
 /// <summary>A stretch of a pass that deviates as one: a line, a flank, an arc or a curve.</summary>

@@ -6,6 +6,8 @@ namespace ErrorMatching.Mating;
 /// <summary>A run of cuts that follow one another, among them the passes of features: what the tool leaves there is one boundary.</summary>
 internal sealed class BoundaryRun
 {
+    private const MotionFlags Compensation = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
+
     // Longest way before the first and behind the last pass that can shape the boundary of the features, mm, in tool diameters and beyond.
     private const double BesideMm = 10;
 
@@ -16,11 +18,10 @@ internal sealed class BoundaryRun
     private const double CornerSine = 0.02;
 
     private readonly BoundaryElement?[] _elements;
-    private readonly double _radius;
 
     private BoundaryRun(NcPath path, int first, int last, IReadOnlyList<BoundaryElement> elements, bool materialIsLeft, double radius)
     {
-        (Path, First, Last, Elements, MaterialIsLeft, _radius) = (path, first, last, elements, materialIsLeft, radius);
+        (Path, First, Last, Elements, MaterialIsLeft, Radius) = (path, first, last, elements, materialIsLeft, radius);
         _elements = new BoundaryElement?[last - first + 1];
         foreach (var element in elements)
         {
@@ -42,6 +43,9 @@ internal sealed class BoundaryRun
 
     /// <summary>True if the material is left of the path.</summary>
     public bool MaterialIsLeft { get; }
+
+    /// <summary>Distance of the boundary from the path, mm: the radius of the tool, or 0 under cutter compensation.</summary>
+    public double Radius { get; }
 
     /// <summary>True if it ends where it begins.</summary>
     public bool IsClosed => Path.Motions[First].PlaneStart.DistanceTo(Path.Motions[Last].PlaneEnd) < 1e-6;
@@ -71,6 +75,26 @@ internal sealed class BoundaryRun
         }
 
         return runs;
+    }
+
+    /// <summary>The run of a pass that is estimated on its own.</summary>
+    public static BoundaryRun OfPass(NcPath path, FeaturePass pass, double toolDiameterMm) =>
+        Around(path, pass.First, pass.Last, [], pass.Feet[0].MaterialIsLeft, toolDiameterMm);
+
+    /// <summary>The nominal boundary at a length along an element, with its normal toward the tool.</summary>
+    public (Point2 Place, Vector2 Normal) PlaceAt(BoundaryElement element, double along)
+    {
+        var starts = element.Pass.Starts;
+        var motion = element.First;
+        while (motion < element.Last && (!Path.Motions[motion].MovesInPlane || starts[motion - element.Pass.First + 1] < along))
+        {
+            motion++;
+        }
+
+        var (from, to) = (starts[motion - element.Pass.First], starts[motion - element.Pass.First + 1]);
+        var fraction = to > from ? Math.Clamp((along - from) / (to - from), 0, 1) : 0;
+        var normal = NormalAt(Path, motion, fraction);
+        return (Path.Motions[motion].PlaneAt(fraction) - (normal * Radius), normal);
     }
 
     /// <summary>The place of a path of this run that is nearest to a point, and how far it is.</summary>
@@ -105,7 +129,7 @@ internal sealed class BoundaryRun
     public IEnumerable<(BoundaryElement Element, double AlongMm, double Weight)> SharesAt(NcPath path, RunFoot foot)
     {
         var normal = NormalAt(path, foot.Motion, foot.Fraction);
-        var isBeside = _radius == 0 || Math.Abs(foot.Way.Dot(normal)) >= BesideCosine * foot.Way.Length;
+        var isBeside = Radius == 0 || Math.Abs(foot.Way.Dot(normal)) >= BesideCosine * foot.Way.Length;
         if (ElementOf(foot.Motion) is { } element && isBeside)
         {
             return [(element, Along(element, foot.Motion, foot.Fraction), 1)];
@@ -191,6 +215,9 @@ internal sealed class BoundaryRun
         return normal.Dot(foot.Way.Normalize()) * (followed.AtStart ? 1 - foot.Fraction : foot.Fraction);
     }
 
+    /// <summary>True if a pass is part of it.</summary>
+    public bool Contains(FeaturePass pass) => pass.First >= First && pass.Last <= Last;
+
     /// <summary>The element that a motion is part of; null for motions between, before and behind them.</summary>
     public BoundaryElement? ElementOf(int motion) => motion >= First && motion <= Last ? _elements[motion - First] : null;
 
@@ -265,11 +292,18 @@ internal sealed class BoundaryRun
             && (a.MovesInPlane || a.Start == a.End) && (b.MovesInPlane || b.Start == b.End) && !b.Has(MotionFlags.BadArc);
     }
 
-    private const MotionFlags Compensation = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
+    private static BoundaryRun Around(NcPath path, List<BoundaryElement> elements, double toolDiameterMm) => Around(
+        path, elements[0].Pass.First, elements[^1].Pass.Last, [.. elements], elements[0].Pass.Feet[0].MaterialIsLeft, toolDiameterMm);
 
-    private static BoundaryRun Around(NcPath path, List<BoundaryElement> elements, double toolDiameterMm)
+    // Under cutter compensation the path is the boundary only along the features.
+    private static BoundaryRun Around(
+        NcPath path, int first, int last, BoundaryElement[] elements, bool materialIsLeft, double toolDiameterMm)
     {
-        var (first, last) = (elements[0].Pass.First, elements[^1].Pass.Last);
+        if ((path.Motions[first].Flags & Compensation) != MotionFlags.None)
+        {
+            return new(path, first, last, elements, materialIsLeft, 0);
+        }
+
         var beside = BesideMm + (2 * toolDiameterMm);
         for (var way = 0.0; way < beside && first > 0 && Continues(path, first - 1, first); way += path.Motions[first].PlaneLength)
         {
@@ -283,9 +317,7 @@ internal sealed class BoundaryRun
             last++;
         }
 
-        var isCompensated = (path.Motions[first].Flags & Compensation) != MotionFlags.None;
-        return new(
-            path, first, last, [.. elements], elements[0].Pass.Feet[0].MaterialIsLeft, isCompensated ? 0 : toolDiameterMm / 2);
+        return new(path, first, last, elements, materialIsLeft, toolDiameterMm / 2);
     }
 }
 

@@ -22,7 +22,13 @@ internal sealed class CourseEstimator
     private readonly Dictionary<BoundaryElement, int> _features = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<FeaturePass, List<BoundaryElement>> _elements = new(ReferenceEqualityComparer.Instance);
 
-    private CourseEstimator(
+    /// <summary>Prepares the estimate.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="maps">The features mapped onto it, in the order of the job.</param>
+    /// <param name="decision">The decisions on the features.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    public CourseEstimator(
         MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, MeasurementFile theoretical)
     {
         (_job, _path, _maps, _decision) = (job, path, maps, decision);
@@ -42,28 +48,28 @@ internal sealed class CourseEstimator
         }
 
         var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        for (var f = 0; f < maps.Count; f++)
+        {
+            foreach (var pass in maps[f].Passes.Where(p => _elements[p].Count == 0))
+            {
+                var run = BoundaryRun.OfPass(path, pass, job.Counterpart.ToolDiameterMm);
+                _runs.Add(new(run, [.. PointsOf(pass, f)], u));
+            }
+        }
+
         foreach (var plane in _features.Keys.Select(e => maps[_features[e]].Feature.Plane).Distinct())
         {
             BoundaryElement[] elements = [.. _features.Keys.Where(e => maps[_features[e]].Feature.Plane == plane)];
             foreach (var run in BoundaryRun.Of(path, elements, job.Counterpart.ToolDiameterMm))
             {
-                _runs.Add(new(run, PointsOf(run), u));
+                _runs.Add(new(run, [.. PointsOf(run)], u));
             }
         }
     }
 
-    /// <summary>Estimates the courses of all compensated features.</summary>
-    /// <param name="job">The job.</param>
-    /// <param name="path">The counterpart's program, interpreted.</param>
-    /// <param name="maps">The features mapped onto it, in the order of the job.</param>
-    /// <param name="decision">The decisions on the features; at least one is compensated.</param>
-    /// <param name="theoretical">The key points as designed.</param>
+    /// <summary>Estimates the courses of all compensated features, at least one.</summary>
     /// <returns>The estimate, or why a feature cannot follow its corrections.</returns>
-    public static Outcome<CourseEstimate> Estimate(
-        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, MeasurementFile theoretical) =>
-        new CourseEstimator(job, path, maps, decision, theoretical).Estimate();
-
-    private Outcome<CourseEstimate> Estimate()
+    public Outcome<CourseEstimate> Estimate()
     {
         CourseEstimate? best = null;
         _runs.ForEach(r => r.Compare(_path, isWhole: false));
@@ -90,7 +96,9 @@ internal sealed class CourseEstimator
                 ? _path
                 : NcInterpreter.Run(rewrite.Result.Program, _path.Dialect);
             best = new(wish, rewrite.Result, after, _runs);
-            if (_runs.Count(r => !r.Compare(after, isWhole: false)) == 0)
+            var isSettled = true;
+            _runs.ForEach(r => isSettled &= r.Compare(after, isWhole: false));
+            if (isSettled)
             {
                 break;
             }
@@ -99,29 +107,65 @@ internal sealed class CourseEstimator
         return best!;
     }
 
-    private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
-
-    private List<RunPoint> PointsOf(BoundaryRun run)
+    /// <summary>Predicts the mating error that a program leaves.</summary>
+    /// <param name="after">The program to cut: the original one, or that of the estimate.</param>
+    public MatingPrediction Predict(NcPath after)
     {
-        var points = new List<RunPoint>();
-        foreach (var pass in run.Elements.Select(e => e.Pass).Distinct())
+        foreach (var run in _runs)
         {
-            var f = _features[_elements[pass][0]];
-            for (var i = 0; i < pass.Feet.Count; i++)
+            run.Compare(after, isWhole: true);
+            run.Solve();
+        }
+
+        var toPart = _job.Counterpart.Frame.Inverse();
+        return new([.. _maps.Select((map, f) => Predict(map, f, after, toPart))]);
+    }
+
+    private FeaturePrediction Predict(FeatureMap map, int feature, NcPath after, RigidTransform2 toPart)
+    {
+        var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);
+        var run = _runs.First(r => r.Run.Contains(pass) && r.Points.Any(p => p.Feature == feature));
+        for (var p = 0; p < run.Points.Count; p++)
+        {
+            if (run.Points[p] is var point && point.Feature == feature)
             {
-                var decided = _decision.Features[f].Points[i];
-                var deviation = _job.Counterpart.Frame.Apply(decided.Point.Displacement);
-                points.Add(new(
-                    f,
-                    i,
-                    _theoretical[f][i],
-                    deviation,
-                    IsCompensated(f) ? deviation * ShareOf(decided) : deviation,
-                    pass.Feet[i].Normal));
+                points[point.Index] = new(
+                    toPart.Apply(point.Theoretical),
+                    toPart.Apply(point.Normal),
+                    run.ErrorAt(p, _path),
+                    run.ErrorAt(p, after),
+                    run.UncertaintyMm);
             }
         }
 
-        return points;
+        var worst = _elements[pass].Select(e => run.WorstBetween(e, _path, after)).OfType<PredictedError>()
+            .MaxBy(e => Math.Abs(e.AfterMm));
+        return new(points, worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) })
+        {
+            Deviation = _elements[pass].Count == 0 ? null : along => run.DeviationAt(
+                _elements[pass].MinBy(e => Math.Max(0, Math.Max(e.FromMm - along, along - e.ToMm)))!, along),
+        };
+    }
+
+    private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
+
+    private IEnumerable<RunPoint> PointsOf(BoundaryRun run) =>
+        run.Elements.Select(e => e.Pass).Distinct().SelectMany(pass => PointsOf(pass, _features[_elements[pass][0]]));
+
+    private IEnumerable<RunPoint> PointsOf(FeaturePass pass, int feature)
+    {
+        for (var i = 0; i < pass.Feet.Count; i++)
+        {
+            var decided = _decision.Features[feature].Points[i];
+            var deviation = _job.Counterpart.Frame.Apply(decided.Point.Displacement);
+            yield return new(
+                feature,
+                i,
+                _theoretical[feature][i],
+                deviation,
+                IsCompensated(feature) ? deviation * ShareOf(decided) : deviation,
+                pass.Feet[i].Normal);
+        }
     }
 
     // The part of the deviation at a point that is compensated.

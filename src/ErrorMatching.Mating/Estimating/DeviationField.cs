@@ -23,24 +23,28 @@ internal sealed class DeviationField
             return;
         }
 
-        var noise = Math.Max(uncertaintyMm, LeastUncertaintyMm);
-        var covariance = Matrix<double>.Build.Dense(rows.Count, rows.Count);
-        for (var i = 0; i < rows.Count; i++)
-        {
-            for (var j = 0; j <= i; j++)
-            {
-                covariance[i, j] = covariance[j, i] = Covariance(rows[i].Terms, rows[j].Terms) + (i == j ? noise * noise : 0);
-            }
-        }
-
+        var covariance = Matrix<double>.Build.Dense(rows.Count, rows.Count, CovarianceOf(priors, rows, uncertaintyMm));
         var values = Vector<double>.Build.Dense(rows.Count, i => rows[i].ValueMm);
         _factor = covariance.Cholesky();
         _weights = _factor.Solve(values);
-        LogEvidence = -0.5 * (values.DotProduct(_weights) + _factor.DeterminantLn);
     }
 
-    /// <summary>Logarithm of the probability density of the measured values, without its constant.</summary>
-    public double LogEvidence { get; }
+    /// <summary>The covariance of rows, row by row, with their noise.</summary>
+    public static double[] CovarianceOf(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+    {
+        var (n, noise) = (rows.Count, Math.Max(uncertaintyMm, LeastUncertaintyMm));
+        var covariance = new double[n * n];
+        for (var i = 0; i < n; i++)
+        {
+            for (var j = 0; j <= i; j++)
+            {
+                covariance[(i * n) + j] = covariance[(j * n) + i] =
+                    Covariance(priors, rows[i].Terms, rows[j].Terms) + (i == j ? noise * noise : 0);
+            }
+        }
+
+        return covariance;
+    }
 
     /// <summary>The best estimate of the deviation at a place, mm.</summary>
     public double Mean(int element, double along)
@@ -78,7 +82,8 @@ internal sealed class DeviationField
         return sum;
     }
 
-    private double Covariance(IReadOnlyList<RowTerm> terms, IReadOnlyList<RowTerm> others)
+    private static double Covariance(
+        IReadOnlyList<DeviationPrior> priors, IReadOnlyList<RowTerm> terms, IReadOnlyList<RowTerm> others)
     {
         var sum = 0.0;
         foreach (var term in terms)
@@ -86,7 +91,7 @@ internal sealed class DeviationField
             foreach (var other in others)
             {
                 sum += term.Element == other.Element
-                    ? term.Weight * other.Weight * _priors[term.Element].Covariance(term.AlongMm, other.AlongMm)
+                    ? term.Weight * other.Weight * priors[term.Element].Covariance(term.AlongMm, other.AlongMm)
                     : 0;
             }
         }

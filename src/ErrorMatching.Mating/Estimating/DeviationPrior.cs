@@ -35,6 +35,9 @@ internal sealed class DeviationPrior
     /// <summary>Covariance of the deviations at two places, mm^2.</summary>
     public double Covariance(double along, double other) => OfShape(along, other) + OfForm(along, other);
 
+    /// <summary>The squared exponential: correlation of form errors at a distance.</summary>
+    public static double Correlation(double distanceMm, double lengthMm) => Math.Exp(-Square(distanceMm / lengthMm) / 2);
+
     private double OfShape(double along, double other)
     {
         var (t, v) = (_element.Relative(along), _element.Relative(other));
@@ -66,7 +69,7 @@ internal sealed class DeviationPrior
         var sum = 0.0;
         foreach (var (variance, length) in Form)
         {
-            sum += variance * Math.Exp(-Square((along - other) / length) / 2);
+            sum += variance * Correlation(along - other, length);
         }
 
         return sum;

@@ -4,85 +4,108 @@ namespace ErrorMatching.Mating;
 /// correlation of its own. All lines, flanks and arcs of a job share the scale of their tilts and that of their form errors, because each
 /// has too few points to tell.</summary>
 /// <remarks>Each scale is a mean over a grid, weighted by the likelihood of the measured values (Rasmussen and Williams, 2006, section
-/// 5.4.1). The shifts, and the linear mean of a curve, are vague, so the likelihood is the restricted one.</remarks>
+/// 5.4.1). The shifts, and the linear mean of a curve, are vague, so the likelihood is the restricted one. The cost grows with the cube of
+/// the number of key points in one run.</remarks>
 internal static class PriorChoice
 {
-    private const int Amplitudes = 7, Lengths = 7;
+    private const int Amplitudes = 6, Lengths = 6, Tilts = 5, Errors = 5;
 
-    // Form errors of straight elements: of their scale, mm, and how long they are compared with the element.
+    /// <summary>Length of correlation of the form error of a line, flank or arc, as a part of its length.</summary>
     private const double FormLength = 0.4;
 
     /// <summary>Chooses the priors.</summary>
+    /// <param name="elements">The elements of a run.</param>
+    /// <param name="rows">What its key points say.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     public static DeviationPrior[] Of(IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
         var own = elements.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Element == e).ToArray()).ToArray();
-        var forms = elements.Select(
-            (element, e) => element is { Form: ElementForm.Free, Degree: null } ? FormOf(element, own[e], noise) : []).ToArray();
-        if (elements.All(e => e.Form == ElementForm.Free))
+        var forms = elements.Select((element, e) => FormOf(element, own[e], noise)).ToArray();
+        if (rows.Count == 0 || elements.All(e => e.Form == ElementForm.Free))
         {
-            return Priors(elements, forms, own, DeviationPrior.VagueMm, 0, noise);
+            return Priors(DeviationPrior.VagueMm, 0);
         }
 
         var largest = Math.Max(rows.Max(r => Math.Abs(r.ValueMm)), 4 * noise);
-        var tilts = Steps(noise, 2 * largest, 6);
-        double[] errors = [0.25 * noise, .. Steps(0.5 * noise, Math.Max(largest / 2, noise), 5)];
-        var tried = tilts.SelectMany(tilt => errors.Select(error => (tilt, error))).Select(
-            t => (t.tilt, t.error, new DeviationField(Priors(elements, forms, own, t.tilt, t.error, noise), rows, noise).LogEvidence)).ToArray();
-        var weights = Weights(tried.Select(t => t.LogEvidence));
-        return Priors(
-            elements,
-            forms,
-            own,
-            Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.tilt)).Sum()),
-            Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.error)).Sum()),
-            noise);
-    }
+        var tilts = Steps(noise, 2 * largest, Tilts);
+        double[] errors = [0.25 * noise, .. Steps(0.5 * noise, Math.Max(largest / 2, noise), Errors - 1)];
 
-    private static DeviationPrior[] Priors(
-        IReadOnlyList<BoundaryElement> elements,
-        IReadOnlyList<(double, double)>[] forms,
-        BoundaryRow[][] own,
-        double tilt,
-        double error,
-        double noise) =>
-        [
-            .. elements.Select(
-                (element, e) => new DeviationPrior(element, tilt, noise, Math.Max(1, own[e].Length))
-                {
-                    Form = element.Form == ElementForm.Free ? forms[e]
-                        : [(error * error, FormLength * (element.ToMm - element.FromMm))],
-                })];
+        // The covariance is linear in the squares of both scales.
+        var (still, tilted, rough) = (Covariance(0, 0), Covariance(1, 0), Covariance(0, 1));
+        double[] values = [.. rows.Select(r => r.ValueMm)];
+        var work = new double[still.Length];
+        var tried = tilts.SelectMany(tilt => errors.Select(error => (tilt, error))).Select(t =>
+        {
+            for (var i = 0; i < work.Length; i++)
+            {
+                work[i] = still[i] + (t.tilt * t.tilt * (tilted[i] - still[i])) + (t.error * t.error * (rough[i] - still[i]));
+            }
+
+            return (t.tilt, t.error, Log: Evidence.Log(work, values));
+        }).ToArray();
+        var weights = Weights(tried.Select(t => t.Log));
+        return Priors(
+            Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.tilt)).Sum()), Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.error)).Sum()));
+
+        double[] Covariance(double tilt, double error) => DeviationField.CovarianceOf(Priors(tilt, error), rows, noise);
+
+        DeviationPrior[] Priors(double tilt, double error) =>
+            [
+                .. elements.Select(
+                    (element, e) => new DeviationPrior(element, tilt, noise, Math.Max(1, own[e].Length))
+                    {
+                        Form = element.Form == ElementForm.Free ? forms[e]
+                            : [(error * error, FormLength * (element.ToMm - element.FromMm))],
+                    })];
+    }
 
     // Amplitude and lengths of a curve's form.
     private static (double, double)[] FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
     {
-        if (rows.Length < 3)
+        if (element is not { Form: ElementForm.Free, Degree: null } || rows.Length < 3)
         {
             return [];
         }
 
-        double[] along = [.. rows.Select(r => r.Terms[0].AlongMm).Order()];
-        var span = along[^1] - along[0];
-        var spacing = span / (rows.Length - 1);
-        var scatter = rows.Max(r => r.ValueMm) - rows.Min(r => r.ValueMm);
+        double[] along = [.. rows.Select(r => r.Terms[0].AlongMm)];
+        double[] values = [.. rows.Select(r => r.ValueMm)];
+        var span = along.Max() - along.Min();
+        var scatter = values.Max() - values.Min();
         var amplitudes = Steps(noise / 2, Math.Max(2 * scatter, 2 * noise), Amplitudes);
-        var lengths = Steps(0.5 * spacing, 1.5 * span, Lengths);
         BoundaryRow[] alone = [.. rows.Select(r => new BoundaryRow([r.Terms[0] with { Element = 0 }], r.ValueMm))];
-        var tried = lengths.SelectMany(length => amplitudes.Select(amplitude => (length, amplitude))).Select(t =>
+        var flat = DeviationField.CovarianceOf([new DeviationPrior(element, 0, noise, rows.Length)], alone, noise);
+        var (work, form) = (new double[flat.Length], new double[flat.Length]);
+        var tried = new List<(double Length, double Amplitude, double Log)>();
+        foreach (var length in Steps(0.5 * span / (rows.Length - 1), 1.5 * span, Lengths))
         {
-            var prior = new DeviationPrior(element, 0, noise, rows.Length) { Form = [(t.amplitude * t.amplitude, t.length)] };
-            return (t.length, t.amplitude, new DeviationField([prior], alone, noise).LogEvidence);
-        }).ToArray();
-        var weights = Weights(tried.Select(t => t.LogEvidence));
+            for (var i = 0; i < along.Length; i++)
+            {
+                for (var j = 0; j <= i; j++)
+                {
+                    form[(i * along.Length) + j] = DeviationPrior.Correlation(along[i] - along[j], length);
+                }
+            }
+
+            foreach (var amplitude in amplitudes)
+            {
+                for (var i = 0; i < work.Length; i++)
+                {
+                    work[i] = flat[i] + (amplitude * amplitude * form[i]);
+                }
+
+                tried.Add((length, amplitude, Evidence.Log(work, values)));
+            }
+        }
+
         return
         [
-            .. tried.Zip(weights).GroupBy(t => t.First.length).Select(g =>
+            .. tried.Zip(Weights(tried.Select(t => t.Log))).GroupBy(t => t.First.Length).Select(g =>
             {
                 var weight = g.Sum(t => t.Second);
-                var amplitude = weight > 0 ? Math.Exp(g.Sum(t => t.Second * Math.Log(t.First.amplitude)) / weight) : 0;
+                var amplitude = weight > 0 ? Math.Exp(g.Sum(t => t.Second * Math.Log(t.First.Amplitude)) / weight) : 0;
                 return (weight * amplitude * amplitude, g.Key);
-            }).Where(f => f.Item1 > 0)];
+            }).Where(f => f.Item1 > 1e-6 * scatter * scatter)];
     }
 
     private static double[] Weights(IEnumerable<double> evidence)

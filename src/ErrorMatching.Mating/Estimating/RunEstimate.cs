@@ -9,8 +9,13 @@ internal sealed class RunEstimate
     // A change of a row below it, mm, changes no word of a program.
     private const double Settled = 0.0001;
 
+    // The places at which the boundary between two key points is compared.
+    private const double SpacingMm = 0.5;
+    private const int MostPlaces = 200;
+
     private readonly double _uncertaintyMm;
     private BoundaryRow[] _rows = [];
+    private DeviationPrior[]? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
     {
@@ -67,11 +72,11 @@ internal sealed class RunEstimate
         return isSettled;
     }
 
-    /// <summary>Estimates the deviations from the last comparison.</summary>
+    /// <summary>Estimates the deviations from the last comparison. The first one chooses the priors.</summary>
     public void Solve()
     {
-        var priors = PriorChoice.Of(Run.Elements, _rows, _uncertaintyMm);
-        Field = new(priors, _rows, _uncertaintyMm);
+        _priors ??= PriorChoice.Of(Run.Elements, _rows, _uncertaintyMm);
+        Field = new(_priors, _rows, _uncertaintyMm);
     }
 
     /// <summary>Lets the cuts of compensated elements follow the field.</summary>
@@ -80,6 +85,51 @@ internal sealed class RunEstimate
         .. Run.Elements.Select((element, e) => isCompensated(element)
             ? ElementCut.Following(element, along => Field!.Mean(e, along))
             : ElementCut.Still)];
+
+    /// <summary>The mating error at a key point, measured exactly.</summary>
+    /// <param name="point">Index of the point.</param>
+    /// <param name="path">The program that cuts.</param>
+    public double ErrorAt(int point, NcPath path) =>
+        Run.FootOf(path, Points[point].Theoretical + Points[point].Deviation, Points[point].Normal).DistanceMm - Nominal[point].DistanceMm;
+
+    /// <summary>Standard uncertainty of that error: that of a measured coordinate.</summary>
+    public double UncertaintyMm => _uncertaintyMm;
+
+    /// <summary>The largest mating error expected between the outermost key points of an element.</summary>
+    /// <param name="element">The element.</param>
+    /// <param name="before">The original program.</param>
+    /// <param name="after">The program to cut.</param>
+    /// <returns>The error, its place in the program's frame; null if the element has fewer than two key points of its own.</returns>
+    public PredictedError? WorstBetween(BoundaryElement element, NcPath before, NcPath after)
+    {
+        double[] feet = [.. element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along)];
+        if (feet.Length < 2)
+        {
+            return null;
+        }
+
+        var (index, from, to) = (IndexOf(element), feet.Min(), feet.Max());
+        var steps = Math.Min(MostPlaces, (int)Math.Ceiling((to - from) / SpacingMm));
+        PredictedError? worst = null;
+        for (var k = 0; k <= steps; k++)
+        {
+            var along = from + ((to - from) * k / steps);
+            var (nominal, normal) = Run.PlaceAt(element, along);
+            var actual = nominal + (normal * Field!.Mean(index, along));
+            var (was, now) = (
+                Run.FootOf(before, actual, normal).DistanceMm - Run.Radius,
+                Run.FootOf(after, actual, normal).DistanceMm - Run.Radius);
+            if (worst is null || Math.Abs(now) > Math.Abs(worst.AfterMm))
+            {
+                worst = new(nominal, normal, was, now, Field.StandardDeviation(index, along));
+            }
+        }
+
+        return worst;
+    }
+
+    /// <summary>The deviation of an element at a length along the boundary, mm.</summary>
+    public double DeviationAt(BoundaryElement element, double along) => Field!.Mean(IndexOf(element), along);
 
     /// <summary>The cut of an element.</summary>
     public ElementCut CutOf(BoundaryElement element) => Cuts[IndexOf(element)];

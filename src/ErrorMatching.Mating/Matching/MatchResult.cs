@@ -10,6 +10,7 @@ namespace ErrorMatching.Mating;
 /// <param name="Part">The part's measurement as compared.</param>
 /// <param name="Counterpart">The counterpart's measurement as compared; null in feed-forward without one.</param>
 /// <param name="Decision">The decisions on the features.</param>
+/// <param name="Prediction">The mating error that the program to cut will leave.</param>
 /// <param name="Wish">The wish passed to the rewriter; null if nothing is compensated.</param>
 /// <param name="Rewrite">The changes, before the marker was inserted; null if nothing is compensated.</param>
 /// <param name="Marker">The inserted comment; null if nothing was changed.</param>
@@ -22,6 +23,7 @@ public sealed record MatchResult(
     AlignedMeasurement Part,
     AlignedMeasurement? Counterpart,
     MatingDecision Decision,
+    MatingPrediction Prediction,
     DisplacementWish? Wish,
     Rewrite? Rewrite,
     Marker? Marker,

@@ -99,7 +99,8 @@ public static class Matcher
         AlignedMeasurement? counterpart,
         MatingDecision decision)
     {
-        var outcome = CourseEstimator.Estimate(input.Job, path, maps, decision, input.Theoretical);
+        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
+        var outcome = estimator.Estimate();
         if (!outcome.IsUsable)
         {
             return Named(outcome.Refusal, maps);
@@ -115,20 +116,25 @@ public static class Matcher
         var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
         var program = NcProgram.Read(marker.InsertInto(rewrite.Program), path.Dialect.Syntax);
         var proof = Prover.Check(path, program, wish, rewrite.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
-        return proof.Holds
-            ? new MatchResult(
+        if (!proof.Holds)
+        {
+            return Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
+        }
+
+        var after = NcInterpreter.Run(program, path.Dialect);
+        return new MatchResult(
                 input,
                 path,
-                NcInterpreter.Run(program, path.Dialect),
+                after,
                 maps,
                 part,
                 counterpart,
                 decision,
+                estimator.Predict(after),
                 wish,
                 rewrite,
                 marker,
-                proof)
-            : Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
+                proof);
     }
 
     // Adds the name of the feature that owns the refused block, if any.
@@ -146,6 +152,7 @@ public static class Matcher
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
-        return new MatchResult(input, path, path, maps, part, counterpart, decision, null, null, null, proof);
+        var prediction = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical).Predict(path);
+        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof);
     }
 }

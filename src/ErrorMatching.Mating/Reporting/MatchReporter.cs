@@ -35,8 +35,8 @@ public static class MatchReporter
             Compensation = job.Compensation,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
-            Features = [.. result.Maps.Select((map, i) => Feature(result, map, result.Decision.Features[i], evaluations[i]))],
-            KeyPoints = [.. result.Maps.SelectMany((map, i) => KeyPoints(result, map, result.Decision.Features[i]))],
+            Features = [.. result.Maps.Select((map, i) => Feature(result, map, i, evaluations[i]))],
+            KeyPoints = [.. result.Maps.SelectMany((map, i) => KeyPoints(result, map, i))],
             Program = Program(result, programFile),
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
@@ -82,16 +82,16 @@ public static class MatchReporter
         aligned.Alignment.Max,
         [.. job.KeyPoints.Select((label, i) => new ReportResidual(label, aligned.Alignment.Residuals[i]))]);
 
-    private static ReportFeature Feature(MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
+    private static ReportFeature Feature(MatchResult result, FeatureMap map, int index, FeatureEvaluation evaluation)
     {
-        var job = result.Input.Job;
+        var (job, decision, predicted) = (result.Input.Job, result.Decision.Features[index], result.Prediction.Features[index]);
         var heights = result.Part.StandsOut.Where(s => map.Feature.Points.Contains(s.Label)).Select(s => Math.Abs(s.Millimeters)).ToArray();
         return new()
         {
             Name = map.Feature.Name,
             Kind = map.Feature.Kind,
             Tolerance = map.Feature.Tolerance,
-            Quantities = [.. Quantities(result, map, decision, evaluation)],
+            Quantities = [.. Quantities(result, map, index, evaluation)],
             Decision = decision.Decision,
             LargestMm = decision.LargestMm,
             UncertaintyMm = decision.StandardUncertaintyMm,
@@ -99,13 +99,12 @@ public static class MatchReporter
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
             CorrectedOutline = Outlines.Boundary(job.Counterpart, result.After, map.Passes[0]),
-            ActualOutline = map.Feature.MeasuredOutline(new(
-                job.Counterpart,
-                job.Gauge.Uncertainty.CombinedMm,
-                result.Before,
-                map,
-                Theoretical(result, map),
-                [.. map.Feature.Points.Select(l => result.Part.Points[l])])),
+            ActualOutline = map.Feature.MeasuredOutline(
+                new(job.Counterpart, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])
+                {
+                    Deviation = predicted.Deviation
+                }),
+            WorstBetween = predicted.WorstBetween,
             StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
         };
     }
@@ -113,28 +112,25 @@ public static class MatchReporter
     // Corrected: the same quantity, from key points on the original program's boundary (as designed, or as measured on the counterpart
     // that it cut), moved as the new program moves it.
     private static IEnumerable<ReportQuantity> Quantities(
-        MatchResult result, FeatureMap map, FeatureDecision decision, FeatureEvaluation evaluation)
+        MatchResult result, FeatureMap map, int index, FeatureEvaluation evaluation)
     {
-        var theoretical = Theoretical(result, map);
+        var (theoretical, decided) = (Theoretical(result, map), result.Decision.Features[index].Points);
         Point2[] corrected = [
-            .. theoretical.Select((p, i) => decision.Points[i].Point.Present + (map.Normals[i] * Moved(result, map, i, p)))];
+            .. result.Prediction.Features[index].Points.Select(
+                (p, i) => decided[i].Point.Present + (map.Normals[i] * (p.AfterMm - p.BeforeMm)))];
         var after = FeatureEvaluator.Evaluate(map.Feature, theoretical, corrected, 0).Quantities.ToDictionary(
             q => q.Name, q => q.Actual, StringComparer.Ordinal);
         return evaluation.Quantities.Select(q => new ReportQuantity(q, after.TryGetValue(q.Name, out var value) ? value : null));
     }
 
-    private static double Moved(MatchResult result, FeatureMap map, int point, Point2 theoretical) =>
-        BoundaryShift.NormalMm(
-            result.Input.Job.Counterpart, result.Before, result.After, map.Passes[0], map.Passes[0].Feet[point], theoretical);
-
-    private static IEnumerable<ReportKeyPoint> KeyPoints(MatchResult result, FeatureMap map, FeatureDecision decision)
+    private static IEnumerable<ReportKeyPoint> KeyPoints(MatchResult result, FeatureMap map, int feature)
     {
-        var job = result.Input.Job;
+        var (job, decision) = (result.Input.Job, result.Decision.Features[feature]);
         var theoretical = Theoretical(result, map);
         for (var i = 0; i < theoretical.Length; i++)
         {
             var (label, point, index) = (map.Feature.Points[i], decision.Points[i], i);
-            var moved = Moved(result, map, i, theoretical[i]);
+            var predicted = result.Prediction.Features[feature].Points[i];
             yield return new()
             {
                 Point = label,
@@ -146,7 +142,9 @@ public static class MatchReporter
                 Correction = job.Counterpart.Frame.Apply(point.Correction),
                 DecidedMm = point.Point.NormalMm,
                 ExcessMm = point.ExcessMm,
-                PredictedMm = moved - point.Point.NormalMm,
+                UncompensatedMm = predicted.BeforeMm,
+                PredictedMm = predicted.AfterMm,
+                Interval95Mm = predicted.Interval95Mm,
                 Blocks = [
                     .. map.Passes.Select(
                         p => result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[p.Feet[index].Motion].Block]))

@@ -47,6 +47,10 @@ public sealed record ReportFeature
     /// coordinate.</summary>
     public double? StandsOutMm { get; init; }
 
+    /// <summary>The largest mating error expected between its key points; null for kinds without a course, and in reports of earlier
+    /// versions.</summary>
+    public PredictedError? WorstBetween { get; init; }
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
     {
@@ -65,6 +69,7 @@ public sealed record ReportFeature
         w.Numbers("residualsMm", ResidualsMm);
         w.Optional("fit", Curve, c => c.Write(w));
         w.Number("standsOutMm", StandsOutMm);
+        w.Optional("worstBetween", WorstBetween, e => e.Write(w));
         w.Object("outline", () =>
         {
             w.Points("theoretical", TheoreticalOutline);
@@ -98,6 +103,7 @@ public sealed record ReportFeature
             TheoreticalOutline = outline.Points("theoretical"),
             ActualOutline = outline.Points("actual"),
             StandsOutMm = r.OptionalNumber("standsOutMm"),
+            WorstBetween = r.OptionalObject("worstBetween") is { } worst ? PredictedError.Read(worst) : null,
         };
     }
 

@@ -34,8 +34,17 @@ public sealed record ReportKeyPoint
     /// <summary>Its excess over the limit.</summary>
     public required double ExcessMm { get; init; }
 
-    /// <summary>The remainder that the corrected counterpart will leave, according to the program as written.</summary>
+    /// <summary>The mating error without compensation, counterpart - part: the distance of the measured point from what the original
+    /// program cuts.</summary>
+    public required double UncompensatedMm { get; init; }
+
+    /// <summary>The mating error that the corrected counterpart will leave: the distance of the measured point from what the program as
+    /// written cuts.</summary>
     public required double PredictedMm { get; init; }
+
+    /// <summary>Half the 95 % interval about both errors, from the uncertainty of the measurement; null in reports of earlier
+    /// versions.</summary>
+    public double? Interval95Mm { get; init; }
 
     /// <summary>Blocks of the original program that cut the point, by number.</summary>
     public IReadOnlyList<string> Blocks { get; init; } = [];
@@ -45,10 +54,6 @@ public sealed record ReportKeyPoint
 
     /// <summary>Actual - theoretical along the normal.</summary>
     public double NormalMm => -Deviation.Dot(Normal);
-
-    /// <summary>The mating error without compensation, counterpart - part along the normal; <see cref="PredictedMm"/> is the one with
-    /// it.</summary>
-    public double UncompensatedMm => -DecidedMm;
 
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
@@ -68,7 +73,9 @@ public sealed record ReportKeyPoint
         w.Number("normalMm", NormalMm);
         w.Number("decidedMm", DecidedMm);
         w.Number("excessMm", ExcessMm);
+        w.Number("uncompensatedMm", UncompensatedMm);
         w.Number("predictedMm", PredictedMm);
+        w.Number("interval95Mm", Interval95Mm);
         w.Texts("blocks", Blocks);
     }
 
@@ -84,7 +91,9 @@ public sealed record ReportKeyPoint
         Correction = r.Vector("correction"),
         DecidedMm = r.Number("decidedMm"),
         ExcessMm = r.Number("excessMm"),
+        UncompensatedMm = r.OptionalNumber("uncompensatedMm") ?? -r.Number("decidedMm"),
         PredictedMm = r.Number("predictedMm"),
+        Interval95Mm = r.OptionalNumber("interval95Mm"),
         Blocks = r.Texts("blocks"),
     };
 }

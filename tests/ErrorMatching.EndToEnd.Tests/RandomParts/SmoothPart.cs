@@ -16,6 +16,7 @@ internal sealed class SmoothPart
     private readonly List<Element> _elements = [];
     private readonly List<Feature> _features = [];
     private readonly double _side;
+    private readonly List<(Flat From, Flat To)> _nominal;
 
     private SmoothPart(int seed, bool onCorners, double noise)
     {
@@ -26,6 +27,7 @@ internal sealed class SmoothPart
         DrawElements();
         Join();
         Cut();
+        _nominal = SmoothMatch.PathOf(Encoding.ASCII.GetBytes(Program));
         Measure(onCorners);
     }
 
@@ -192,6 +194,7 @@ internal sealed class SmoothPart
                 var length = from + ((to - from) * k / (count - 1));
                 var normal = element.NormalAt(length);
                 var place = element.At(length) - (normal * ToolRadius);
+                place += ChordsAt(place, normal);
                 points.Add(new(f, "", element.Offset + length, place, normal, null));
             }
 
@@ -224,10 +227,20 @@ internal sealed class SmoothPart
         var (vertex, n1, n2) = (_elements[before].End, _elements[before].NormalAt(_elements[before].Length), _elements[behind].NormalAt(0));
         var share = Draw.Between(_random, 0.25, 0.75);
         var normal = ((n1 * (1 - share)) + (n2 * share)).Unit();
-        return new(feature, "", _elements[behind].Offset, vertex - (normal * ToolRadius), normal, share);
+        var place = vertex - (normal * ToolRadius);
+        return new(feature, "", _elements[behind].Offset, place + ChordsAt(place, normal), normal, share);
     }
 
     // The tool goes round the outside of the turn.
+    // From the boundary beside the smooth path to that beside the program's chords in whole micrometers.
+    private Flat ChordsAt(Flat place, Flat normal) => normal * (SmoothMatch.DistanceTo(_nominal, place) - ToolRadius);
+
+    private static Flat NearestOf(List<(Flat From, Flat To)> path, Flat place) => path.Select(p =>
+    {
+        var way = p.To - p.From;
+        return p.From + (way * Math.Clamp((place - p.From).Dot(way) / way.Dot(way), 0, 1));
+    }).MinBy(p => (p - place).Length);
+
     private bool IsRound(int before, int behind) => Turn(before, behind) * _side > 0.1;
 
     // How much of both elements a sharp corner takes away, with what its deviation may take besides.
@@ -244,7 +257,7 @@ internal sealed class SmoothPart
     // The boundary of the named elements, densely: nominal and actual, with the length along the path.
     private List<(double Along, Flat Nominal, Flat Actual)> Dense(List<Element> named)
     {
-        var dense = new List<(double, Flat, Flat)>();
+        var dense = new List<(double Along, Flat Nominal, Flat Actual)>();
         foreach (var element in named)
         {
             var index = _elements.IndexOf(element);
@@ -253,7 +266,8 @@ internal sealed class SmoothPart
             for (var k = 0; k <= steps; k++)
             {
                 var length = from + ((to - from) * k / steps);
-                dense.Add((element.Offset + length, element.At(length) - (element.NormalAt(length) * ToolRadius), ActualAt(element, length)));
+                var nominal = element.At(length) - (element.NormalAt(length) * ToolRadius);
+                dense.Add((element.Offset + length, nominal, ActualAt(element, length)));
             }
 
             if (index + 1 < _elements.Count - 1 && IsRound(index, index + 1))
@@ -271,8 +285,9 @@ internal sealed class SmoothPart
 
         // Beside a sharp corner, the other element takes some of it away.
         var path = PathOf(e => e.Actual, e => e.Pieces(0.25));
-        dense.RemoveAll(d => SmoothMatch.DistanceTo(path, d.Item3) < ToolRadius - 0.001);
-        return dense;
+        dense.RemoveAll(d => SmoothMatch.DistanceTo(path, d.Actual) < ToolRadius - 0.001);
+        return [.. dense.Select(d => (d.Along, Normal: (NearestOf(_nominal, d.Nominal) - d.Nominal).Unit(), d))
+            .Select(d => (d.Along, d.d.Nominal + ChordsAt(d.d.Nominal, d.Normal), d.d.Actual + ChordsAt(d.d.Nominal, d.Normal)))];
     }
 
     // The boundary a radius beside the displaced path.

@@ -71,11 +71,7 @@ internal sealed record CurveFeature(
     internal override IEnumerable<ElementWish> Wishes(FeatureCut cut) => FeatureWish.Along(cut);
 
     internal override IReadOnlyList<Point2> MeasuredOutline(MeasuredFeature measured) =>
-        Outlines.Boundary(
-            measured.Counterpart,
-            measured.Path,
-            measured.Map.Passes[0],
-            Smooth(measured.UncertaintyMm, measured.Map.Passes[0], measured.Normals).At);
+        Outlines.Boundary(measured.Counterpart, measured.Path, measured.Map.Passes[0], measured.Deviation!);
 
     // The angle that a pass turns, radians, if it consists of arcs of one circle; otherwise null.
     private static double? SweepOf(NcPath path, FeaturePass pass)
@@ -97,9 +93,6 @@ internal sealed record CurveFeature(
 
         return sweep;
     }
-
-    private ArcLengthField Smooth(double uncertaintyMm, FeaturePass pass, double[] values) =>
-        ArcLengthField.Smooth([.. pass.Feet.Select(pass.Along)], values, Degree, Ridge, uncertaintyMm);
 
     /// <summary>The fit; null for a curve that is not a function over its chord. Its compensation works along the boundary and needs no
     /// fit.</summary>

@@ -1,0 +1,46 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The mating error that a program will leave: counterpart minus part, positive where too much material stands.</summary>
+/// <param name="Features">The features in the order of the job.</param>
+public sealed record MatingPrediction(IReadOnlyList<FeaturePrediction> Features);
+
+/// <summary>The predicted mating error of a feature.</summary>
+/// <param name="Points">Its key points in the order of the job: measured exactly against all cuts of the program around them.</param>
+/// <param name="WorstBetween">The largest error that is expected between them; null for kinds without a course.</param>
+public sealed record FeaturePrediction(IReadOnlyList<PredictedError> Points, PredictedError? WorstBetween)
+{
+    /// <summary>The measured deviation at a length along the boundary, toward the tool, mm; null for kinds without a course.</summary>
+    internal Func<double, double>? Deviation { get; init; }
+}
+
+/// <summary>The predicted mating error at a place of the boundary, mm.</summary>
+/// <param name="Place">Where the boundary is as designed, in the part's frame.</param>
+/// <param name="Normal">Unit normal there, from the counterpart's material to its tool, in the part's frame.</param>
+/// <param name="BeforeMm">The error that the original program leaves.</param>
+/// <param name="AfterMm">The error that the program to cut leaves.</param>
+/// <param name="StandardUncertaintyMm">Standard uncertainty of both.</param>
+public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeMm, double AfterMm, double StandardUncertaintyMm)
+{
+    /// <summary>Ratio of half a 95 % interval to the standard uncertainty of a normal distribution.</summary>
+    public const double Factor95 = 1.96;
+
+    /// <summary>Half the 95 % interval about either error.</summary>
+    public double Interval95Mm => Factor95 * StandardUncertaintyMm;
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Point("place", Place);
+        w.Vector("normal", Normal);
+        w.Number("uncompensatedMm", BeforeMm);
+        w.Number("predictedMm", AfterMm);
+        w.Number("uncertaintyMm", StandardUncertaintyMm);
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    internal static PredictedError Read(ReportReader r) => new(
+        r.Point("place"), r.Vector("normal"), r.Number("uncompensatedMm"), r.Number("predictedMm"), r.Number("uncertaintyMm"));
+}
