@@ -81,6 +81,9 @@ internal sealed class BoundaryRun
     public static BoundaryRun OfPass(NcPath path, FeaturePass pass, double toolDiameterMm) =>
         Around(path, pass.First, pass.Last, [], pass.Feet[0].MaterialIsLeft, toolDiameterMm);
 
+    /// <summary>Its cuts on a program.</summary>
+    public RunPath On(NcPath path) => new(path, First, Last);
+
     /// <summary>The nominal boundary at a length along an element, with its normal toward the tool.</summary>
     public (Point2 Place, Vector2 Normal) PlaceAt(BoundaryElement element, double along)
     {
@@ -95,32 +98,6 @@ internal sealed class BoundaryRun
         var fraction = to > from ? Math.Clamp((along - from) / (to - from), 0, 1) : 0;
         var normal = NormalAt(Path, motion, fraction);
         return (Path.Motions[motion].PlaneAt(fraction) - (normal * Radius), normal);
-    }
-
-    /// <summary>The place of a path of this run that is nearest to a point, and how far it is.</summary>
-    /// <param name="path">The program before, or the one to cut.</param>
-    /// <param name="point">The point.</param>
-    /// <param name="towardTool">Direction from the material to the tool there, for the sign.</param>
-    public RunFoot FootOf(NcPath path, Point2 point, Vector2 towardTool)
-    {
-        var (best, motion, fraction, way) = (double.PositiveInfinity, First, 0.0, Vector2.Zero);
-        for (var i = First; i <= Last; i++)
-        {
-            var m = path.Motions[i];
-            if (!m.MovesInPlane)
-            {
-                continue;
-            }
-
-            var f = m.IsArc ? m.Arc.NearestFraction(point) : m.Segment.NearestFraction(point);
-            var toPath = m.PlaneAt(f) - point;
-            if (toPath.Length < best)
-            {
-                (best, motion, fraction, way) = (toPath.Length, i, f, toPath);
-            }
-        }
-
-        return new(motion, fraction, way.Dot(towardTool) >= 0 ? best : -best, way);
     }
 
     /// <summary>The share of each element in the way that the boundary moves at a foot, toward the tool.</summary>
@@ -320,13 +297,6 @@ internal sealed class BoundaryRun
         return new(path, first, last, elements, materialIsLeft, toolDiameterMm / 2);
     }
 }
-
-/// <summary>The place of a path that is nearest to a point.</summary>
-/// <param name="Motion">Position of the motion in the path.</param>
-/// <param name="Fraction">Place on it, 0 to 1.</param>
-/// <param name="DistanceMm">The distance; positive if the path is on the tool's side of the point.</param>
-/// <param name="Way">From the point to the place.</param>
-internal readonly record struct RunFoot(int Motion, double Fraction, double DistanceMm, Vector2 Way);
 
 /// <summary>A line beside an end of a run's elements that the end takes along.</summary>
 /// <param name="Motion">Position of the line in the path.</param>

@@ -125,6 +125,7 @@ internal sealed class CourseEstimator
     {
         var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);
         var run = _runs.First(r => r.Run.Contains(pass) && r.Points.Any(p => p.Feature == feature));
+        var (cutsBefore, cutsAfter) = (run.OnCuts(_path), run.OnCuts(after));
         for (var p = 0; p < run.Points.Count; p++)
         {
             if (run.Points[p] is var point && point.Feature == feature)
@@ -132,13 +133,13 @@ internal sealed class CourseEstimator
                 points[point.Index] = new(
                     toPart.Apply(point.Theoretical),
                     toPart.Apply(point.Normal),
-                    run.ErrorAt(p, _path),
-                    run.ErrorAt(p, after),
+                    run.ErrorAt(p, cutsBefore),
+                    run.ErrorAt(p, cutsAfter),
                     run.UncertaintyMm);
             }
         }
 
-        var worst = _elements[pass].Select(e => run.WorstBetween(e, _path, after)).OfType<PredictedError>()
+        var worst = _elements[pass].Select(e => run.WorstBetween(e, cutsAfter)).OfType<PredictedError>()
             .MaxBy(e => Math.Abs(e.AfterMm));
         return new(points, worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) })
         {

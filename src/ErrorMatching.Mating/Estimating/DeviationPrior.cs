@@ -12,19 +12,23 @@ internal sealed class DeviationPrior
     private readonly BoundaryElement _element;
     private readonly double[] _deviations;
 
+    // The recurrence of the polynomials that are orthonormal over the key points (Forsythe 1957).
+    private readonly (double Shift, double Before, double Norm)[] _terms;
+
     /// <summary>Creates the prior.</summary>
     /// <param name="element">The element.</param>
     /// <param name="tiltMm">Standard deviation of the tilt at both ends, and of the change of an arc.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a point; scales the ridge of a polynomial.</param>
-    /// <param name="points">Number of points; scales the ridge too.</param>
-    public DeviationPrior(BoundaryElement element, double tiltMm, double uncertaintyMm, int points)
+    /// <param name="places">The places of its own key points, for the terms of a polynomial.</param>
+    public DeviationPrior(BoundaryElement element, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
     {
         _element = element;
+        _terms = element.Degree is { } degree ? TermsOf(places, Math.Min(degree, places.Count - 1)) : [];
         _deviations = element switch
         {
             { Form: ElementForm.Straight } => [VagueMm, tiltMm],
             { Form: ElementForm.Arc } => [VagueMm, tiltMm, tiltMm],
-            { Degree: { } degree } => [.. Enumerable.Range(0, degree + 1).Select(k => OfTerm(k, element.Ridge, uncertaintyMm, points))],
+            { Degree: not null } => [.. _terms.Select((_, k) => OfTerm(k, element.Ridge, uncertaintyMm))],
             _ => [VagueMm, VagueMm],
         };
     }
@@ -51,17 +55,48 @@ internal sealed class DeviationPrior
                 + (Square(_deviations[2] / bend) * (1 - Math.Cos(a)) * (1 - Math.Cos(b)));
         }
 
-        // Legendre polynomials.
-        var sum = Square(_deviations[0]);
-        var (p, q, pp, qq) = (t, v, 1.0, 1.0);
-        for (var k = 1; k < _deviations.Length; k++)
+        if (_terms.Length == 0)
         {
-            sum += Square(_deviations[k]) * p * q;
-            (p, pp) = ((((2 * k) + 1) * t * p / (k + 1)) - (k * pp / (k + 1)), p);
-            (q, qq) = ((((2 * k) + 1) * v * q / (k + 1)) - (k * qq / (k + 1)), q);
+            return Square(_deviations[0]) + (Square(_deviations[1]) * t * v);
+        }
+
+        var sum = 0.0;
+        foreach (var (k, at, atOther) in TermsAt(along, other))
+        {
+            sum += Square(_deviations[k]) * at * atOther;
         }
 
         return sum;
+    }
+
+    // p(k + 1) = (s - shift) p(k) - before p(k - 1), each divided by its norm.
+    private IEnumerable<(int K, double At, double AtOther)> TermsAt(double along, double other)
+    {
+        var (p, q, pp, qq) = (1.0, 1.0, 0.0, 0.0);
+        for (var k = 0; k < _terms.Length; k++)
+        {
+            yield return (k, p / _terms[k].Norm, q / _terms[k].Norm);
+            (p, pp) = (((along - _terms[k].Shift) * p) - (_terms[k].Before * pp), p);
+            (q, qq) = (((other - _terms[k].Shift) * q) - (_terms[k].Before * qq), q);
+        }
+    }
+
+    private static (double Shift, double Before, double Norm)[] TermsOf(IReadOnlyList<double> places, int degree)
+    {
+        var terms = new List<(double, double, double)>();
+        double[] p = [.. places.Select(_ => 1.0)], pp = [.. places.Select(_ => 0.0)];
+        var before = 0.0;
+        for (var k = 0; k <= degree; k++)
+        {
+            var square = p.Sum(Square);
+            var shift = places.Zip(p, (s, value) => s * value * value).Sum() / square;
+            terms.Add((shift, before, Math.Sqrt(square)));
+            double[] next = [.. places.Select((s, i) => ((s - shift) * p[i]) - (before * pp[i]))];
+            before = next.Sum(Square) / square;
+            (pp, p) = (p, next);
+        }
+
+        return [.. terms];
     }
 
     private double OfForm(double along, double other)
@@ -76,9 +111,8 @@ internal sealed class DeviationPrior
     }
 
     // The ridge divides the coefficient of an orthonormal polynomial of degree k by 1 + weight k^4, as this variance does.
-    private static double OfTerm(int k, double ridge, double uncertaintyMm, int points) => ridge == 0 || k == 0
-        ? VagueMm
-        : Math.Min(VagueMm, uncertaintyMm * Math.Sqrt(((2 * k) + 1) / (points * ridge * Math.Pow(k, 4))));
+    private static double OfTerm(int k, double ridge, double uncertaintyMm) =>
+        ridge == 0 || k == 0 ? VagueMm : uncertaintyMm / Math.Sqrt(ridge * Math.Pow(k, 4));
 
     private static double Square(double value) => value * value;
 }

@@ -13,6 +13,9 @@ internal static class PriorChoice
     /// <summary>Length of correlation of the form error of a line, flank or arc, as a part of its length.</summary>
     private const double FormLength = 0.4;
 
+    /// <summary>The form error that is assumed where nothing tells one, as a part of the standard uncertainty.</summary>
+    private const double LeastError = 0.25;
+
     /// <summary>Chooses the priors.</summary>
     /// <param name="elements">The elements of a run.</param>
     /// <param name="rows">What its key points say.</param>
@@ -27,38 +30,63 @@ internal static class PriorChoice
             return Priors(DeviationPrior.VagueMm, 0);
         }
 
+        // The covariance is linear in the square of each scale.
         var largest = Math.Max(rows.Max(r => Math.Abs(r.ValueMm)), 4 * noise);
-        var tilts = Steps(noise, 2 * largest, Tilts);
-        double[] errors = [0.25 * noise, .. Steps(0.5 * noise, Math.Max(largest / 2, noise), Errors - 1)];
-
-        // The covariance is linear in the squares of both scales.
-        var (still, tilted, rough) = (Covariance(0, 0), Covariance(1, 0), Covariance(0, 1));
+        var error = ErrorOf(elements, own, noise, largest);
+        var (still, tilted) = (Covariance(0), Covariance(1));
         double[] values = [.. rows.Select(r => r.ValueMm)];
-        var work = new double[still.Length];
-        var tried = tilts.SelectMany(tilt => errors.Select(error => (tilt, error))).Select(t =>
-        {
-            for (var i = 0; i < work.Length; i++)
-            {
-                work[i] = still[i] + (t.tilt * t.tilt * (tilted[i] - still[i])) + (t.error * t.error * (rough[i] - still[i]));
-            }
+        return Priors(MeanOf(Steps(noise, 2 * largest, Tilts), tilt => LogOf(still, tilted, tilt, values)), error);
 
-            return (t.tilt, t.error, Log: Evidence.Log(work, values));
-        }).ToArray();
-        var weights = Weights(tried.Select(t => t.Log));
-        return Priors(
-            Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.tilt)).Sum()), Math.Exp(tried.Zip(weights, (t, w) => w * Math.Log(t.error)).Sum()));
-
-        double[] Covariance(double tilt, double error) => DeviationField.CovarianceOf(Priors(tilt, error), rows, noise);
+        double[] Covariance(double tilt) => DeviationField.CovarianceOf(Priors(tilt, error), rows, noise);
 
         DeviationPrior[] Priors(double tilt, double error) =>
             [
                 .. elements.Select(
-                    (element, e) => new DeviationPrior(element, tilt, noise, Math.Max(1, own[e].Length))
+                    (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
-                        Form = element.Form == ElementForm.Free ? forms[e]
-                            : [(error * error, FormLength * (element.ToMm - element.FromMm))],
+                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, own[e].Length > 2 ? error : LeastError * noise)
                     })];
     }
+
+    // The scale of form errors, from the elements with more points than a line needs. Their tilts are vague, so that the likelihood is the
+    // restricted one. Without such an element, nothing tells a form error.
+    private static double ErrorOf(IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
+    {
+        var alone = new List<(double[] Smooth, double[] Rough, double[] Values)>();
+        for (var e = 0; e < elements.Count; e++)
+        {
+            if (elements[e].Form != ElementForm.Free && own[e].Length > (elements[e].Form == ElementForm.Straight ? 2 : 3))
+            {
+                BoundaryRow[] rows = [.. own[e].Select(r => r with { Terms = [r.Terms[0] with { Element = 0 }] })];
+                alone.Add((Covariance(elements[e], rows, 0), Covariance(elements[e], rows, 1), [.. rows.Select(r => r.ValueMm)]));
+            }
+        }
+
+        double[] errors = [LeastError * noise, .. Steps(noise / 2, Math.Max(largest / 2, noise), Errors - 1)];
+        return alone.Count == 0 ? errors[0] : MeanOf(errors, error => alone.Sum(a => LogOf(a.Smooth, a.Rough, error, a.Values)));
+
+        double[] Covariance(BoundaryElement element, BoundaryRow[] rows, double error) => DeviationField.CovarianceOf(
+            [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, error) }], rows, noise);
+    }
+
+    private static (double, double)[] FormOf(BoundaryElement element, double error) =>
+        [(error * error, FormLength * (element.ToMm - element.FromMm))];
+
+    // The evidence of a scale, from the covariances for the scales 0 and 1.
+    private static double LogOf(double[] without, double[] with, double scale, double[] values)
+    {
+        var covariance = new double[without.Length];
+        for (var i = 0; i < covariance.Length; i++)
+        {
+            covariance[i] = without[i] + (scale * scale * (with[i] - without[i]));
+        }
+
+        return Evidence.Log(covariance, values);
+    }
+
+    // The mean of the logarithms of a scale, weighted by its evidence.
+    private static double MeanOf(double[] scales, Func<double, double> log) =>
+        Math.Exp(scales.Zip(Weights(scales.Select(log)), (s, w) => w * Math.Log(s)).Sum());
 
     // Amplitude and lengths of a curve's form.
     private static (double, double)[] FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
@@ -74,7 +102,7 @@ internal static class PriorChoice
         var scatter = values.Max() - values.Min();
         var amplitudes = Steps(noise / 2, Math.Max(2 * scatter, 2 * noise), Amplitudes);
         BoundaryRow[] alone = [.. rows.Select(r => new BoundaryRow([r.Terms[0] with { Element = 0 }], r.ValueMm))];
-        var flat = DeviationField.CovarianceOf([new DeviationPrior(element, 0, noise, rows.Length)], alone, noise);
+        var flat = DeviationField.CovarianceOf([new DeviationPrior(element, 0, noise, along)], alone, noise);
         var (work, form) = (new double[flat.Length], new double[flat.Length]);
         var tried = new List<(double Length, double Amplitude, double Log)>();
         foreach (var length in Steps(0.5 * span / (rows.Length - 1), 1.5 * span, Lengths))

@@ -15,13 +15,15 @@ internal sealed class RunEstimate
 
     private readonly double _uncertaintyMm;
     private BoundaryRow[] _rows = [];
+    private readonly RunPath _before;
     private DeviationPrior[]? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
     {
         (Run, Points, _uncertaintyMm) = (run, points, uncertaintyMm);
         Cuts = [.. run.Elements.Select(_ => ElementCut.Still)];
-        Nominal = [.. points.Select(p => run.FootOf(run.Path, p.Theoretical, p.Normal))];
+        _before = run.On(run.Path);
+        Nominal = [.. points.Select(p => _before.FootOf(p.Theoretical, p.Normal))];
     }
 
     /// <summary>The run.</summary>
@@ -46,11 +48,11 @@ internal sealed class RunEstimate
     public bool Compare(NcPath path, bool isWhole)
     {
         var rows = new List<BoundaryRow>();
-        var following = Run.Following.ToList();
+        var (cuts, following) = (OnCuts(path), Run.Following.ToList());
         for (var i = 0; i < Points.Count; i++)
         {
             var place = Points[i].Theoretical + (isWhole ? Points[i].Deviation : Points[i].Wanted);
-            var foot = Run.FootOf(path, place, Points[i].Normal);
+            var foot = cuts.FootOf(place, Points[i].Normal);
             if (!isWhole && Run.HiddenBy(Nominal[i], foot) is { } line && !following.Contains(line))
             {
                 following.Add(line);
@@ -88,19 +90,21 @@ internal sealed class RunEstimate
 
     /// <summary>The mating error at a key point, measured exactly.</summary>
     /// <param name="point">Index of the point.</param>
-    /// <param name="path">The program that cuts.</param>
-    public double ErrorAt(int point, NcPath path) =>
-        Run.FootOf(path, Points[point].Theoretical + Points[point].Deviation, Points[point].Normal).DistanceMm - Nominal[point].DistanceMm;
+    /// <param name="cuts">The cuts of this run.</param>
+    public double ErrorAt(int point, RunPath cuts) =>
+        cuts.FootOf(Points[point].Theoretical + Points[point].Deviation, Points[point].Normal).DistanceMm - Nominal[point].DistanceMm;
+
+    /// <summary>The cuts of this run on a program.</summary>
+    public RunPath OnCuts(NcPath path) => ReferenceEquals(path, Run.Path) ? _before : Run.On(path);
 
     /// <summary>Standard uncertainty of that error: that of a measured coordinate.</summary>
     public double UncertaintyMm => _uncertaintyMm;
 
     /// <summary>The largest mating error expected between the outermost key points of an element.</summary>
     /// <param name="element">The element.</param>
-    /// <param name="before">The original program.</param>
-    /// <param name="after">The program to cut.</param>
+    /// <param name="after">The cuts of the program to cut.</param>
     /// <returns>The error, its place in the program's frame; null if the element has fewer than two key points of its own.</returns>
-    public PredictedError? WorstBetween(BoundaryElement element, NcPath before, NcPath after)
+    public PredictedError? WorstBetween(BoundaryElement element, RunPath after)
     {
         double[] feet = [.. element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along)];
         if (feet.Length < 2)
@@ -109,23 +113,23 @@ internal sealed class RunEstimate
         }
 
         var (index, from, to) = (IndexOf(element), feet.Min(), feet.Max());
-        var steps = Math.Min(MostPlaces, (int)Math.Ceiling((to - from) / SpacingMm));
-        PredictedError? worst = null;
+        var steps = Math.Clamp((int)Math.Ceiling((to - from) / SpacingMm), 1, MostPlaces);
+        var (worst, at) = (0.0, from);
         for (var k = 0; k <= steps; k++)
         {
             var along = from + ((to - from) * k / steps);
-            var (nominal, normal) = Run.PlaceAt(element, along);
-            var actual = nominal + (normal * Field!.Mean(index, along));
-            var (was, now) = (
-                Run.FootOf(before, actual, normal).DistanceMm - Run.Radius,
-                Run.FootOf(after, actual, normal).DistanceMm - Run.Radius);
-            if (worst is null || Math.Abs(now) > Math.Abs(worst.AfterMm))
-            {
-                worst = new(nominal, normal, was, now, Field.StandardDeviation(index, along));
-            }
+            var error = ErrorOf(after, along);
+            (worst, at) = Math.Abs(error) > Math.Abs(worst) ? (error, along) : (worst, at);
         }
 
-        return worst;
+        var (nominal, normal) = Run.PlaceAt(element, at);
+        return new(nominal, normal, ErrorOf(_before, at), worst, Field!.StandardDeviation(index, at));
+
+        double ErrorOf(RunPath cuts, double along)
+        {
+            var (place, toTool) = Run.PlaceAt(element, along);
+            return cuts.FootOf(place + (toTool * Field!.Mean(index, along)), toTool).DistanceMm - Run.Radius;
+        }
     }
 
     /// <summary>The deviation of an element at a length along the boundary, mm.</summary>

@@ -33,6 +33,7 @@ public sealed class MatchReportTests
         Normal = new(1, 0),
         Correction = new(-0.118, 0),
         DecidedMm = -0.118,
+        UncompensatedMm = 0.118,
         ExcessMm = -0.068,
         PredictedMm = 0.0002,
         Blocks = ["N8960"],
@@ -246,7 +247,7 @@ public sealed class MatchReportTests
             {
                 KeyPoints = [
                     Point with { Point = "1", PredictedMm = 0.051 },
-                    Point with { Point = "2", DecidedMm = 0.04, PredictedMm = 0.051 },
+                    Point with { Point = "2", DecidedMm = 0.04, UncompensatedMm = -0.04, PredictedMm = 0.051 },
                     Point]
             });
 

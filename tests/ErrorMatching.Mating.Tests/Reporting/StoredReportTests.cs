@@ -221,8 +221,10 @@ public sealed class StoredReportTests
             Normal = Vector2.FromDirection(Angle.FromDegrees(Mm(r))),
             Correction = new(Mm(r), Mm(r)),
             DecidedMm = Mm(r),
+            UncompensatedMm = Mm(r),
             ExcessMm = Mm(r),
             PredictedMm = Mm(r),
+            Interval95Mm = Mm(r),
             Blocks = Some(r, () => Text(r)),
         };
     }

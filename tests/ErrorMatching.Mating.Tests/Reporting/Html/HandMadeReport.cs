@@ -97,6 +97,7 @@ internal static class HandMadeReport
             Normal = new(0, 1),
             Correction = correction,
             DecidedMm = normal,
+            UncompensatedMm = -normal,
             ExcessMm = Line.Tolerance.Band.ExcessOf(normal),
             PredictedMm = predicted,
             Blocks = ["N10"],
