@@ -31,8 +31,12 @@ public sealed record ReportKeyPoint
     /// counterpart.</summary>
     public required double DecidedMm { get; init; }
 
-    /// <summary>Its excess over the limit.</summary>
+    /// <summary>Its excess over the acceptance limit.</summary>
     public required double ExcessMm { get; init; }
+
+    /// <summary>The probability that it is within its limits without compensation; null for limits without width, and in reports older
+    /// than decision rules.</summary>
+    public double? ProbabilityBefore { get; init; }
 
     /// <summary>The remainder that the corrected counterpart will leave, according to the program as written.</summary>
     public required double PredictedMm { get; init; }
@@ -68,6 +72,7 @@ public sealed record ReportKeyPoint
         w.Number("normalMm", NormalMm);
         w.Number("decidedMm", DecidedMm);
         w.Number("excessMm", ExcessMm);
+        w.Number("probabilityBefore", ProbabilityBefore);
         w.Number("predictedMm", PredictedMm);
         w.Texts("blocks", Blocks);
     }
@@ -84,6 +89,7 @@ public sealed record ReportKeyPoint
         Correction = r.Vector("correction"),
         DecidedMm = r.Number("decidedMm"),
         ExcessMm = r.Number("excessMm"),
+        ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
         PredictedMm = r.Number("predictedMm"),
         Blocks = r.Texts("blocks"),
     };
