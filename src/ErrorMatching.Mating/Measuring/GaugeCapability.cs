@@ -26,7 +26,10 @@ public static class GaugeCapability
                 Line = job.Features[f.Feature].Tolerance.Place?.Line,
                 Column = job.Features[f.Feature].Tolerance.Place?.Column,
                 Path = string.Create(CultureInfo.InvariantCulture, $"$.features[{f.Feature}].toleranceMm"),
-            }))];
+            })
+            {
+                Found = f.Warning.Values[1],
+            })];
     }
 
     /// <summary>The same warnings for a report.</summary>
