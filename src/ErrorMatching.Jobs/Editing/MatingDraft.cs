@@ -181,9 +181,6 @@ public sealed record DecisionDraft(string Rule = DecisionDraft.Simple, string Ri
 {
     /// <summary>The rule without guard bands, which is the default.</summary>
     public const string Simple = "simple";
-
-    /// <summary>The rule with guard bands.</summary>
-    public const string GuardBand = "guard-band";
 }
 
 /// <summary>A comparison in addition to those that every feature has, as typed.</summary>

@@ -34,7 +34,7 @@ internal static class Decider
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(points);
         var u = job.DeviationUncertaintyMm;
-        var acceptance = job.Features.Select(f => job.Decision.AcceptanceLimits(f.Tolerance.Band, u)
+        var acceptance = job.Features.Select(f => job.Rule.AcceptanceLimits(f.Tolerance.Band, u)
             ?? throw new ArgumentException($"The guard bands of {f.Name} overlap; expected a checked job.", nameof(job))).ToArray();
         var significant = u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u);
         var features = new List<FeatureDecision>();
@@ -59,7 +59,7 @@ internal static class Decider
                     p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
         }
 
-        return new(features, refusals) { Rule = job.Decision };
+        return new(features, refusals) { Rule = job.Rule };
     }
 
     // The refusal of limits that are probably micrometers, or null. A deviation below half a program increment does not test the limits

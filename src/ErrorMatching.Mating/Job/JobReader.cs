@@ -37,7 +37,7 @@ internal sealed class JobReader(JsonItem root)
             Features = [.. root["features"].Items.Select(f => features.Read(f, chain))],
             Counterpart = ReadCounterpart(root["counterpart"]),
             Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
-            Decision = root.Find("decision") is { } decision ? ReadDecision(decision) : DecisionRule.Simple,
+            Rule = root.Find("decision") is { } decision ? ReadRule(decision) : DecisionRule.Simple,
             Chain = chain,
             Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
             Verify = new ComparisonReader(_problems, features).Read(root.Find("verify")?.Items ?? []),
@@ -135,7 +135,7 @@ internal sealed class JobReader(JsonItem root)
         item.Find("along")?.Text == "vector" ? CompensationDirection.Vector : JobCompensation.Default.Along,
         item.Find("limitMm")?.Number ?? JobCompensation.Default.LimitMm);
 
-    private static DecisionRule ReadDecision(JsonItem item) => item["rule"].Text == "guard-band"
+    private static DecisionRule ReadRule(JsonItem item) => item["rule"].Text == "guard-band"
         ? DecisionRule.GuardBand(item.Find("riskPercent")?.Number ?? DecisionRule.DefaultRiskPercent)
         : DecisionRule.Simple;
 

@@ -58,16 +58,16 @@ internal sealed class LimitCheck(JobProblems problems)
     private void CheckGauge(JsonItem item, MatingJob job, JobFeature feature)
     {
         var (band, expanded) = (feature.Tolerance.Band, GaugeCapability.ExpandedMm(job));
-        var guard = job.Decision.GuardMm(job.DeviationUncertaintyMm);
+        var guard = job.Rule.GuardMm(job.DeviationUncertaintyMm);
         if (GaugeCapability.Exceeds(expanded, band) && !job.Gauge.AcceptsCoarse)
         {
             Add(
                 GaugeTooCoarse,
                 expanded,
-                $"the gauge's uncertainty (k = 2) is {Short(expanded)} mm: it cannot tell a good {feature.Name} from a bad one. Use a better "
-                    + "gauge or wider limits, or accept it by \"acceptCoarse\": true under \"gauge\".");
+                $"the gauge's uncertainty (k = 2) is {Short(expanded)} mm: it cannot tell a good {feature.Name} from a bad one. Use a "
+                    + "better gauge or wider limits, or accept it by \"acceptCoarse\": true under \"gauge\".");
         }
-        else if (job.Decision.AcceptanceLimits(band, job.DeviationUncertaintyMm) is null)
+        else if (job.Rule.AcceptanceLimits(band, job.DeviationUncertaintyMm) is null)
         {
             Add(
                 GuardBandsOverlap,

@@ -55,7 +55,7 @@ public sealed record MatingJob
     public required JobCompensation Compensation { get; init; }
 
     /// <summary>How points are accepted near their limits.</summary>
-    public required DecisionRule Decision { get; init; }
+    public required DecisionRule Rule { get; init; }
 
     /// <summary>Combined standard uncertainty of the deviation that decisions are based on: the gauge's, because feed-forward compares a
     /// measured point with an exact one; times the square root of 2 in feedback, which compares two measured points.</summary>

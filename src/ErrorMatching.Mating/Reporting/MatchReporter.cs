@@ -33,7 +33,7 @@ public static class MatchReporter
                 ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point])
                 : null,
             Compensation = job.Compensation,
-            Rule = job.Decision,
+            Rule = job.Rule,
             ProbabilityBefore = result.Decision.ProbabilityBefore,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,

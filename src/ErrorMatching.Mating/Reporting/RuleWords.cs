@@ -17,14 +17,15 @@ public static class RuleWords
             yield break;
         }
 
+        var guard = ReportNumber.Fine(rule.GuardMm(report.Features[0].UncertaintyMm));
         yield return rule.RiskPercent is { } risk
-            ? $"Decision rule guard-band: points are accepted {ReportNumber.Fine(rule.GuardMm(report.Features[0].UncertaintyMm))} mm inside "
-                + $"their limits, for a risk of at most {ReportNumber.Short(risk)} % at each limit."
+            ? $"Decision rule guard-band: points are accepted {guard} mm inside their limits, for a risk of at most "
+                + $"{ReportNumber.Short(risk)} % at each limit."
             : "Decision rule simple: points are accepted up to their limits.";
         if (report.ProbabilityBefore is { } probability)
         {
-            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}, if the errors of "
-                + "the points are independent.";
+            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}, if the errors "
+                + "of the points are independent.";
         }
 
         var risks = report.Features.Where(f => f.Decision != Decision.Compensated && f.ProbabilityBefore is not null)

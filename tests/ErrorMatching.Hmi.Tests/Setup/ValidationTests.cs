@@ -124,7 +124,8 @@ public sealed partial class ValidationTests
         var caused = new HashSet<string>(StringComparer.Ordinal);
         Func<MatingDraft, MatingDraft>[] doubtful = [
             d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }),
-            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
+            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } },
+            d => d with { Gauge = d.Gauge with { Uncertainty = "0.02" } }];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         foreach (var problem in Mistakes.Select(m => m.Mistake)
             .Concat(doubtful)

@@ -63,8 +63,11 @@ public sealed class SignificanceTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void At_most_5_percent_with_a_different_tolerance_for_each_feature() =>
-        Assert.InRange(Compensated(Job(("[-0.05, 0.05]", "[-0.05, 0.002]"), ("[-0.04, 0.06]", "[-0.01, 0.016]")), 0, 0), 0.02, 0.05 + Scatter);
+    public void At_most_5_percent_with_a_different_tolerance_for_each_feature()
+    {
+        var job = Job(("[-0.05, 0.05]", "[-0.05, 0.002]"), ("[-0.04, 0.06]", "[-0.01, 0.016]"));
+        Assert.InRange(Compensated(job, common: 0, off: 0), 0.02, 0.05 + Scatter);
+    }
 
     // Temperature and clamping shift all points of a part alike: 5.39 of 5.4 um in the paper's budget.
     [Theory]
@@ -85,9 +88,8 @@ public sealed class SignificanceTests(ITestOutputHelper output)
         // Only the curve, with 7 points.
         var job = Job(
             ("""{ "name": "L1", "kind": "line", "points": ["1", "2"], "blocks": ["N100"], "toleranceMm": [-0.05, 0.05] },""", ""),
-            (
-                """{ "name": "L2L3", "kind": "triangle", "points": [["2a", "3a"], ["3b", "4"]], "blocks": ["N110..N130"], "toleranceMm": [-0.04, 0.06] },""",
-                ""),
+            ("""{ "name": "L2L3", "kind": "triangle", "points": [["2a", "3a"], ["3b", "4"]], """, ""),
+            ("\"blocks\": [\"N110..N130\"], \"toleranceMm\": [-0.04, 0.06] },", ""),
             ("5..14", "5..11"),
             ("[-0.05, 0.05]", "[0, 0]"));
         Assert.InRange(Compensated(job, 0, 3.5), power - 0.025, power + 0.025);

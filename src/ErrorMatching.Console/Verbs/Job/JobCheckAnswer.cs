@@ -29,8 +29,8 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         json.WriteString("from", ReportWords.Of(job.Compensation.From));
         json.WriteString("amount", ReportWords.Of(job.Compensation.Amount));
         json.WriteString("along", ReportWords.Of(job.Compensation.Along));
-        json.WriteString("rule", ReportWords.Of(job.Decision));
-        if (job.Decision.RiskPercent is { } risk)
+        json.WriteString("rule", ReportWords.Of(job.Rule));
+        if (job.Rule.RiskPercent is { } risk)
         {
             json.WriteNumber("riskPercent", risk);
         }

@@ -159,23 +159,7 @@ internal sealed class SystemFields(JobEditing editing)
             ["normal", "vector"],
             d => d.Compensation.Along,
             (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
-        Choice(
-            "$.decision.rule",
-            "System.Rule",
-            [DecisionDraft.Simple, DecisionDraft.GuardBand],
-            d => d.Decision.Rule,
-            (d, t) => d with { Decision = d.Decision with { Rule = t } }),
-        .. editing.Draft.Decision.Rule == DecisionDraft.Simple
-            ? []
-            : new EditField[]
-            {
-                Text(
-                    "$.decision.riskPercent",
-                    "System.Risk",
-                    "5",
-                    d => d.Decision.Risk,
-                    (d, t) => d with { Decision = d.Decision with { Risk = t } })
-            },
+        .. DecisionFields.Of(editing),
 
         // Applies to either choice, because verifications compare with it.
         Text(
@@ -209,11 +193,7 @@ internal sealed class SystemFields(JobEditing editing)
                     d => d.Gauge.Uncertainty,
                     (d, t) => d with { Gauge = d.Gauge with { Uncertainty = t } })
             },
-        Switch(
-            "$.gauge.acceptCoarse",
-            "System.AcceptCoarse",
-            d => d.Gauge.AcceptsCoarse,
-            (d, on) => d with { Gauge = d.Gauge with { AcceptsCoarse = on } }),
+        DecisionFields.AcceptCoarse(editing),
         Choice(
             "$.gauge.reports",
             "System.Reports",

@@ -13,7 +13,7 @@ internal static class DecisionReason
             ? $"{(outside.Count == 1 ? "Its" : ReportNumber.Count(outside.Count) + " of its")} "
                 + $"{(outside.Count == 1 ? $"point {worst.Point} lies" : "points lie")} outside, "
                 + $"{(outside.Count == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm "
-                + $"beyond its limit."
+                + $"beyond its {(report.Rule is { IsGuarded: true } ? "acceptance limit" : "limit")}."
             : "It lies outside its tolerance.";
         return feature.Decision switch
         {
