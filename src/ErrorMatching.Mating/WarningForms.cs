@@ -32,8 +32,15 @@ public static class WarningForms
         "The measured counterpart \"{0}\" is not there; expected the file of the one that was cut without compensation, or no key "
             + "counterpart.measured: as it is, no counterpart can be compared in a cell.");
 
+    /// <summary>Feature, the gauge's expanded uncertainty and the width of the limits in mm, and their ratio in percent.</summary>
+    public static SentenceForm GaugeCoarse { get; } = new(
+        "gauge-coarse",
+        "The gauge is coarse for {0}: its uncertainty (k = 2) is {1} mm, and the limits are {2} mm apart: {3} %. At most a third is "
+            + "usual. A point near a limit may be decided wrongly: use a better gauge or wider limits.");
+
     /// <summary>All of them.</summary>
-    public static IReadOnlyList<SentenceForm> All { get; } = [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere];
+    public static IReadOnlyList<SentenceForm> All { get; } =
+        [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere, GaugeCoarse];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>
     /// <param name="warning">The warning of a report.</param>

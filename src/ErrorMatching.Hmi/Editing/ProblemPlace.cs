@@ -41,7 +41,8 @@ internal sealed partial record ProblemPlace(string ScreenKey, int Side)
             _ when path.StartsWith("$.counterpart", StringComparison.Ordinal)
                 || path.StartsWith("$.alignment", StringComparison.Ordinal)
                 || path.StartsWith("$.originCheck", StringComparison.Ordinal)
-                || path.StartsWith("$.compensation", StringComparison.Ordinal) => Machine,
+                || path.StartsWith("$.compensation", StringComparison.Ordinal)
+                || path.StartsWith("$.decision", StringComparison.Ordinal) => Machine,
             _ => Gauge,
         });
 

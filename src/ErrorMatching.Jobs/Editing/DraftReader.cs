@@ -39,6 +39,7 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             OtherPoints = [.. theoretical.Points.Where(p => !used.Contains(p.Label)).Select(p => _points[p.Label])],
             Counterpart = Counterpart(root["counterpart"]),
             Compensation = Compensation(root.Find("compensation")),
+            Decision = new(Text(root.Find("decision"), "rule", DecisionDraft.Simple), Text(root.Find("decision"), "riskPercent")),
             Chain = [
                 .. root.Find("toleranceChain")?.Items.Select(l => new ChainLinkDraft(
                     Text(l, "name"),
@@ -125,6 +126,7 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             FormatJson = format.Kind == JsonItemKind.Text ? "" : format.ToJson(),
             Uncertainty = isSum ? "" : uncertainty.Text,
             Contributions = isSum ? [.. uncertainty.Items.Select(c => new ContributionDraft(Text(c, "name"), Text(c, "valueMm")))] : [],
+            AcceptsCoarse = item.Find("acceptCoarse")?.Flag ?? false,
             Reports = Text(item, "reports", "contact"),
             StylusDiameter = Text(item, "stylusDiameterMm"),
             ProbingSpeed = Text(measuring, "probingSpeedMmPerS"),

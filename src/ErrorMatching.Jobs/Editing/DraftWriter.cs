@@ -30,6 +30,13 @@ internal sealed class DraftWriter(MatingDraft draft)
         root["features"] = List(draft.Features, Feature);
         root["counterpart"] = Counterpart();
         root["compensation"] = Compensation();
+        if (draft.Decision.Rule != DecisionDraft.Simple)
+        {
+            var decision = new JsonObject { ["rule"] = draft.Decision.Rule };
+            OptionalNumber(decision, "riskPercent", draft.Decision.Risk);
+            root["decision"] = decision;
+        }
+
         if (draft.Chain.Count > 0)
         {
             root["toleranceChain"] = List(
@@ -75,6 +82,11 @@ internal sealed class DraftWriter(MatingDraft draft)
         gauge["uncertaintyMm"] = g.Contributions.Count == 0
             ? Number(g.Uncertainty)
             : List(g.Contributions, c => new JsonObject { ["name"] = c.Name.Trim(), ["valueMm"] = Number(c.Value) });
+        if (g.AcceptsCoarse)
+        {
+            gauge["acceptCoarse"] = true;
+        }
+
         gauge["reports"] = g.Reports;
         OptionalNumber(gauge, "stylusDiameterMm", g.StylusDiameter);
         var measuring = new JsonObject();

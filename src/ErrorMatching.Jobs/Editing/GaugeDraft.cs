@@ -15,6 +15,9 @@ public sealed record GaugeDraft
     /// <summary>The contributions to the uncertainty, combined by root sum of squares.</summary>
     public IReadOnlyList<ContributionDraft> Contributions { get; init; } = [];
 
+    /// <summary>True if the gauge is accepted although its expanded uncertainty exceeds a tolerance.</summary>
+    public bool AcceptsCoarse { get; init; }
+
     /// <summary><c>contact</c> or <c>stylus-center</c>.</summary>
     public string Reports { get; init; } = "contact";
 

@@ -45,6 +45,9 @@ public sealed record MatingDraft
     /// <summary>How deviations are compensated.</summary>
     public CompensationDraft Compensation { get; init; } = new();
 
+    /// <summary>How points are accepted near their limits.</summary>
+    public DecisionDraft Decision { get; init; } = new();
+
     /// <summary>The tolerance chain.</summary>
     public IReadOnlyList<ChainLinkDraft> Chain { get; init; } = [];
 
@@ -170,6 +173,15 @@ public sealed record AlignmentDraft(
 /// <param name="Limit">A larger deviation stops the job, mm.</param>
 public sealed record CompensationDraft(
     string From = "part", string Gain = "", string Amount = "whole", string Along = "normal", string Limit = "");
+
+/// <summary>How points are accepted near their limits, as typed. An empty field means the job's default.</summary>
+/// <param name="Rule"><c>simple</c> or <c>guard-band</c>.</param>
+/// <param name="Risk">Largest risk at an acceptance limit, %; of guard bands only.</param>
+public sealed record DecisionDraft(string Rule = DecisionDraft.Simple, string Risk = "")
+{
+    /// <summary>The rule without guard bands, which is the default.</summary>
+    public const string Simple = "simple";
+}
 
 /// <summary>A comparison in addition to those that every feature has, as typed.</summary>
 /// <param name="Name">Its name.</param>

@@ -69,6 +69,12 @@ public static class MatingDraftCheck
             doubts.Add(new(MissingMeasured.Path, measured.Code, job.Counterpart.Measured!, measured.Message));
         }
 
+        if (job is not null)
+        {
+            doubts.AddRange(GaugeCapability.ItemsOf(job).Select(
+                w => new DraftProblem(w.Place.Path!, w.Code, w.Found, w.Message, w.Expected)));
+        }
+
         return new([.. problems.Select(p => DraftMissing.Marked(draft, p))], job) { Doubts = doubts };
     }
 

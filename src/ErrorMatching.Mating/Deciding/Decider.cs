@@ -7,12 +7,10 @@ namespace ErrorMatching.Mating;
 /// <summary>Decides how each feature is compensated (Wang 2021, section 2.4): not at all inside the tolerance, by the whole deviation or
 /// its excess outside. Implausible deviations refuse the job.</summary>
 /// <remarks>
-/// <para>A feature is outside its tolerance if the normal deviation of any of its points is. All its points are then compensated, because
-/// moving only part of a line would bend it.</para>
-/// <para>The deviation must also be significant: the feature's largest normal deviation must exceed
-/// <see cref="UncertaintyBudget.CoverageFactor"/> times the combined standard uncertainty u of a normal deviation. Feed-forward compares a
-/// measured point with an exact one, so u is the gauge's. Feedback compares two measured points, so u is the gauge's times the square
-/// root of 2.</para>
+/// <para>A feature is outside its tolerance if the normal deviation of any of its points is outside the acceptance limits
+/// (<see cref="DecisionRule"/>). All its points are then compensated, because moving only part of a line would bend it.</para>
+/// <para>The deviation of such a point must also be significant (<see cref="Significance"/>) against the combined standard uncertainty u
+/// of a normal deviation (<see cref="MatingJob.DeviationUncertaintyMm"/>).</para>
 /// <para>Limits that are wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times a significant deviation
 /// of the feature are refused, because they are probably micrometers entered as millimeters. A tolerance may well be wider than the
 /// deviations of a good piece: by a factor of 50 if 0.05 mm are allowed and 1 um is found. Micrometers read as millimeters are off by a
@@ -35,7 +33,10 @@ internal static class Decider
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(points);
-        var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        var u = job.DeviationUncertaintyMm;
+        var acceptance = job.Features.Select(f => job.Rule.AcceptanceLimits(f.Tolerance.Band, u)
+            ?? throw new ArgumentException($"The guard bands of {f.Name} overlap; expected a checked job.", nameof(job))).ToArray();
+        var significant = u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u);
         var features = new List<FeatureDecision>();
         var refusals = new List<Refusal>();
         for (var i = 0; i < job.Features.Count; i++)
@@ -47,7 +48,7 @@ internal static class Decider
                     $"Found other points than those of {feature.Name}; expected its key points in the order of cutting.", nameof(points));
             }
 
-            features.Add(Decide(feature.Name, feature.Tolerance.Band, points[i], job.Compensation, u));
+            features.Add(Decide(feature, acceptance[i], points[i], job.Compensation, u, significant));
             if (Micrometers(feature, i, features[i].LargestMm, u) is { } micrometers)
             {
                 refusals.Add(micrometers);
@@ -58,7 +59,7 @@ internal static class Decider
                     p => Implausible(feature.Name, p, job.Compensation.LimitMm)));
         }
 
-        return new(features, refusals);
+        return new(features, refusals) { Rule = job.Rule };
     }
 
     // The refusal of limits that are probably micrometers, or null. A deviation below half a program increment does not test the limits
@@ -86,20 +87,30 @@ internal static class Decider
     }
 
     private static FeatureDecision Decide(
-        string name, ToleranceBand band, IReadOnlyList<BoundaryPoint> points, JobCompensation compensation, double u)
+        JobFeature feature,
+        ToleranceBand acceptance,
+        IReadOnlyList<BoundaryPoint> points,
+        JobCompensation compensation,
+        double u,
+        double significant)
     {
-        var largest = points.Select(p => p.NormalMm).MaxBy(Math.Abs);
-        var decision = points.All(p => band.Contains(p.NormalMm)) ? Decision.WithinTolerance
-            : Math.Abs(largest) <= UncertaintyBudget.CoverageFactor * u ? Decision.NotSignificant
+        var outside = points.Where(p => !acceptance.Contains(p.NormalMm)).ToArray();
+        var decision = outside.Length == 0 ? Decision.WithinTolerance
+            : outside.All(p => Math.Abs(p.NormalMm) <= significant) ? Decision.NotSignificant
             : Decision.Compensated;
-        return new(
-            name,
-            decision,
-            largest,
-            u,
-            [
-                .. points.Select(p => new PointDecision(
-                    p, band.ExcessOf(p.NormalMm), decision == Decision.Compensated ? Correction(p, band, compensation) : Vector2.Zero))]);
+        return new(feature.Name, decision, points.Select(p => p.NormalMm).MaxBy(Math.Abs), u, [.. points.Select(Decided)])
+        {
+            Acceptance = acceptance,
+            SignificantMm = significant,
+        };
+
+        PointDecision Decided(BoundaryPoint point) => new(
+            point,
+            acceptance.ExcessOf(point.NormalMm),
+            decision == Decision.Compensated ? Correction(point, acceptance, compensation) : Vector2.Zero)
+        {
+            ProbabilityBefore = Conformance.Probability(feature.Tolerance.Band, point.NormalMm, u),
+        };
     }
 
     private static Vector2 Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)

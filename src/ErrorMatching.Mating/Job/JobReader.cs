@@ -37,6 +37,7 @@ internal sealed class JobReader(JsonItem root)
             Features = [.. root["features"].Items.Select(f => features.Read(f, chain))],
             Counterpart = ReadCounterpart(root["counterpart"]),
             Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
+            Rule = root.Find("decision") is { } decision ? ReadRule(decision) : DecisionRule.Simple,
             Chain = chain,
             Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
             Verify = new ComparisonReader(_problems, features).Read(root.Find("verify")?.Items ?? []),
@@ -78,7 +79,10 @@ internal sealed class JobReader(JsonItem root)
                 measuring?.Find("probingSpeedMmPerS")?.Number ?? MeasuringTime.Default.ProbingSpeedMmPerS,
                 measuring?.Find("probingDistanceMm")?.Number ?? MeasuringTime.Default.ProbingDistanceMm,
                 measuring?.Find("calculatingS")?.Number ?? MeasuringTime.Default.CalculatingS,
-                (int?)measuring?.Find("touches")?.Number));
+                (int?)measuring?.Find("touches")?.Number))
+        {
+            AcceptsCoarse = item.Find("acceptCoarse")?.Flag ?? false,
+        };
     }
 
     private JobAlignment ReadAlignment(JsonItem item)
@@ -130,6 +134,10 @@ internal sealed class JobReader(JsonItem root)
         item.Find("amount")?.Text == "excess" ? CompensationAmount.Excess : JobCompensation.Default.Amount,
         item.Find("along")?.Text == "vector" ? CompensationDirection.Vector : JobCompensation.Default.Along,
         item.Find("limitMm")?.Number ?? JobCompensation.Default.LimitMm);
+
+    private static DecisionRule ReadRule(JsonItem item) => item["rule"].Text == "guard-band"
+        ? DecisionRule.GuardBand(item.Find("riskPercent")?.Number ?? DecisionRule.DefaultRiskPercent)
+        : DecisionRule.Simple;
 
     private List<SourceRule> ReadRules(JsonItem list)
     {

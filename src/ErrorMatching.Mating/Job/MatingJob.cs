@@ -54,6 +54,14 @@ public sealed record MatingJob
     /// <summary>How deviations are compensated.</summary>
     public required JobCompensation Compensation { get; init; }
 
+    /// <summary>How points are accepted near their limits.</summary>
+    public required DecisionRule Rule { get; init; }
+
+    /// <summary>Combined standard uncertainty of the deviation that decisions are based on: the gauge's, because feed-forward compares a
+    /// measured point with an exact one; times the square root of 2 in feedback, which compares two measured points.</summary>
+    public double DeviationUncertaintyMm =>
+        Gauge.Uncertainty.CombinedMm * (Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+
     /// <summary>The dimensions that add up to the mating dimension; null if the job has none.</summary>
     public ToleranceChain? Chain { get; init; }
 

@@ -9,7 +9,11 @@ namespace ErrorMatching.Mating;
 /// <param name="StylusDiameterMm">Diameter of the stylus ball; null if the job does not need and does not state it.</param>
 /// <param name="Measuring">The terms of equation (7).</param>
 public sealed record JobGauge(
-    MeasurementFormat Format, UncertaintyBudget Uncertainty, ProbeReport Reports, double? StylusDiameterMm, MeasuringTime Measuring);
+    MeasurementFormat Format, UncertaintyBudget Uncertainty, ProbeReport Reports, double? StylusDiameterMm, MeasuringTime Measuring)
+{
+    /// <summary>True if the job accepts the gauge although its expanded uncertainty exceeds the width of a feature's limits.</summary>
+    public bool AcceptsCoarse { get; init; }
+}
 
 /// <summary>The meaning of the coordinates in a gauge's file.</summary>
 public enum ProbeReport

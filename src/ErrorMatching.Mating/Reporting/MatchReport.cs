@@ -21,6 +21,13 @@ public sealed record MatchReport
     /// <summary>The compensation that the job requests.</summary>
     public required JobCompensation Compensation { get; init; }
 
+    /// <summary>The rule by which points are accepted near their limits; null in reports older than decision rules.</summary>
+    public DecisionRule? Rule { get; init; }
+
+    /// <summary>The probability that every point of the pair is within its limits without compensation, if their errors are independent;
+    /// null if no feature has limits with a width, and in reports older than decision rules.</summary>
+    public double? ProbabilityBefore { get; init; }
+
     /// <summary>The gauge's uncertainty and its contributions.</summary>
     public required UncertaintyBudget Uncertainty { get; init; }
 

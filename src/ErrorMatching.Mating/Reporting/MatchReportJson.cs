@@ -21,6 +21,8 @@ public static class MatchReportJson
             w.Object("alignment", () => WriteAlignments(w, report.Alignments));
             w.Optional("originCheck", report.OriginCheck, c => WriteOriginCheck(w, c));
             w.Object("compensation", () => WriteCompensation(w, report.Compensation));
+            w.Optional("decisionRule", report.Rule, r => WriteRule(w, r));
+            w.Number("probabilityBefore", report.ProbabilityBefore);
             w.Object("uncertainty", () => WriteUncertainty(w, report.Uncertainty));
             w.Optional("toleranceChain", report.Chain, c => c.Write(w));
             w.List("features", report.Features, f => f.Write(w));
@@ -39,7 +41,8 @@ public static class MatchReportJson
         });
     }
 
-    /// <summary>Reads a document. Reports older than the codes of warnings and the roles of neighbors are read without them.</summary>
+    /// <summary>Reads a document. Reports older than the codes of warnings, the roles of neighbors and the decision rules are read
+    /// without them.</summary>
     /// <param name="document">The document, of this schema.</param>
     /// <returns>The report, without what the document does not contain: the links of the chain and the corrected outlines.</returns>
     /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
@@ -54,6 +57,8 @@ public static class MatchReportJson
             Alignments = ReadAlignments(document.Object("alignment")),
             OriginCheck = document.OptionalObject("originCheck") is { } check ? ReadOriginCheck(check) : null,
             Compensation = ReadCompensation(document.Object("compensation")),
+            Rule = document.OptionalObject("decisionRule") is { } rule ? ReadRule(rule) : null,
+            ProbabilityBefore = document.OptionalNumber("probabilityBefore"),
             Uncertainty = ReadUncertainty(document.Object("uncertainty")),
             Chain = document.OptionalObject("toleranceChain") is { } chain ? ReportChain.Read(chain) : null,
             Features = features,
@@ -127,6 +132,19 @@ public static class MatchReportJson
         r.Word<CompensationAmount>("amount", ReportWords.Of),
         r.Word<CompensationDirection>("along", ReportWords.Of),
         r.Number("limitMm"));
+
+    private static void WriteRule(ReportWriter w, DecisionRule rule)
+    {
+        w.Text("rule", ReportWords.Of(rule));
+        w.Number("riskPercent", rule.RiskPercent);
+    }
+
+    private static DecisionRule ReadRule(ReportReader r) => r.OptionalNumber("riskPercent") switch
+    {
+        null => DecisionRule.Simple,
+        >= 0.01 and <= 50 and var risk => DecisionRule.GuardBand(risk),
+        _ => throw r.Refusal("riskPercent", "number-out-of-range", "a number from 0.01 to 50"),
+    };
 
     private static void WriteUncertainty(ReportWriter w, UncertaintyBudget budget)
     {

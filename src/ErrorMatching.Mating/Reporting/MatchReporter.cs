@@ -33,6 +33,8 @@ public static class MatchReporter
                 ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point])
                 : null,
             Compensation = job.Compensation,
+            Rule = job.Rule,
+            ProbabilityBefore = result.Decision.ProbabilityBefore,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
             Features = [.. result.Maps.Select((map, i) => Feature(result, map, i, evaluations[i]))],
@@ -95,6 +97,9 @@ public static class MatchReporter
             Decision = decision.Decision,
             LargestMm = decision.LargestMm,
             UncertaintyMm = decision.StandardUncertaintyMm,
+            Acceptance = decision.Acceptance,
+            SignificantMm = decision.SignificantMm,
+            ProbabilityBefore = decision.ProbabilityBefore,
             ResidualsMm = evaluation.ResidualsMm,
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
@@ -142,6 +147,7 @@ public static class MatchReporter
                 Correction = job.Counterpart.Frame.Apply(point.Correction),
                 DecidedMm = point.Point.NormalMm,
                 ExcessMm = point.ExcessMm,
+                ProbabilityBefore = point.ProbabilityBefore,
                 UncompensatedMm = predicted.BeforeMm,
                 PredictedMm = predicted.AfterMm,
                 Interval95Mm = predicted.Interval95Mm,
@@ -181,6 +187,11 @@ public static class MatchReporter
         {
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
             yield return WarningForms.Warning(WarningForms.PointOnCorner, foot.Label, block);
+        }
+
+        foreach (var warning in GaugeCapability.WarningsOf(result.Input.Job))
+        {
+            yield return warning;
         }
 
         var rms = result.Part.Alignment.Rms;

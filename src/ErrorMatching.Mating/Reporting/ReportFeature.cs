@@ -27,6 +27,16 @@ public sealed record ReportFeature
     /// <summary>Combined standard uncertainty of a normal deviation.</summary>
     public required double UncertaintyMm { get; init; }
 
+    /// <summary>The limits up to which a deviation is accepted; null in reports older than decision rules.</summary>
+    public ToleranceBand? Acceptance { get; init; }
+
+    /// <summary>A deviation up to this size may be the gauge's; null in reports older than decision rules.</summary>
+    public double? SignificantMm { get; init; }
+
+    /// <summary>The probability that every point is within its limits without compensation, if their errors are independent; null for
+    /// limits without width, and in reports older than decision rules.</summary>
+    public double? ProbabilityBefore { get; init; }
+
     /// <summary>Residuals of the fit to the measured points, in the order of the points.</summary>
     public IReadOnlyList<double> ResidualsMm { get; init; } = [];
 
@@ -63,8 +73,15 @@ public sealed record ReportFeature
         WriteQuantities("uncertainty", q => q.Quantity.StandardUncertainty);
         w.Numbers("toleranceMm", [Tolerance.Band.LowerMm, Tolerance.Band.UpperMm]);
         w.Text("toleranceFrom", ReportWords.Of(Tolerance.Source));
+        if (Acceptance is { } acceptance)
+        {
+            w.Numbers("acceptanceMm", [acceptance.LowerMm, acceptance.UpperMm]);
+        }
+
         w.Number("largestMm", LargestMm);
         w.Number("uncertaintyMm", UncertaintyMm);
+        w.Number("significantMm", SignificantMm);
+        w.Number("probabilityBefore", ProbabilityBefore);
         w.Text("decision", ReportWords.Of(Decision));
         w.Numbers("residualsMm", ResidualsMm);
         w.Optional("fit", Curve, c => c.Write(w));
@@ -93,11 +110,14 @@ public sealed record ReportFeature
         {
             Name = r.Text("name"),
             Kind = r.Word("kind", FeatureKinds.All, k => k.Word),
-            Tolerance = new(ReadBand(r), r.Word<ToleranceSource>("toleranceFrom", ReportWords.Of)),
+            Tolerance = new(ReadBand(r, "toleranceMm"), r.Word<ToleranceSource>("toleranceFrom", ReportWords.Of)),
             Quantities = ReadQuantities(r),
             Decision = r.Word<Decision>("decision", ReportWords.Of),
             LargestMm = r.Number("largestMm"),
             UncertaintyMm = r.Number("uncertaintyMm"),
+            Acceptance = r.Names.Contains("acceptanceMm") ? ReadBand(r, "acceptanceMm") : null,
+            SignificantMm = r.OptionalNumber("significantMm"),
+            ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
             ResidualsMm = r.Numbers("residualsMm"),
             Curve = r.OptionalObject("fit") is { } curve ? ReportCurve.Read(curve) : null,
             TheoreticalOutline = outline.Points("theoretical"),
@@ -107,13 +127,13 @@ public sealed record ReportFeature
         };
     }
 
-    /// <summary>Reads the limits <c>toleranceMm</c>.</summary>
-    internal static ToleranceBand ReadBand(ReportReader r)
+    /// <summary>Reads limits.</summary>
+    internal static ToleranceBand ReadBand(ReportReader r, string name = "toleranceMm")
     {
-        var limits = r.Numbers("toleranceMm", 2);
+        var limits = r.Numbers(name, 2);
         return limits[0] <= limits[1]
             ? new(limits[0], limits[1])
-            : throw r.Refusal("toleranceMm", "reversed-tolerance", "the lower limit first");
+            : throw r.Refusal(name, "reversed-tolerance", "the lower limit first");
     }
 
     private static ReportQuantity[] ReadQuantities(ReportReader r)

@@ -31,8 +31,12 @@ public sealed record ReportKeyPoint
     /// counterpart.</summary>
     public required double DecidedMm { get; init; }
 
-    /// <summary>Its excess over the limit.</summary>
+    /// <summary>Its excess over the acceptance limit.</summary>
     public required double ExcessMm { get; init; }
+
+    /// <summary>The probability that it is within its limits without compensation; null for limits without width, and in reports older
+    /// than decision rules.</summary>
+    public double? ProbabilityBefore { get; init; }
 
     /// <summary>The mating error without compensation, counterpart - part: the distance of the measured point from what the original
     /// program cuts.</summary>
@@ -73,6 +77,7 @@ public sealed record ReportKeyPoint
         w.Number("normalMm", NormalMm);
         w.Number("decidedMm", DecidedMm);
         w.Number("excessMm", ExcessMm);
+        w.Number("probabilityBefore", ProbabilityBefore);
         w.Number("uncompensatedMm", UncompensatedMm);
         w.Number("predictedMm", PredictedMm);
         w.Number("interval95Mm", Interval95Mm);
@@ -91,6 +96,7 @@ public sealed record ReportKeyPoint
         Correction = r.Vector("correction"),
         DecidedMm = r.Number("decidedMm"),
         ExcessMm = r.Number("excessMm"),
+        ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
         UncompensatedMm = r.OptionalNumber("uncompensatedMm") ?? -r.Number("decidedMm"),
         PredictedMm = r.Number("predictedMm"),
         Interval95Mm = r.OptionalNumber("interval95Mm"),

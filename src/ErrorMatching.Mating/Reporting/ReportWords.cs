@@ -14,6 +14,13 @@ public static class ReportWords
         _ => "compensated",
     };
 
+    /// <summary>simple or guard-band.</summary>
+    public static string Of(DecisionRule rule)
+    {
+        ArgumentNullException.ThrowIfNull(rule);
+        return rule.IsGuarded ? "guard-band" : "simple";
+    }
+
     /// <summary>none, datum or best-fit.</summary>
     public static string Of(JobAlignmentKind kind) =>
         kind switch { JobAlignmentKind.None => "none", JobAlignmentKind.Datum => "datum", _ => "best-fit" };

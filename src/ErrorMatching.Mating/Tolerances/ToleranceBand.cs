@@ -27,6 +27,9 @@ public readonly record struct ToleranceBand
     /// <summary>The upper limit.</summary>
     public double UpperMm { get; }
 
+    /// <summary>The distance between the limits; 0 asks for a correction of every deviation.</summary>
+    public double WidthMm => UpperMm - LowerMm;
+
     /// <summary>The limits of the mating error, from limits of the part: the job limits part - counterpart; a mating error is counterpart
     /// - part.</summary>
     public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);

@@ -58,6 +58,8 @@ public sealed partial class ValidationTests
         ("reversed-tolerance", d => d.WithFeature(1, f => f with { Lower = "0.1" })),
         ("limit-implausible", d => d.WithFeature(0, f => f with { Upper = "9" })),
         ("uncertainty-implausible", d => d with { Gauge = d.Gauge with { Uncertainty = "5.4" } }),
+        ("gauge-too-coarse", d => d with { Gauge = d.Gauge with { Uncertainty = "0.06" } }),
+        ("guard-bands-overlap", d => d with { Gauge = d.Gauge with { Uncertainty = "0.04" }, Decision = new("guard-band") }),
         ("chain-missing", d => d.WithFeature(1, f => f with { Tolerance = "chain:rss" })),
         ("too-few-points", d => d.WithPoints(0, 0, 1)),
         ("degree-too-high", d => d.WithFeature(2, f => f.WithKey("degree", "10"))),
@@ -122,7 +124,8 @@ public sealed partial class ValidationTests
         var caused = new HashSet<string>(StringComparer.Ordinal);
         Func<MatingDraft, MatingDraft>[] doubtful = [
             d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }),
-            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } }];
+            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } },
+            d => d with { Gauge = d.Gauge with { Uncertainty = "0.02" } }];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         foreach (var problem in Mistakes.Select(m => m.Mistake)
             .Concat(doubtful)

@@ -28,6 +28,7 @@ internal static class RandomDraft
                 StylusDiameter = "2.000",
                 Touches = Any("", "14"),
                 Calculating = Any("", "0"),
+                AcceptsCoarse = random.Next(2) == 0,
             },
             Alignment = random.Next(3) switch
             {
@@ -43,6 +44,7 @@ internal static class RandomDraft
                 Any("", "-12.5"), "0", Number(), Any("", "0.5"), Any("", "off", "on")),
             Compensation = new(
                 Any("part", "counterpart"), Any("", "1.0", "0.5"), Any("whole", "excess"), Any("normal", "vector"), Any("", "1.0")),
+            Decision = random.Next(2) == 0 ? new() : new("guard-band", Any("", "2.5")),
             Chain = [new("housing", "17.5", "-0.03", "0.03", "1"), new("cover", "15", "-0.02", "0.02", "-1")],
             Comparisons =
             [

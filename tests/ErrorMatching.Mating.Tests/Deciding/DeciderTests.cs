@@ -66,31 +66,88 @@ public sealed class DeciderTests
     public void A_vector_without_a_normal_component_has_no_excess() =>
         Assert.Equal(Vector2.Zero, Decide([0, 0.1], "\"along\": \"vector\", \"amount\": \"excess\"", 0.2).Features[0].Points[0].Correction);
 
+    // 16 points without tolerance: 2.948 u. 0.06 / 2.948 = 0.02035.
     [Theory]
-    [InlineData("0.0301", Decision.NotSignificant)]
-    [InlineData("0.0299", Decision.Compensated)]
-    public void A_deviation_must_exceed_twice_its_standard_uncertainty(string uncertainty, Decision expected)
+    [InlineData("0.0204", Decision.NotSignificant)]
+    [InlineData("0.0203", Decision.Compensated)]
+    public void A_deviation_must_exceed_what_a_perfect_part_can_show(string uncertainty, Decision expected)
     {
-        var line = Decide([0.06, 0.01], uncertainty: uncertainty).Features[0];
+        var job = Untoleranced(("0.002", uncertainty));
+        var line = Decider.Decide(job, Points(job, Line([0.06, 0.01]))).Features[0];
 
         Assert.Equal(expected, line.Decision);
-        Assert.Equal(double.Parse(uncertainty, System.Globalization.CultureInfo.InvariantCulture), line.StandardUncertaintyMm);
+        var u = double.Parse(uncertainty, System.Globalization.CultureInfo.InvariantCulture);
+        Assert.Equal(u, line.StandardUncertaintyMm);
+        Assert.Equal(2.94778 * u, line.SignificantMm, 6);
         Assert.Equal(expected == Decision.Compensated ? 0.06 : 0, line.Points[0].CorrectionNormalMm, 12);
-        Assert.Equal(0.01, line.Points[0].ExcessMm, 12);
+        Assert.Equal(0.06, line.Points[0].ExcessMm, 12);
     }
 
     [Fact]
     public void Feedback_compares_two_measured_points_and_is_less_certain()
     {
-        var job = SampleJob.With(
+        var job = Untoleranced(
             ("\"dialect\"", "\"measured\": \"c.csv\", \"dialect\""),
             ("\"from\": \"part\"", "\"from\": \"counterpart\""),
             ("0.002", "0.0225"));
 
-        // 2 * sqrt(2) * 0.0225 = 0.0636 mm.
-        Assert.Equal(Decision.NotSignificant, Decider.Decide(job, Points(job, Line([0.06, 0]))).Features[0].Decision);
-        Assert.Equal(Decision.Compensated, Decider.Decide(job, Points(job, Line([0.064, 0]))).Features[0].Decision);
+        // 2.948 * sqrt(2) * 0.0225 = 0.0938 mm.
+        Assert.Equal(Decision.NotSignificant, Decider.Decide(job, Points(job, Line([0.0937, 0]))).Features[0].Decision);
+        Assert.Equal(Decision.Compensated, Decider.Decide(job, Points(job, Line([0.0939, 0]))).Features[0].Decision);
         Assert.Equal(Math.Sqrt(2) * 0.0225, Decider.Decide(job, Points(job, Line([0.064, 0]))).Features[0].StandardUncertaintyMm, 12);
+    }
+
+    [Fact]
+    public void The_point_outside_must_be_the_significant_one()
+    {
+        // -0.05 is significant and allowed, 0.015 is neither: the gauge may show it on a part that is good there.
+        var job = SampleJob.With(("[-0.05, 0.05]", "[-0.06, 0.01]"), ("0.002", "0.01"));
+
+        Assert.Equal(Decision.NotSignificant, Decider.Decide(job, Points(job, Line([-0.05, 0.015]))).Features[0].Decision);
+        Assert.Equal(Decision.Compensated, Decider.Decide(job, Points(job, Line([-0.05, 0.04]))).Features[0].Decision);
+    }
+
+    // g = 0.01 * 1.6449: 0.0336 is accepted, 0.0335 is the limit.
+    [Theory]
+    [InlineData("\"simple\"", 0.04, Decision.WithinTolerance, 0)]
+    [InlineData("\"guard-band\"", 0.0335, Decision.WithinTolerance, 0)]
+    [InlineData("\"guard-band\"", 0.0336, Decision.Compensated, 0.0336)]
+    [InlineData("\"guard-band\", \"riskPercent\": 15.865525", 0.0399, Decision.WithinTolerance, 0)]
+    [InlineData("\"guard-band\", \"riskPercent\": 15.865525", 0.0401, Decision.Compensated, 0.0401)]
+    public void Guard_bands_move_the_limits_inward(string rule, double off, Decision expected, double correction)
+    {
+        var job = SampleJob.With(
+            ("0.002", "0.01"), ("\"compensation\"", $$"""
+                "decision": { "rule": {{rule}} }, "compensation"
+                """));
+        var line = Decider.Decide(job, Points(job, Line([off, 0]))).Features[0];
+
+        Assert.Equal((expected, correction), (line.Decision, Math.Round(line.Points[0].CorrectionNormalMm, 9)));
+    }
+
+    [Fact]
+    public void The_excess_is_what_lies_beyond_the_acceptance_limit()
+    {
+        var job = SampleJob.With(
+            ("0.002", "0.01"), ("\"from\": \"part\" }", "\"amount\": \"excess\" }, \"decision\": { \"rule\": \"guard-band\" }"));
+        var point = Decider.Decide(job, Points(job, Line([0.06, 0]))).Features[0].Points[0];
+
+        Assert.Equal(0.01 + 0.016449, point.ExcessMm, 6);
+        Assert.Equal(point.ExcessMm, point.CorrectionNormalMm, 12);
+    }
+
+    [Fact]
+    public void Probabilities_of_conformance_multiply_from_points_to_the_pair()
+    {
+        // On a limit 1/2, one u outside 0.1587; 14 points in the middle of limits 5 and 4.. 6 u away.
+        var job = SampleJob.With(("0.002", "0.01"));
+        var decision = Decider.Decide(job, Points(job, Line([0.05, 0.06])));
+        var line = decision.Features[0];
+
+        Assert.Equal([0.5, 0.1586553], line.Points.Select(p => Math.Round(p.ProbabilityBefore!.Value, 7)));
+        Assert.Equal(0.5 * 0.1586553, line.ProbabilityBefore!.Value, 7);
+        Assert.Equal(line.ProbabilityBefore.Value * (1 - (4 * 3.167e-5) - (10 * 5.733e-7)), decision.ProbabilityBefore!.Value, 8);
+        Assert.Null(Decider.Decide(Untoleranced(), Points(Untoleranced(), Line([0.06, 0.01]))).ProbabilityBefore);
     }
 
     [Fact]
@@ -147,6 +204,9 @@ public sealed class DeciderTests
         Assert.Null(UniformOffset.RadiusWearMm(uneven));
         Assert.Null(UniformOffset.RadiusWearMm(partly));
     }
+
+    private static MatingJob Untoleranced(params (string Found, string Instead)[] more) =>
+        SampleJob.With([("[-0.05, 0.05]", "[0, 0]"), ("[-0.04, 0.06]", "[0, 0]"), .. more]);
 
     private static double[] Corrections(double[] normals, string compensation)
     {

@@ -61,7 +61,7 @@ public sealed class MatingJobTests
         var job = SampleJob.With(
             ("\"uncertaintyMm\": 0.002", """
                 "uncertaintyMm": [{ "name": "probing", "valueMm": 0.003 }, { "name": "clamping", "valueMm": 0.004 }],
-                "reports": "stylus-center", "stylusDiameterMm": 2, "measuring": { "probingSpeedMmPerS": 4, "probingDistanceMm": 2, "calculatingS": 0.5 }
+                "acceptCoarse": true, "reports": "stylus-center", "stylusDiameterMm": 2, "measuring": { "probingSpeedMmPerS": 4, "probingDistanceMm": 2, "calculatingS": 0.5 }
                 """),
             ("\"format\": \"points\"", "\"format\": { \"delimiter\": \";\", /* German */ \"decimalComma\": true, }"),
             (
@@ -75,6 +75,7 @@ public sealed class MatingJobTests
                 """),
             ("{ \"from\": \"part\" }", """
                 { "from": "counterpart", "gain": 0.5, "amount": "excess", "along": "vector", "limitMm": 0.4 },
+                "decision": { "rule": "guard-band", "riskPercent": 2.5 },
                 "toleranceChain": [{ "name": "a", "nominalMm": 10, "toleranceMm": [-0.03, 0.03], "sign": 1 }, { "name": "b", "nominalMm": 4, "toleranceMm": [-0.04, 0.04], "sign": -1 }],
                 "recognition": { "part": [{ "in": "file-name", "pattern": "^part" }], "counterpart": [{ "in": "header", "name": "Piece", "pattern": "c" }, { "in": "column", "name": "side", "pattern": "c" }] },
                 "verify": [
@@ -104,12 +105,24 @@ public sealed class MatingJobTests
         Assert.Equal(
             new JobCompensation(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4),
             job.Compensation);
+        Assert.Equal((DecisionRule.GuardBand(2.5), true), (job.Rule, job.Gauge.AcceptsCoarse));
         Assert.NotNull(job.Recognition);
         Assert.Equal(new AngleComparison("L1-L2", new("L1", null), new("L2L3", 1)), job.Verify[0]);
         var inner = Assert.IsType<DeviationComparison>(job.Verify[1]);
         Assert.Equal((true, "6 7 14"), (inner.AlongX, string.Join(' ', inner.Points)));
         Assert.False(Assert.IsType<DeviationComparison>(job.Verify[2]).AlongX);
         Assert.Equal("O", job.NeededPoints[^1]);
+    }
+
+    [Fact]
+    public void The_rule_is_simple_unless_a_job_has_guard_bands()
+    {
+        Assert.Equal((DecisionRule.Simple, false), (SampleJob.With().Rule, SampleJob.With().Gauge.AcceptsCoarse));
+        Assert.Equal(DecisionRule.Simple, With("""{ "rule": "simple" }"""));
+        Assert.Equal(DecisionRule.GuardBand(5), With("""{ "rule": "guard-band" }"""));
+
+        static DecisionRule With(string decision) =>
+            SampleJob.With(("\"compensation\"", $"\"decision\": {decision}, \"compensation\"")).Rule;
     }
 
     [Fact]

@@ -17,6 +17,9 @@ public sealed class MatchReportTests
         Decision = Decision.Compensated,
         LargestMm = -0.118,
         UncertaintyMm = 0.0054,
+        Acceptance = new(-0.041, 0.041),
+        SignificantMm = 0.0159,
+        ProbabilityBefore = 0.25,
         ResidualsMm = [0.1 + 0.2, -0.0],
         Curve = new(4, 1e-12, null, 0.002),
         TheoreticalOutline = [new(1, 2)],
@@ -35,6 +38,7 @@ public sealed class MatchReportTests
         DecidedMm = -0.118,
         UncompensatedMm = 0.118,
         ExcessMm = -0.068,
+        ProbabilityBefore = 0.5,
         PredictedMm = 0.0002,
         Blocks = ["N8960"],
     };
@@ -54,6 +58,8 @@ public sealed class MatchReportTests
             new("counterpart", JobAlignmentKind.None, default, 0, 0, [])],
         OriginCheck = new("O", 0.005, 0.01),
         Compensation = new(CompensationSource.Counterpart, 0.5, CompensationAmount.Excess, CompensationDirection.Vector, 0.4),
+        Rule = DecisionRule.GuardBand(2.5),
+        ProbabilityBefore = 0.125,
         Uncertainty = new([new("probing", 0.003), new("clamping", 0.004)]),
         Chain = ReportChain.Of(new([new("a", 10, new(-0.03, 0.03), 1)])),
         Features = [
@@ -98,6 +104,18 @@ public sealed class MatchReportTests
         Assert.Equal(
             "counterpart|0.5|excess|vector|0.4",
             Text(json, "compensation.from", "compensation.gain", "compensation.amount", "compensation.along", "compensation.limitMm"));
+        Assert.Equal(
+            "guard-band|2.5|0.125|-0.041|0.041|0.0159|0.25|0.5",
+            Text(
+                json,
+                "decisionRule.rule",
+                "decisionRule.riskPercent",
+                "probabilityBefore",
+                "features.0.acceptanceMm.0",
+                "features.0.acceptanceMm.1",
+                "features.0.significantMm",
+                "features.0.probabilityBefore",
+                "keyPoints.0.probabilityBefore"));
         Assert.Equal(
             "0.005|clamping|0.004",
             Text(json, "uncertainty.combinedMm", "uncertainty.contributions.1.name", "uncertainty.contributions.1.valueMm"));

@@ -10,7 +10,8 @@ namespace ErrorMatching.Console;
 /// <summary>The content of a valid job.</summary>
 internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
 {
-    private readonly IReadOnlyList<Refusal> _warnings = MissingMeasured.ItemOf(job) is { } measured ? [measured] : [];
+    private readonly IReadOnlyList<Refusal> _warnings = [
+        .. GaugeCapability.ItemsOf(job), .. MissingMeasured.ItemOf(job) is { } measured ? [measured] : Array.Empty<Refusal>()];
 
     public override string Schema => "errormatch/job-check/1";
 
@@ -28,6 +29,12 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         json.WriteString("from", ReportWords.Of(job.Compensation.From));
         json.WriteString("amount", ReportWords.Of(job.Compensation.Amount));
         json.WriteString("along", ReportWords.Of(job.Compensation.Along));
+        json.WriteString("rule", ReportWords.Of(job.Rule));
+        if (job.Rule.RiskPercent is { } risk)
+        {
+            json.WriteNumber("riskPercent", risk);
+        }
+
         json.WriteStartArray("features");
         foreach (var feature in job.Features)
         {

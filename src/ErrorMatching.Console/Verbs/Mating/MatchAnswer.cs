@@ -44,7 +44,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
                     Show.Signed(p.PredictedMm)]));
         page.Line(
             "Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
-        foreach (var sentence in OutsideWords.Of(_report.Outside))
+        foreach (var sentence in RuleWords.Of(_report).Concat(OutsideWords.Of(_report.Outside)))
         {
             page.Line(sentence);
         }

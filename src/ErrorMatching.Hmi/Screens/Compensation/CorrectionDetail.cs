@@ -237,10 +237,12 @@ internal sealed class CorrectionDetail
         var beyond = outside is [var worst, ..]
             ? texts.With("Decision.Beyond", outside.Count, worst.Point, Shown.Mm(Math.Abs(worst.ExcessMm)))
             : texts["Decision.Outside"];
+        var accepted = feature.Acceptance ?? feature.Tolerance.Band;
         var reason = feature.Decision switch
         {
-            Decision.WithinTolerance => texts.With(
-                "Decision.Within", Shown.SignedMm(feature.Tolerance.Band.LowerMm), Shown.SignedMm(feature.Tolerance.Band.UpperMm)),
+            Decision.WithinTolerance => texts.With("Decision.Within", Shown.SignedMm(accepted.LowerMm), Shown.SignedMm(accepted.UpperMm)),
+            Decision.NotSignificant when feature.SignificantMm is { } significant =>
+                texts.With("Decision.MayBeGauge", beyond, Shown.Mm(significant)),
             Decision.NotSignificant => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),
             _ => texts.With(
                 report.Compensation.Amount == CompensationAmount.Whole ? "Decision.FollowsWhole" : "Decision.FollowsExcess", beyond),

@@ -159,6 +159,7 @@ internal sealed class SystemFields(JobEditing editing)
             ["normal", "vector"],
             d => d.Compensation.Along,
             (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
+        .. DecisionFields.Of(editing),
 
         // Applies to either choice, because verifications compare with it.
         Text(
@@ -192,6 +193,7 @@ internal sealed class SystemFields(JobEditing editing)
                     d => d.Gauge.Uncertainty,
                     (d, t) => d with { Gauge = d.Gauge with { Uncertainty = t } })
             },
+        DecisionFields.AcceptCoarse(editing),
         Choice(
             "$.gauge.reports",
             "System.Reports",

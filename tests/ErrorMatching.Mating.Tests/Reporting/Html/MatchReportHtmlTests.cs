@@ -57,6 +57,37 @@ public sealed class MatchReportHtmlTests
     }
 
     [Fact]
+    public void A_report_with_a_decision_rule_states_it_and_the_risk()
+    {
+        var line = HandMadeReport.Line with { Decision = Decision.NotSignificant, SignificantMm = 0.12, ProbabilityBefore = 0.001 };
+        var calm = HandMadeReport.Calm with { Acceptance = new(-0.011, 0.041), SignificantMm = 0.12, ProbabilityBefore = 0.995 };
+        var report = Report with { Features = [line, calm], Rule = DecisionRule.GuardBand(5), ProbabilityBefore = 0.000995 };
+        var table = Page(report).Table("decisions-table");
+
+        Assert.EndsWith(
+            "0.050 mm beyond its acceptance limit. But none lies more than 0.1200 mm off, which the gauge may show on a perfect part. "
+                + "Risk that one lies outside the limits all the same: 99.9 %.",
+            table.Row("L1"),
+            StringComparison.Ordinal);
+        Assert.EndsWith(
+            "Every point lies between -0.011 and +0.041 mm. Risk that one lies outside the limits all the same: 0.5 %.",
+            table.Row("L2"),
+            StringComparison.Ordinal);
+        Assert.Equal(
+            [
+                "Decision rule guard-band: points are accepted 0.0089 mm inside their limits, for a risk of at most 5 % at each limit.",
+                "Probability that every point is within its limits without compensation: less than 0.1 %, if the errors of the points are "
+                    + "independent.",
+                "Risk of leaving a point outside its limits: L1 99.9 %, L2 0.5 %.",
+            ],
+            RuleWords.Of(report));
+        Assert.Equal(
+            ["Decision rule simple: points are accepted up to their limits."],
+            RuleWords.Of(Report with { Rule = DecisionRule.Simple, ProbabilityBefore = null }));
+        Assert.Empty(RuleWords.Of(Report));
+    }
+
+    [Fact]
     public void What_stays_outside_the_tolerance_is_marked_on_the_right_side()
     {
         // The part may lie from -0.02 to +0.05, so a counterpart may overlap by 0.02 and leave a gap of 0.05.

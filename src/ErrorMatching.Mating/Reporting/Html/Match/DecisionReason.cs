@@ -7,18 +7,21 @@ internal static class DecisionReason
 {
     public static string Of(MatchReport report, ReportFeature feature)
     {
-        var band = feature.Tolerance.Band;
+        var band = feature.Acceptance ?? feature.Tolerance.Band;
         var outside = report.BeyondTolerance(feature);
         var beyond = outside is [var worst, ..]
             ? $"{(outside.Count == 1 ? "Its" : ReportNumber.Count(outside.Count) + " of its")} "
                 + $"{(outside.Count == 1 ? $"point {worst.Point} lies" : "points lie")} outside, "
                 + $"{(outside.Count == 1 ? "" : $"point {worst.Point} the furthest: ")}{ReportNumber.Plain(Math.Abs(worst.ExcessMm))} mm "
-                + $"beyond its limit."
+                + $"beyond its {(report.Rule is { IsGuarded: true } ? "acceptance limit" : "limit")}."
             : "It lies outside its tolerance.";
         return feature.Decision switch
         {
             Decision.WithinTolerance =>
-                $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}.",
+                $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}." + Risk(feature),
+            Decision.NotSignificant when feature.SignificantMm is { } significant =>
+                $"{beyond} But none lies more than {ReportNumber.Fine(significant)} mm off, which the gauge may show on a perfect part."
+                    + Risk(feature),
             Decision.NotSignificant =>
                 $"{beyond} But no deviation is larger than "
                     + $"{ReportNumber.Fine(UncertaintyBudget.CoverageFactor * feature.UncertaintyMm)} mm, "
@@ -28,4 +31,7 @@ internal static class DecisionReason
                     + $"{(report.Compensation.Amount == CompensationAmount.Whole ? "the whole deviation" : "what lies beyond the limit")}.",
         };
     }
+
+    private static string Risk(ReportFeature feature) =>
+        RuleWords.Risk(feature) is { } risk ? $" Risk that one lies outside the limits all the same: {risk}." : "";
 }

@@ -38,7 +38,7 @@ internal static class MatchDecisions
                 html.Text(string.Join(" ", [DecisionReason.Of(report, feature), .. OutsideWords.Of(outside)]));
             }
         });
-        html.Put("p", Meaning(report.Compensation), ("class", "small"));
+        html.Put("p", string.Join(" ", [Meaning(report.Compensation), .. RuleWords.Of(report)]), ("class", "small"));
     }
 
     private static string Meaning(JobCompensation compensation) =>

@@ -1,0 +1,48 @@
+using System.Globalization;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Report texts on the decision rule and its risk.</summary>
+public static class RuleWords
+{
+    /// <summary>The rule with the probability that the pair conforms without compensation, and the risk of each feature that is not
+    /// compensated; none for a report older than decision rules.</summary>
+    /// <param name="report">The report.</param>
+    public static IEnumerable<string> Of(MatchReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        if (report.Rule is not { } rule || report.Features.Count == 0)
+        {
+            yield break;
+        }
+
+        var guard = ReportNumber.Fine(rule.GuardMm(report.Features[0].UncertaintyMm));
+        yield return rule.RiskPercent is { } risk
+            ? $"Decision rule guard-band: points are accepted {guard} mm inside their limits, for a risk of at most "
+                + $"{ReportNumber.Short(risk)} % at each limit."
+            : "Decision rule simple: points are accepted up to their limits.";
+        if (report.ProbabilityBefore is { } probability)
+        {
+            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}, if the errors "
+                + "of the points are independent.";
+        }
+
+        var risks = report.Features.Where(f => f.Decision != Decision.Compensated && f.ProbabilityBefore is not null)
+            .Select(f => $"{f.Name} {Risk(f)}").ToArray();
+        if (risks.Length > 0)
+        {
+            yield return $"Risk of leaving a point outside its limits: {string.Join(", ", risks)}.";
+        }
+    }
+
+    /// <summary>The probability that a point of a feature is outside its limits without compensation; null if it is not known.</summary>
+    internal static string? Risk(ReportFeature feature) => feature.ProbabilityBefore is { } probability ? Percent(1 - probability) : null;
+
+    private static string Percent(double probability) => (probability * 100) switch
+    {
+        < 0.1 => "less than 0.1 %",
+        > 99.9 => "more than 99.9 %",
+        var percent => percent.ToString("0.0", CultureInfo.InvariantCulture) + " %",
+    };
+}
