@@ -81,6 +81,9 @@ public class ContractTests
     [InlineData("fit polynomial a --degree")]
     [InlineData("fit polynomial a --degree 2 --ridge NaN")]
     [InlineData("fit polynomial a --degree 2 --ridge 1,5")]
+    [InlineData("fit polynomial a --degree 2 --uncertainty 0")]
+    [InlineData("fit polynomial a --degree 2 --at 1,,5")]
+    [InlineData("fit polynomial a --degree 2 --at 1,Infinity")]
     public void A_wrong_command_line_is_exit_1_in_both_forms(string line)
     {
         var args = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);

@@ -114,6 +114,55 @@ public class FitTests
         Assert.Equal([1, 2], Numbers(fit, "coefficients"));
     }
 
+    [Fact]
+    public void A_value_outside_the_points_is_a_warning()
+    {
+        using var folder = new TemporaryFolder();
+        // y = x^2 - 1 off by up to 0.001.
+        var file = folder.File("p.csv", "x,y\n-2,3.001\n-1,-0.001\n0,-1\n1,0.001\n2,2.999\n3,8\n");
+        string[] line = ["fit", "polynomial", file, "--degree", "2", "--uncertainty", "0.001", "--at", "-2,1.5,3,3.5"];
+        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", line);
+        var values = fit.GetProperty("values").EnumerateArray().ToArray();
+        Assert.Equal([false, false, false, true], values.Select(v => v.GetProperty("outside").GetBoolean()));
+        Assert.All(values, v => Assert.Equal(Math.Pow(v.Number("x"), 2) - 1, v.Number("y"), 0.005));
+        Assert.True(values[3].Number("standardError") > values[1].Number("standardError"));
+        Assert.Equal([-2, 3], Numbers(fit, "extent"));
+        var code = Assert.Single(fit.GetProperty("warningCodes").EnumerateArray());
+        Assert.Equal("outside-points", code.Text("code"));
+        Assert.Equal(["3.5", "-2", "3"], code.GetProperty("values").EnumerateArray().Select(v => v.GetString()));
+        var sentence = Assert.Single(fit.GetProperty("warnings").EnumerateArray()).GetString();
+        Assert.StartsWith("x = 3.5 is outside the points", sentence, StringComparison.Ordinal);
+        var (exit, output, _) = Shell.Run(line);
+        Assert.Equal(0, exit);
+        Assert.Contains("\nWarning: " + sentence + "\n", output, StringComparison.Ordinal);
+        Assert.Contains("outside the points\n", output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Standard_errors_that_the_points_do_not_show_are_a_warning_unless_the_uncertainty_is_stated()
+    {
+        using var folder = new TemporaryFolder();
+        string[] line = ["fit", "polynomial", folder.File("p.csv", "x,y\n0,1\n1,3\n"), "--degree", "1"];
+        var fit = Shell.Json(0, "errormatch/fit-polynomial/1", line);
+        Assert.Equal("nothing-left", Assert.Single(fit.GetProperty("warningCodes").EnumerateArray()).Text("code"));
+        fit = Shell.Json(0, "errormatch/fit-polynomial/1", [.. line, "--uncertainty", "0.002"]);
+        Assert.Empty(fit.GetProperty("warnings").EnumerateArray());
+        // y at 0 is as uncertain as the point there; the slope as the difference of two points.
+        AssertDigits([0.002, 0.002 * Math.Sqrt(2)], Numbers(fit, "standardErrors"), 12);
+    }
+
+    [Fact]
+    public void Stated_uncertainty_tells_noise_from_shape()
+    {
+        using var folder = new TemporaryFolder();
+        string[] line = ["fit", "polynomial", folder.File("p.csv", "x,y\n0,0.004\n10,-0.005\n20,0.006\n30,-0.003\n"), "--degree", "auto"];
+        Assert.Equal(3, Degree("0.0002"));
+        Assert.Equal(0, Degree("0.01"));
+
+        int Degree(string uncertainty) =>
+            Shell.Json(0, "errormatch/fit-polynomial/1", [.. line, "--uncertainty", uncertainty]).GetProperty("degree").GetInt32();
+    }
+
     [Theory]
     [InlineData("line", "1,1\n", "too-few-points")]
     [InlineData("line", "1,1\n1,1\n", "coincident-points")]

@@ -45,12 +45,14 @@ public sealed partial class PolynomialFit
         var highest = options.Degree ?? Math.Min(options.MaxDegree, distinct - 1);
         var basis = ForsytheBasis.Build(sortedX, sortedY, highest);
         var leaveOneOut = new LeaveOneOut(basis);
-        var (degree, ridge) = options is { Degree: { } fixedDegree, Ridge: { } fixedRidge }
-            ? (fixedDegree, fixedRidge)
-            : leaveOneOut.Choose(
-                Enumerable.Range(lowest, highest - lowest + 1),
-                options.Ridge is { } weight ? [weight] : LeaveOneOut.Grid(),
-                sortedY.Max(v => Math.Abs(v.ToDouble())));
+        var (degree, ridge) = (options.Degree, options.Ridge) switch
+        {
+            ({ } fixedDegree, { } fixedRidge) => (fixedDegree, fixedRidge),
+            (null, { } fixedRidge) => (
+                DegreeChoice.Select(sortedX, sortedY, basis, fixedRidge, options.PointUncertaintyMm), fixedRidge),
+            _ => leaveOneOut.Choose(
+                Enumerable.Range(lowest, highest - lowest + 1), LeaveOneOut.Grid(), sortedY.Max(v => Math.Abs(v.ToDouble()))),
+        };
         return new(basis, leaveOneOut, degree, ridge, places, options.PointUncertaintyMm);
     }
 

@@ -2,8 +2,8 @@ using MathNet.Numerics.LinearAlgebra;
 
 namespace ErrorMatching.Geometry;
 
-/// <summary>A polynomial y(x) fitted to measured points by least squares, plain or regularized, of a given degree or of the degree that
-/// predicts left-out points best. Immutable.</summary>
+/// <summary>A polynomial y(x) fitted to measured points by least squares, plain or regularized, of a given degree or of the degree whose
+/// error over the whole curve is expected to be the least. Immutable.</summary>
 /// <remarks>
 /// <para>
 /// The fit uses double-double arithmetic and polynomials that are orthogonal over the points (Forsythe 1957), with the abscissa mapped to

@@ -12,6 +12,7 @@ public sealed class MatchTests
     [InlineData("curve-mating", 10)]
     [InlineData("circle-mating", 8)]
     [InlineData("slot-mating", 8)]
+    [InlineData("dovetail", 28)]
     public async Task A_sample_becomes_a_program_a_report_and_a_proof_that_holds(string sample, int points)
     {
         using var shop = new Workshop();

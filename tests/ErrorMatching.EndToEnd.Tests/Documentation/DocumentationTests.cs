@@ -63,6 +63,7 @@ public sealed partial class DocumentationTests
         {
             "README.md",
             "docs/first-match.md",
+            "docs/match-an-outline.md",
             "docs/write-a-job.md",
             "docs/read-the-report.md",
             "docs/feedback-from-a-counterpart.md",

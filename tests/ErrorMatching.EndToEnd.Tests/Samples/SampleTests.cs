@@ -45,6 +45,7 @@ public sealed class SampleTests
     [InlineData("complex-mating")]
     [InlineData("circle-mating")]
     [InlineData("slot-mating")]
+    [InlineData("dovetail")]
     public void Measured_files_name_the_points_of_the_theoretical_one_in_the_same_order(string sample)
     {
         var labels = SampleFile.Points(sample, "theoretical.csv").Select(p => p.Label);
@@ -129,6 +130,7 @@ public sealed class SampleTests
     [Theory]
     [InlineData("curve-mating")]
     [InlineData("complex-mating")]
+    [InlineData("dovetail")]
     public void Job_selects_blocks_and_points_that_exist(string sample)
     {
         using var job = JsonDocument.Parse(SampleFile.Text(sample, "job.json"), Commented);

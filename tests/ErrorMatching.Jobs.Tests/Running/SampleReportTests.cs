@@ -17,6 +17,7 @@ public sealed class SampleReportTests
     [InlineData("curve-mating")]
     [InlineData("circle-mating")]
     [InlineData("slot-mating")]
+    [InlineData("dovetail")]
     public void A_match_and_its_verification(string sample)
     {
         string In(string file) => Repository.PathTo("samples", sample, file);

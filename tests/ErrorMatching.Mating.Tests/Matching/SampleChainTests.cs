@@ -10,6 +10,7 @@ public sealed class SampleChainTests
     [InlineData("circle-mating")]
     [InlineData("slot-mating")]
     [InlineData("complex-mating")]
+    [InlineData("dovetail")]
     public void A_compensated_program_can_be_corrected_by_what_it_cut(string sample)
     {
         var job = Samples.Job(sample);

@@ -13,7 +13,7 @@ internal sealed class FitPolynomial : FitVerb
 
     private readonly Option<string> _degree = new("--degree")
     {
-        Description = "The degree, or auto for the one that predicts left-out points best.",
+        Description = "The degree, or auto for the one whose error over the whole curve is expected to be the least.",
         HelpName = "N|auto",
         Required = true,
     };
@@ -25,13 +25,29 @@ internal sealed class FitPolynomial : FitVerb
         DefaultValueFactory = _ => "0",
     };
 
+    private readonly Option<string> _uncertainty = new("--uncertainty")
+    {
+        Description = "The gauge's standard uncertainty of y, if known: it tells noise from shape and enters the standard errors.",
+        HelpName = "U",
+    };
+
+    private readonly Option<string> _at = new("--at")
+    {
+        Description = "Places x to evaluate the polynomial at.",
+        HelpName = "X[,X...]",
+    };
+
     public FitPolynomial()
         : base("polynomial", "Fits a polynomial y(x) to points.", "errormatch fit polynomial samples/fits/curve.csv --degree auto")
     {
         Options.Add(_degree);
         Options.Add(_ridge);
+        Options.Add(_uncertainty);
+        Options.Add(_at);
         Demand(_degree, text => DegreeOf(text) is not null, $"auto or a whole number from 0 to {HighestDegree}");
         Demand(_ridge, text => RidgeOf(text) is not null, "auto or a number that is not negative");
+        Demand(_uncertainty, text => Positive(text) is not null, "a positive number");
+        Demand(_at, text => Places(text) is not null, "numbers with commas between them");
     }
 
     protected override VerbResult Fit(NumberTable table, ParseResult arguments)
@@ -40,9 +56,12 @@ internal sealed class FitPolynomial : FitVerb
         var options = new PolynomialFitOptions
         {
             Degree = degree == Auto ? null : DegreeOf(degree),
-            Ridge = ridge == Auto ? null : RidgeOf(ridge)
+            Ridge = ridge == Auto ? null : RidgeOf(ridge),
+            PointUncertaintyMm = arguments.GetValue(_uncertainty) is { } uncertainty ? Positive(uncertainty)!.Value : 0,
         };
-        return new FitPolynomialAnswer(table, PolynomialFit.Fit(Exact(table["x"]), Exact(table["y"]), options));
+        var fit = PolynomialFit.Fit(Exact(table["x"]), Exact(table["y"]), options);
+        return new FitPolynomialAnswer(
+            table, fit, options.PointUncertaintyMm, arguments.GetValue(_at) is { } places ? Places(places)! : []);
     }
 
     private static IReadOnlyList<DoubleDouble> Exact(IReadOnlyList<string> texts) => [.. texts.Select(t => DoubleDouble.Parse(t))];
@@ -58,9 +77,16 @@ internal sealed class FitPolynomial : FitVerb
     private static double? RidgeOf(string text) =>
         text == Auto
             ? 0
-            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var weight)
-                && double.IsFinite(weight)
-                && weight >= 0
-            ? weight
-            : null;
+            : Finite(text) is >= 0 and var weight ? weight : null;
+
+    private static double? Positive(string text) => Finite(text) is > 0 and var number ? number : null;
+
+    private static double[]? Places(string text)
+    {
+        var places = Array.ConvertAll(text.Split(','), Finite);
+        return places.All(p => p is not null) ? Array.ConvertAll(places, p => p!.Value) : null;
+    }
+
+    private static double? Finite(string text) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var number) && double.IsFinite(number) ? number : null;
 }
