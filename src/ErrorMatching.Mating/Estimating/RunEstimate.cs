@@ -6,15 +6,15 @@ namespace ErrorMatching.Mating;
 /// <summary>The estimate of one run: what its key points say about its elements, and what their cuts follow.</summary>
 internal sealed class RunEstimate
 {
-    // A change of a row below it, mm, changes no word of a program.
-    private const double Settled = 0.0001;
+    // What the rounding of a program's words does to a distance, mm. It says nothing about the piece.
+    private const double Rounding = 0.001;
 
     // The places at which the boundary between two key points is compared.
     private const double SpacingMm = 0.5;
     private const int MostPlaces = 200;
 
     private readonly double _uncertaintyMm;
-    private BoundaryRow[] _rows = [];
+    private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
     private DeviationPrior[]? _priors;
 
@@ -22,6 +22,7 @@ internal sealed class RunEstimate
     {
         (Run, Points, _uncertaintyMm) = (run, points, uncertaintyMm);
         Cuts = [.. run.Elements.Select(_ => ElementCut.Still)];
+        _ofPoints = new BoundaryRow?[points.Count];
         _before = run.On(run.Path);
         Nominal = [.. points.Select(p => _before.FootOf(p.Theoretical, p.Normal))];
     }
@@ -47,8 +48,7 @@ internal sealed class RunEstimate
     /// <returns>True if the comparison says nothing new.</returns>
     public bool Compare(NcPath path, bool isWhole)
     {
-        var rows = new List<BoundaryRow>();
-        var (cuts, following) = (OnCuts(path), Run.Following.ToList());
+        var (cuts, following, isSettled) = (OnCuts(path), Run.Following.ToList(), true);
         for (var i = 0; i < Points.Count; i++)
         {
             var place = Points[i].Theoretical + (isWhole ? Points[i].Deviation : Points[i].Wanted);
@@ -60,25 +60,30 @@ internal sealed class RunEstimate
 
             var off = foot.DistanceMm - Nominal[i].DistanceMm;
             RowTerm[] terms = [.. Run.SharesAt(path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
-            if (terms.Length > 0)
+            var row = terms.Length == 0 ? null
+                : new BoundaryRow(terms, terms.Sum(t => t.Weight * Cuts[t.Element].At(t.AlongMm)) - off);
+            if (!Agree(row, _ofPoints[i]))
             {
-                rows.Add(new(terms, terms.Sum(t => t.Weight * Cuts[t.Element].At(t.AlongMm)) - off));
+                (_ofPoints[i], isSettled) = (row, false);
             }
         }
 
-        var isSettled = following.Count == Run.Following.Count && rows.Count == _rows.Length
-            && rows.Zip(_rows).All(r => Math.Abs(r.First.ValueMm - r.Second.ValueMm) <= Settled
-                && r.First.Terms.Select(t => t.Element).SequenceEqual(r.Second.Terms.Select(t => t.Element)));
-        _rows = [.. rows];
+        isSettled &= following.Count == Run.Following.Count;
         Run.Following = following;
         return isSettled;
     }
 
+    private static bool Agree(BoundaryRow? one, BoundaryRow? other) => one is null || other is null
+        ? ReferenceEquals(one, other)
+        : Math.Abs(one.ValueMm - other.ValueMm) <= Rounding
+            && one.Terms.Select(t => t.Element).SequenceEqual(other.Terms.Select(t => t.Element));
+
     /// <summary>Estimates the deviations from the last comparison. The first one chooses the priors.</summary>
     public void Solve()
     {
-        _priors ??= PriorChoice.Of(Run.Elements, _rows, _uncertaintyMm);
-        Field = new(_priors, _rows, _uncertaintyMm);
+        BoundaryRow[] rows = [.. _ofPoints.OfType<BoundaryRow>()];
+        _priors ??= PriorChoice.Of(Run.Elements, rows, _uncertaintyMm);
+        Field = new(_priors, rows, _uncertaintyMm);
     }
 
     /// <summary>Lets the cuts of compensated elements follow the field.</summary>

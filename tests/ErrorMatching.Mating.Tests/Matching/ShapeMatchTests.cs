@@ -21,11 +21,11 @@ public sealed class ShapeMatchTests
     [Fact]
     public void Each_flank_follows_its_own_points()
     {
-        // The first flank 0.1 along its normal (4, 3)/5, the second stays:
-        // their intersection slides 0.1 / sin of the angle between them (24/25) along the second, (3, 4)/5.
-        var match = Triangle(Programs.Notch, "N50..N60", Moved(0.08, 0.06, 0, 0));
+        // The first flank 0.101 along its normal (4, 3)/5, the second stays:
+        // their intersection slides 0.101 / sin of the angle between them (24/25) along the second, (3, 4)/5.
+        var match = Triangle(Programs.Notch, "N50..N60", Moved(0.0808, 0.0606, 0, 0));
 
-        Assert.Equal(["N40 X0.125", "N50 X15.063 Y-19.917"], match.Changed());
+        Assert.Equal(["N40 X0.126", "N50 X15.063 Y-19.916"], match.Changed());
     }
 
     [Fact]
@@ -33,10 +33,10 @@ public sealed class ShapeMatchTests
     {
         var reversed = "%\nO1000\nN10 G21 G90 G17\nN20 G0 X50. Y20.\nN30 G1 G42 D1 Y0. F300\nN40 X30.\nN50 X15. Y-20.\nN60 X0. Y0.\nN70 "
             + "X-20.\nN80 G40 Y20.\nN90 M30\n%\n";
-        var match = Triangle(reversed, "N50..N60", Moved(0.08, 0.06, 0, 0));
+        var match = Triangle(reversed, "N50..N60", Moved(0.0808, 0.0606, 0, 0));
 
-        Assert.Equal(["N50 X15.063 Y-19.917", "N60 X0.125 Y0."], match.Changed());
-        Assert.All(match.Report().KeyPoints.Take(2), p => Assert.Equal(0.1, p.NormalMm, 9));
+        Assert.Equal(["N50 X15.063 Y-19.916", "N60 X0.126 Y0."], match.Changed());
+        Assert.All(match.Report().KeyPoints.Take(2), p => Assert.Equal(0.101, p.NormalMm, 9));
     }
 
     [Fact]

@@ -3,16 +3,31 @@ namespace ErrorMatching.Mating.Tests;
 /// <summary>Which points a compensation leaves outside of their limits, and which it drives out itself.</summary>
 public sealed class OutsideLimitsTests
 {
-    // Part - design is 0.09, -0.03, 0.09 in y at 10, 25, 40: the line's mean is 0.05. So counterpart - part is -0.04, 0.08, -0.04
-    // afterwards, and was -0.09, 0.03, -0.09. The normal is (0, -1): along it 0.04, -0.08, 0.04 afterwards, and 0.09, -0.03, 0.09 before. A
-    // mating error has the limits of the part with the other sign.
+    // Part - design is 0.09, -0.03, 0.09 in y at 10, 25, 40: a line's mean is 0.05. So counterpart - part is -0.04, 0.08, -0.04
+    // afterwards, and was -0.09, 0.03, -0.09. A mating error has the limits of the part with the other sign.
+    [Theory]
+    [InlineData(-0.05, 0.05, "2", "")]
+    [InlineData(-0.03, 0.03, "2", "1 3")]
+    [InlineData(-0.02, 0.05, "", "2")]
+    [InlineData(-0.1, 0.03, "", "1 3")]
+    [InlineData(-0.08, 0.04, "", "")]
+    public void A_point_that_the_compensation_drives_out_is_told_from_one_that_was_outside(
+        double lower, double upper, string drivenOut, string staying)
+    {
+        var limits = new ToleranceBand(lower, upper).OfMatingError;
+        var outside = OutsideLimits.Of([
+            ("1", limits, -0.09, -0.04),
+            ("2", limits, 0.03, 0.08),
+            ("3", limits, -0.09, -0.04)]);
+
+        Assert.Equal((drivenOut, staying), (string.Join(' ', outside.DrivenOut), string.Join(' ', outside.Staying)));
+    }
+
+    // The same line in a whole match, with limits that no estimate of it can miss. The normal is (0, -1).
     [Theory]
     [InlineData("[-0.05, 0.05]", "2", "")]
-    [InlineData("[-0.03, 0.03]", "2", "1 3")]
     [InlineData("[-0.05, 0.02]", "", "2")]
-    [InlineData("[-0.03, 0.1]", "", "1 3")]
-    [InlineData("[-0.04, 0.08]", "", "")]
-    public void A_point_that_the_compensation_drives_out_is_told_from_one_that_was_outside(string limits, string drivenOut, string staying)
+    public void A_match_says_which_points_stay_outside(string limits, string drivenOut, string staying)
     {
         var report = new MatchCase(Programs.ToolBelow)
         {
