@@ -77,7 +77,7 @@ internal sealed class CourseEstimator
         {
             foreach (var run in _runs)
             {
-                run.Solve();
+                run.Solve(isWhole: false);
                 run.Follow(e => IsCompensated(_features[e]));
             }
 
@@ -114,7 +114,7 @@ internal sealed class CourseEstimator
         foreach (var run in _runs)
         {
             run.Compare(after, isWhole: true);
-            run.Solve();
+            run.Solve(isWhole: true);
         }
 
         var toPart = _job.Counterpart.Frame.Inverse();
@@ -243,7 +243,7 @@ internal sealed class CourseEstimator
                 .Where(p => element.Contains(p.Foot.Motion))
                 .Select(p => new BoundaryRow([new(0, element.Pass.Along(p.Foot), 1)], component(p.Point.Wanted)))];
         var u = _job.Gauge.Uncertainty.CombinedMm;
-        var field = new DeviationField(PriorChoice.Of(elements, rows, u), rows, u);
+        var field = new DeviationField(PriorChoice.Of(elements, rows, u).OfCuts, rows, u);
         return ElementCut.Following(element, along => field.Mean(0, along));
     }
 

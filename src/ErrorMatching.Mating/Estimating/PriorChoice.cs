@@ -11,7 +11,7 @@ internal static class PriorChoice
     private const int Amplitudes = 6, Lengths = 6, Tilts = 5, Errors = 5;
 
     /// <summary>Length of correlation of the form error of a line, flank or arc, as a part of its length.</summary>
-    private const double FormLength = 0.4;
+    private const double FormLength = 0.25;
 
     /// <summary>The form error that is assumed where nothing tells one, as a part of the standard uncertainty.</summary>
     private const double LeastError = 0.25;
@@ -20,14 +20,17 @@ internal static class PriorChoice
     /// <param name="elements">The elements of a run.</param>
     /// <param name="rows">What its key points say.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
-    public static DeviationPrior[] Of(IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+    /// <returns>The priors for the cuts, in which a line runs through its two points, because they say nothing else; and those for the
+    /// uncertainty between key points, in which its form may be off by as much as that of the others.</returns>
+    public static (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Of(IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
         var own = elements.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Element == e).ToArray()).ToArray();
         var forms = elements.Select((element, e) => FormOf(element, own[e], noise)).ToArray();
         if (rows.Count == 0 || elements.All(e => e.Form == ElementForm.Free))
         {
-            return Priors(DeviationPrior.VagueMm, 0);
+            var vague = Priors(DeviationPrior.VagueMm, 0, isCut: true);
+            return (vague, vague);
         }
 
         // The covariance is linear in the square of each scale.
@@ -35,16 +38,17 @@ internal static class PriorChoice
         var error = ErrorOf(elements, own, noise, largest);
         var (still, tilted) = (Covariance(0), Covariance(1));
         double[] values = [.. rows.Select(r => r.ValueMm)];
-        return Priors(MeanOf(Steps(noise, 2 * largest, Tilts), tilt => LogOf(still, tilted, tilt, values)), error);
+        var scale = MeanOf(Steps(noise, 2 * largest, Tilts), tilt => LogOf(still, tilted, tilt, values));
+        return (Priors(scale, error, isCut: true), Priors(scale, error, isCut: false));
 
-        double[] Covariance(double tilt) => DeviationField.CovarianceOf(Priors(tilt, error), rows, noise);
+        double[] Covariance(double tilt) => DeviationField.CovarianceOf(Priors(tilt, error, isCut: true), rows, noise);
 
-        DeviationPrior[] Priors(double tilt, double error) =>
+        DeviationPrior[] Priors(double tilt, double error, bool isCut) =>
             [
                 .. elements.Select(
                     (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
-                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, own[e].Length > 2 ? error : LeastError * noise)
+                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, isCut && own[e].Length == 2 ? LeastError * noise : error)
                     })];
     }
 

@@ -16,7 +16,7 @@ internal sealed class RunEstimate
     private readonly double _uncertaintyMm;
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
-    private DeviationPrior[]? _priors;
+    private (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece)? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
     {
@@ -79,11 +79,12 @@ internal sealed class RunEstimate
             && one.Terms.Select(t => t.Element).SequenceEqual(other.Terms.Select(t => t.Element));
 
     /// <summary>Estimates the deviations from the last comparison. The first one chooses the priors.</summary>
-    public void Solve()
+    /// <param name="isWhole">True for the piece itself, false for what the cuts are to follow.</param>
+    public void Solve(bool isWhole)
     {
         BoundaryRow[] rows = [.. _ofPoints.OfType<BoundaryRow>()];
         _priors ??= PriorChoice.Of(Run.Elements, rows, _uncertaintyMm);
-        Field = new(_priors, rows, _uncertaintyMm);
+        Field = new(isWhole ? _priors.Value.OfPiece : _priors.Value.OfCuts, rows, _uncertaintyMm);
     }
 
     /// <summary>Lets the cuts of compensated elements follow the field.</summary>

@@ -102,7 +102,7 @@ internal sealed class SmoothPart
         for (var f = 0; f < count; f++)
         {
             heading = Turned(0.35, 1.3);
-            var wave = Draw.Chance(_random, 0.4);
+            var wave = Draw.Chance(_random, 0.3);
             Add(heading, wave ? Draw.Between(_random, 35, 45) : Draw.Between(_random, 18, 30), f, wave);
             heading = _elements[^1].HeadingOut;
         }
@@ -448,7 +448,7 @@ internal sealed class SmoothPart
             _tilt = Draw.Between(random, -0.04, 0.04);
             var count = random.Next(1, 3);
             _waves = [.. Enumerable.Range(0, count).Select(_ => (
-                Draw.Between(random, 0, wave ? 0.05 : 0.012),
+                wave ? Draw.Between(random, 0, 0.05) : Draw.Between(random, 0.002, 0.016),
                 2 * Math.PI / Draw.Between(random, 20, 60),
                 Draw.Between(random, 0, 2 * Math.PI)))];
         }
