@@ -10,11 +10,15 @@ internal static class PriorChoice
 {
     private const int Amplitudes = 6, Lengths = 6, Tilts = 5, Errors = 5;
 
-    /// <summary>Length of correlation of the form error of a line, flank or arc, as a part of its length.</summary>
-    private const double FormLength = 0.25;
+    // Lengths of correlation of the form error of a line, flank or arc, as parts of its length. The shortest one is shorter than the usual
+    // distance of two key points: it stands for an error that each point has by itself.
+    private static readonly double[] _formLengths = [0.03, 0.12, 0.25, 0.5];
 
     /// <summary>The form error that is assumed where nothing tells one, as a part of the standard uncertainty.</summary>
     private const double LeastError = 0.25;
+
+    // A length with less evidence takes no part.
+    private const double LeastWeight = 0.001;
 
     /// <summary>Chooses the priors.</summary>
     /// <param name="elements">The elements of a run.</param>
@@ -29,52 +33,79 @@ internal static class PriorChoice
         var forms = elements.Select((element, e) => FormOf(element, own[e], noise)).ToArray();
         if (rows.Count == 0 || elements.All(e => e.Form == ElementForm.Free))
         {
-            var vague = Priors(DeviationPrior.VagueMm, 0, isCut: true);
+            var vague = Priors(DeviationPrior.VagueMm, LeastForm(noise), isCut: true);
             return (vague, vague);
         }
 
         // The covariance is linear in the square of each scale.
         var largest = Math.Max(rows.Max(r => Math.Abs(r.ValueMm)), 4 * noise);
-        var error = ErrorOf(elements, own, noise, largest);
+        var form = FormOfStraight(elements, own, noise, largest);
         var (still, tilted) = (Covariance(0), Covariance(1));
         double[] values = [.. rows.Select(r => r.ValueMm)];
         var scale = MeanOf(Steps(noise, 2 * largest, Tilts), tilt => LogOf(still, tilted, tilt, values));
-        return (Priors(scale, error, isCut: true), Priors(scale, error, isCut: false));
+        return (Priors(scale, form, isCut: true), Priors(scale, form, isCut: false));
 
-        double[] Covariance(double tilt) => DeviationField.CovarianceOf(Priors(tilt, error, isCut: true), rows, noise);
+        double[] Covariance(double tilt) => DeviationField.CovarianceOf(Priors(tilt, form, isCut: true), rows, noise);
 
-        DeviationPrior[] Priors(double tilt, double error, bool isCut) =>
+        DeviationPrior[] Priors(double tilt, IReadOnlyList<(double Variance, double Part)> form, bool isCut) =>
             [
                 .. elements.Select(
                     (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
-                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, isCut && own[e].Length == 2 ? LeastError * noise : error)
+                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, isCut && own[e].Length == 2 ? LeastForm(noise) : form)
                     })];
     }
 
-    // The scale of form errors, from the elements with more points than a line needs. Their tilts are vague, so that the likelihood is the
-    // restricted one. Without such an element, nothing tells a form error.
-    private static double ErrorOf(IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
+    // The form errors of lines, flanks and arcs, from those with more points than they need. Their tilts are vague, so that the likelihood is
+    // the restricted one. Without such an element, nothing tells a form error.
+    private static IReadOnlyList<(double Variance, double Part)> FormOfStraight(
+        IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
     {
-        var alone = new List<(double[] Smooth, double[] Rough, double[] Values)>();
+        var alone = new List<(BoundaryElement Element, BoundaryRow[] Rows, double[] Smooth, double[] Values)>();
         for (var e = 0; e < elements.Count; e++)
         {
             if (elements[e].Form != ElementForm.Free && own[e].Length > (elements[e].Form == ElementForm.Straight ? 2 : 3))
             {
                 BoundaryRow[] rows = [.. own[e].Select(r => r with { Terms = [r.Terms[0] with { Element = 0 }] })];
-                alone.Add((Covariance(elements[e], rows, 0), Covariance(elements[e], rows, 1), [.. rows.Select(r => r.ValueMm)]));
+                alone.Add((elements[e], rows, Covariance(elements[e], rows, []), [.. rows.Select(r => r.ValueMm)]));
             }
         }
 
-        double[] errors = [LeastError * noise, .. Steps(noise / 2, Math.Max(largest / 2, noise), Errors - 1)];
-        return alone.Count == 0 ? errors[0] : MeanOf(errors, error => alone.Sum(a => LogOf(a.Smooth, a.Rough, error, a.Values)));
+        if (alone.Count == 0)
+        {
+            return LeastForm(noise);
+        }
 
-        double[] Covariance(BoundaryElement element, BoundaryRow[] rows, double error) => DeviationField.CovarianceOf(
-            [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, error) }], rows, noise);
+        double[] errors = [LeastError * noise, .. Steps(noise / 2, Math.Max(largest / 2, noise), Errors - 1)];
+        return Mixture(_formLengths.SelectMany(part =>
+        {
+            double[][] rough = [.. alone.Select(a => Covariance(a.Element, a.Rows, [(1, part)]))];
+            return errors.Select(error => (part, error, alone.Select((a, i) => LogOf(a.Smooth, rough[i], error, a.Values)).Sum()));
+        }));
+
+        double[] Covariance(BoundaryElement element, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
+            DeviationField.CovarianceOf(
+                [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, form) }], rows, noise);
     }
 
-    private static (double, double)[] FormOf(BoundaryElement element, double error) =>
-        [(error * error, FormLength * (element.ToMm - element.FromMm))];
+    private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) => [(Math.Pow(LeastError * noise, 2), _formLengths[2])];
+
+    private static (double, double)[] FormOf(BoundaryElement element, IReadOnlyList<(double Variance, double Part)> form) =>
+        [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];
+
+    // For each length, the mean of the logarithms of the scale; all of them weighted by their evidence.
+    private static (double Variance, double Length)[] Mixture(IEnumerable<(double Length, double Scale, double Log)> evidence)
+    {
+        (double Length, double Scale, double Log)[] tried = [.. evidence];
+        return
+        [
+            .. tried.Zip(Weights(tried.Select(t => t.Log))).GroupBy(t => t.First.Length).Select(g =>
+            {
+                var weight = g.Sum(t => t.Second);
+                var scale = weight > 0 ? Math.Exp(g.Sum(t => t.Second * Math.Log(t.First.Scale)) / weight) : 0;
+                return (Variance: weight * scale * scale, g.Key, Weight: weight);
+            }).Where(f => f.Weight > LeastWeight).Select(f => (f.Variance, f.Key))];
+    }
 
     // The evidence of a scale, from the covariances for the scales 0 and 1.
     private static double LogOf(double[] without, double[] with, double scale, double[] values)
@@ -130,14 +161,7 @@ internal static class PriorChoice
             }
         }
 
-        return
-        [
-            .. tried.Zip(Weights(tried.Select(t => t.Log))).GroupBy(t => t.First.Length).Select(g =>
-            {
-                var weight = g.Sum(t => t.Second);
-                var amplitude = weight > 0 ? Math.Exp(g.Sum(t => t.Second * Math.Log(t.First.Amplitude)) / weight) : 0;
-                return (weight * amplitude * amplitude, g.Key);
-            }).Where(f => f.Item1 > 1e-6 * scatter * scatter)];
+        return Mixture(tried);
     }
 
     private static double[] Weights(IEnumerable<double> evidence)

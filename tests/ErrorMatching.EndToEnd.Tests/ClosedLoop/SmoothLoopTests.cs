@@ -1,0 +1,101 @@
+using System.Globalization;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>
+/// What counterparts of parts with smooth errors leave, at every place of the true boundary and not only at the key points, which were
+/// measured with the noise of a gauge. The cuts are read by the referee's interpreter and judged by exact distances.
+/// </summary>
+public sealed class SmoothLoopTests
+{
+    private const int Parts = 400;
+    private const double Noise = 0.002;
+
+    // The best that lines and courses of the same blocks can do knows the true boundary. A gauge with 2 um of noise at two to five points of
+    // a line does not, so a ratio of 1 is out of reach.
+    [Theory]
+    [InlineData(false, 1.4)]
+    [InlineData(true, 1.6)]
+    public void The_counterpart_follows_the_true_boundary(bool onCorners, double most)
+    {
+        var (ratios, exceptions) = (new List<double>(), new List<string>());
+        for (var seed = 0; seed < Parts; seed++)
+        {
+            var part = SmoothPart.Generate(seed, onCorners, Noise);
+            var outcome = Matcher.Match(SmoothMatch.Input(part));
+            if (!outcome.IsUsable)
+            {
+                exceptions.Add($"part {seed}: {outcome.Refusal.Message}");
+                continue;
+            }
+
+            var result = outcome.Result;
+            var path = SmoothMatch.PathOf(result.Program);
+            var (left, naive, before) = (
+                SmoothMatch.Errors(part, path),
+                SmoothMatch.Errors(part, part.NaivePath()),
+                SmoothMatch.Errors(part, part.NominalPath()));
+            ratios.Add(SmoothMatch.Rms(left) / SmoothMatch.Rms(SmoothMatch.Errors(part, part.BestPath())));
+            if (SmoothMatch.Rms(left) > 1.05 * SmoothMatch.Rms(naive) || left.Max(Math.Abs) > before.Max(Math.Abs))
+            {
+                exceptions.Add(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"part {seed}: rms {SmoothMatch.Rms(left):0.0000}, naive {SmoothMatch.Rms(naive):0.0000}, "
+                        + $"largest {left.Max(Math.Abs):0.0000}, before {before.Max(Math.Abs):0.0000}"));
+            }
+
+            Assert.All(MatchReporter.Report(result, "counterpart.nc", 0).KeyPoints.Zip(part.Points), p =>
+                Assert.Equal(SmoothMatch.DistanceTo(path, p.Second.Actual) - part.ToolRadius, p.First.PredictedMm, 0.0005));
+        }
+
+        Assert.InRange(ratios.Order().ElementAt(ratios.Count / 2), 1, most);
+        Assert.True(exceptions.Count <= Parts / 200, string.Join('\n', exceptions));
+    }
+
+    // Half a 95 % interval about what a key point leaves, and about the worst place between two of them. That place is chosen because the
+    // estimate is large there, so its interval holds the truth less often.
+    [Fact]
+    public void The_intervals_hold_what_is_left()
+    {
+        var (points, pointsIn, places, placesIn) = (0, 0, 0, 0);
+        for (var seed = 1000; seed < 1000 + (Parts / 2); seed++)
+        {
+            var part = SmoothPart.Generate(seed, onCorners: seed % 2 == 0, Noise);
+            var result = Assert.IsType<MatchResult>(Matcher.Match(SmoothMatch.Input(part)).Result);
+            var path = SmoothMatch.PathOf(result.Program);
+            foreach (var (predicted, point) in result.Prediction.Features.SelectMany(f => f.Points).Zip(part.Points))
+            {
+                points++;
+                var left = SmoothMatch.DistanceTo(path, point.Place + (point.Normal * point.True)) - part.ToolRadius;
+                pointsIn += Math.Abs(left - predicted.AfterMm) <= predicted.Interval95Mm ? 1 : 0;
+            }
+
+            foreach (var worst in result.Prediction.Features.Select(f => f.WorstBetween).OfType<PredictedError>())
+            {
+                places++;
+                var place = new Flat(worst.Place.X, worst.Place.Y);
+                var left = SmoothMatch.DistanceTo(path, part.Boundary.MinBy(b => (b.Nominal - place).Length).Actual) - part.ToolRadius;
+                placesIn += Math.Abs(left - worst.AfterMm) <= worst.Interval95Mm ? 1 : 0;
+            }
+        }
+
+        Assert.InRange((double)pointsIn / points, 0.93, 0.97);
+        Assert.InRange((double)placesIn / places, 0.87, 1);
+    }
+
+    // The part itself: the nominal program leaves the nominal boundary, and the best path the true one but for the bends of lines.
+    [Fact]
+    public void A_smooth_part_is_what_it_says()
+    {
+        for (var seed = 0; seed < 40; seed++)
+        {
+            var part = SmoothPart.Generate(seed, onCorners: seed % 2 == 0, Noise);
+            var nominal = part.Boundary.Select(b => SmoothMatch.DistanceTo(part.NominalPath(), b.Nominal) - part.ToolRadius);
+
+            Assert.All(nominal, n => Assert.InRange(n, -0.002, 0.002));
+            Assert.InRange(SmoothMatch.Rms(SmoothMatch.Errors(part, part.BestPath())), 0, 0.015);
+            Assert.InRange(SmoothMatch.Rms([.. part.Points.Select(p => p.Measured - p.True)]), 0.0005, 0.004);
+        }
+    }
+}
