@@ -157,4 +157,29 @@ public sealed class FilletProofTests
 
         Assert.Equal(holds, Verdict.OnElements(before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
     }
+
+    // N30 stays, so the rounding must touch x = 15 at (15, 5.05). One that follows its start alone, about (10.0844, 5.0149), touches
+    // neither line, and one that keeps its center meets y = 0.1 at an angle of 11 degrees.
+    [Theory]
+    [InlineData("X10.05 Y0.1", "X15. Y5.05 I0. J4.95", true)]
+    [InlineData("X10. Y0.1", "X15. Y5. I0.0844 J4.9149", false)]
+    [InlineData("X10.995 Y0.1", "X15. Y5. I-0.995 J4.9", false)]
+    public void A_fillet_beside_a_named_line_that_stays_touches_both(string start, string arc, bool holds)
+    {
+        var result = $"G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X15. Y15.\nG0 Z5.\n";
+
+        Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0)).Holds);
+    }
+
+    // The same from the other side: N10 stays, and N30 goes by 0.1.
+    [Theory]
+    [InlineData("X9.95 Y0.", "X14.9 Y4.95 I0. J4.95", true)]
+    [InlineData("X10. Y0.", "X14.9 Y5. I-0.0149 J4.9156", false)]
+    [InlineData("X10. Y0.", "X14.9 Y4.005 I0. J5.", false)]
+    public void A_fillet_behind_a_named_line_that_stays_touches_both(string start, string arc, bool holds)
+    {
+        var result = $"G90 G17\nG0 X0. Y0. Z0.\nN10 G1 {start} F100\nN20 G3 {arc}\nN30 G1 X14.9 Y15.\nG0 Z5.\n";
+
+        Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0), ("N30", 0.1)).Holds);
+    }
 }
