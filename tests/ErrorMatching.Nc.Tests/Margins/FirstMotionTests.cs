@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>Programs that set their origin where the tool is, and so begin with a cut or a move along the tool axis at a known place.</summary>
+/// <summary>Programs that set their origin where the tool is, and so begin with a cut or a move along the tool axis at a known
+/// place.</summary>
 public sealed class FirstMotionTests
 {
     private const string Head = "G90 G17 G92 X0. Y0. Z0.\n";
@@ -16,7 +17,8 @@ public sealed class FirstMotionTests
     public void A_ring_from_the_first_place_closes_there(string point)
     {
         var before = Head + point + "N10 G1 X10. Y0. F100\nN20 X10. Y10.\nN30 X0. Y10.\nN40 X0. Y0.\nG0 Z5.\n";
-        var after = before.Replace("N40 X0.", "N40 X0.1", StringComparison.Ordinal).Replace("N30 X0.", "N30 X0.1", StringComparison.Ordinal);
+        var after = before.Replace("N30 X0.", "N30 X0.1", StringComparison.Ordinal)
+            .Replace("N40 X0.", "N40 X0.1", StringComparison.Ordinal);
         var line = point.Length == 0 ? 5 : 6;
 
         Assert.Equal([$"{line} N40: the contour no longer closes."], Verdict.Found(Verdict.OnElements(before, after, ("N40", 0.1))));

@@ -55,11 +55,13 @@ public sealed class MachineMoveTests
         var path = Bench.Read(Before, NcDialects.LinuxCnc);
         var motion = path.MotionOf(Bench.Blocks(path, "N2")[0]);
         var by = new Vector2(0.1, 0.2);
-        var result = Before.Replace("G0 X1. Y1.", "G0 X1.1 Y1.2", StringComparison.Ordinal).Replace("X10. Y10.", "X10.1 Y10.2", StringComparison.Ordinal);
+        var result = Before.Replace("G0 X1. Y1.", "G0 X1.1 Y1.2", StringComparison.Ordinal)
+            .Replace("X10. Y10.", "X10.1 Y10.2", StringComparison.Ordinal);
         var proof = Prover.Check(path, NcProgram.FromText(result), DisplacementWish.OfElements([new(motion, by, by, by)]), 0.001);
 
         Assert.Empty(proof.Failures);
         Assert.Equal(
-            [("line 5", NeighborRole.Positioning), ("N1", NeighborRole.Positioning), ("line 8", NeighborRole.Positioning)], proof.Neighbors.Select(n => (n.Block, n.Role)));
+            [("line 5", NeighborRole.Positioning), ("N1", NeighborRole.Positioning), ("line 8", NeighborRole.Positioning)],
+            proof.Neighbors.Select(n => (n.Block, n.Role)));
     }
 }
