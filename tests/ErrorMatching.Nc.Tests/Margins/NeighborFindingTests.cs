@@ -58,6 +58,49 @@ public sealed class NeighborFindingTests
                 GoodHead.Replace("X10.", "X9.9995", StringComparison.Ordinal) + $"N20 G3 X0. Y10. {center}\nG0 Z5.\n",
                 ("N10", 0.1)));
 
+    // Its radius is 3 micrometers longer at its end, which is no more than that beside the circle of its start.
+    [Fact]
+    public void An_arc_whose_radii_differ_slides_along_the_circle_of_its_start()
+    {
+        var proof = Verdict.OnElements(
+            Head + "N20 G3 X0. Y10.003 I-10. J0.\nG0 Z5.\n",
+            GoodHead.Replace("X10.", "X9.9995", StringComparison.Ordinal) + "N20 G3 X0. Y10.003 I-9.9995 J-0.1\nG0 Z5.\n",
+            ("N10", 0.1));
+
+        Assert.Empty(proof.Failures);
+        Assert.Equal(NeighborRole.Slides, proof.Neighbors.Single(n => n.Block == "N20").Role);
+    }
+
+    // A move home begins where the named end is now, and ends where it did, or goes along in the axes that it does not name.
+    [Theory]
+    [InlineData("G53 X0. Y0.", 0.5, "")]
+    [InlineData("G53 Y0.", 0.3, "line 5 Follows 0.3")]
+    [InlineData("G53 X0.", 0.4, "line 5 Follows 0.4")]
+    public void A_move_home_is_positioning(string home, double displaced, string next)
+    {
+        string Text(string end) => $"G90 G17\nG0 X0. Y0. Z5.\nN20 G1 {end} F100\n{home}\nG0 X5. Y5.\n";
+        var proof = Verdict.OnEnds(Text("X10. Y0."), Text("X10.3 Y0.4"), "N20", new(0.3, 0.4, 0));
+
+        Assert.Empty(proof.Failures);
+        Assert.Equal(("line 4", NeighborRole.Positioning), (proof.Neighbors[0].Block, proof.Neighbors[0].Role));
+        Assert.Equal(displaced, proof.Neighbors[0].DisplacementMm, 1e-9);
+        var behind = proof.Neighbors.Skip(1).Select(n => FormattableString.Invariant($"{n.Block} {n.Role} {n.DisplacementMm:0.###}"));
+        Assert.Equal(next, string.Join(", ", behind));
+    }
+
+    [Fact]
+    public void A_retract_that_goes_aside_is_found_and_noted_with_how_far_its_end_went()
+    {
+        var proof = Verdict.OnEnds(
+            "G90 G17\nG0 X0. Y0. Z5.\nN20 G1 X10. Y0. F100\nG0 Z6.\nX50. Y0.\n",
+            "G90 G17\nG0 X0. Y0. Z5.\nN20 G1 X10.1 Y0. F100\nG0 X10.2 Z6.\nX50. Y0.\n",
+            "N20",
+            new(0.1, 0, 0));
+
+        Assert.Equal(["line 4: " + Retract], proof.Failures.Select(f => f.Message));
+        Assert.Equal([("line 4", 0.2), ("line 5", 0.2)], proof.Neighbors.Select(n => (n.Block, Math.Round(n.DisplacementMm, 9))));
+    }
+
     [Fact]
     public void A_short_neighbor_that_turned_round_is_found()
     {
