@@ -228,6 +228,26 @@ public sealed class FilletProofTests
         Assert.Equal(NeighborRole.Fillet, proof.Neighbors.Single(n => n.Block == "N20").Role);
     }
 
+    // The second arc's center is I to the right of the first's, which is the origin; its radius is 4.994, and that of the first is 5.
+    // At a hundredth they are two circles, which round nothing: they do not put the end of N10, which stays on its line.
+    [Theory]
+    [InlineData("I0.0099", false)]
+    [InlineData("I0.01", true)]
+    public void Arcs_of_two_circles_are_no_fillet(string center, bool isFound)
+    {
+        const string Head = "G90 G17 G21 G90.1\nG0 X-10. Y-5. Z0.\nN10 G1 X0. Y-5. F100\n";
+        var rest = $"N20 G3 X3. Y-4. I0. J0.\nN21 X5.004 Y0. {center} J0.\nN30 G1 X5.004 Y10.\nG0 Z5.\n";
+        var path = Bench.Read(Head + rest, NcDialects.LinuxCnc);
+        var wishes = new[] { "N10", "N30" }.Select(b => ElementWish.AlongNormals(
+            path, path.MotionOf(Bench.Blocks(path, b)[0]), 0, 0, 0));
+        var result = (Head + rest).Replace("X0. Y-5.", "X0.004 Y-5.", StringComparison.Ordinal);
+        var proof = Prover.Check(
+            path, NcProgram.FromText(result, path.Dialect.Syntax), DisplacementWish.OfElements([.. wishes]), 0.001);
+
+        Assert.Equal(isFound, Messages(proof).Contains(
+            "N10: an end moved by (0.004, 0.000), where neither the wish nor a neighbor puts it."));
+    }
+
     // An arc with nothing behind it rounds no corner: it does not put the end of the line before it.
     [Fact]
     public void An_arc_at_the_end_of_a_program_is_no_fillet() =>
