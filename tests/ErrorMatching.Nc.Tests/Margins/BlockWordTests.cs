@@ -96,6 +96,21 @@ public sealed class BlockWordTests
         Assert.Equal(found, Found(before, after, "N20..N30", new(0.1, 0.2, 0)));
     }
 
+    [Fact]
+    public void A_corner_word_is_no_radius()
+    {
+        static string Text(string end, string arc) =>
+            $"G90 G17\nG0 X0. Y0. Z0.\nN20 G1 {end} F100\nN30 G3 {arc} ,R1.\nG0 Z5.\nX50. Y0.\n";
+
+        Assert.Contains(
+            "N30: it changed although its words alone do not say where it goes.",
+            Verdict.OnEnds(
+                Text("X10. Y0.", "X15. Y5. R5."),
+                Text("X10.1 Y0.2", "X15.1 Y5.2 I0. J5."),
+                "N20..N30",
+                new(0.1, 0.2, 0)).Failures.Select(f => f.Message));
+    }
+
     // More words than most blocks have, more bytes than most lines, and words that a line does not need.
     [Theory]
     [InlineData("X10. Y0. Z0. F100 S1000 M3 (A) (B) (C) (D)", "X10.1 Y0.2 Z0. F100 S1000 M3 (A) (B) (C) (D)")]

@@ -134,6 +134,24 @@ public sealed class FilletProofTests
         Assert.DoesNotContain(proof.Neighbors, n => n.Role == NeighborRole.Fillet);
     }
 
+    // N21 and N22 are no fillet of their own behind N20, so the joint between them stays. The result is right where N20 is not named.
+    [Fact]
+    public void Arcs_behind_a_named_arc_of_their_circle_are_no_fillet()
+    {
+        const string Left = "it moved although neither it nor a motion beside it was named.";
+        var before = Before.Replace(
+            "N20 G3 X15. Y5. I0. J5.\n",
+            "N20 G3 X13. Y1. I0. J5.\nN21 X14. Y2. I-3. J4.\nN22 X15. Y5. I-4. J3.\n",
+            StringComparison.Ordinal);
+        const string Result = "G90 G17\nG0 X0. Y0.1 Z0.\nN10 G1 X10. Y0.1 F100\nN20 G3 X12.94 Y1.08 I0. J4.9\n"
+            + "N21 X13.92 Y2.06 I-2.94 J3.92\nN22 X14.9 Y5. I-3.92 J2.94\nN30 G1 X14.9 Y15.\nG0 Z5.\n";
+
+        Assert.Empty(Messages(Verdict.OnElements(before, Result, ("N10", 0.1), ("N30", 0.1))));
+        Assert.Equal(
+            ["N21: " + Left, "N22: " + Left],
+            Messages(Verdict.OnElements(before, Result, ("N10", 0.1), ("N20", 0.1), ("N30", 0.1))));
+    }
+
     // An arc in two blocks that nobody named: the rewriter makes what was written by hand here.
     [Fact]
     public void A_fillet_in_two_blocks_that_nobody_named_goes_along()
