@@ -31,6 +31,32 @@ public sealed class ArcMarginTests
         Assert.Equal(found, Messages(Prover.Check(path, NcProgram.FromText(result), wish, increment)));
     }
 
+    // The increment is such that 1.5 of it and 1e-9 are 2^-9 mm: exactly the difference of the radii.
+    [Fact]
+    public void Radii_may_differ_by_the_limit_itself()
+    {
+        const double Increment = (0.001953125 - 1e-9) / 1.5;
+        Assert.Equal(0.001953125, (1.5 * Increment) + 1e-9);
+        var path = Bench.Read("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y10. I-10. J0. F100\nG0 Z5.\n");
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N30"), new(0, -0.001953125, 0)));
+        var result = NcProgram.FromText("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y9.998046875 I-10. J0. F100\nG0 Z5.\n");
+
+        Assert.Empty(Messages(Prover.Check(path, result, wish, Increment)));
+    }
+
+    // Ends that went apart by 1e-9 let the center go aside, for the arc turns a little then. From zero, the words say it exactly.
+    [Theory]
+    [InlineData("X0.000000001")]
+    [InlineData("X0.0000000009", "N30: it lies 0.0000 mm from where it was wanted.")]
+    public void An_arc_follows_as_a_whole_if_its_ends_went_alike_to_a_picometer(string end, params string[] found)
+    {
+        var path = Bench.Read("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y10. I-10. J0. F100\nG0 Z5.\n");
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N30"), new(1e-9, 0, 0)));
+        var result = NcProgram.FromText($"G90 G17\nG0 X10. Y0. Z0.\nN30 G3 {end} Y10. I-10.00001 J0.00001 F100\nG0 Z5.\n");
+
+        Assert.Equal(found, Messages(Prover.Check(path, result, wish, 0.001)));
+    }
+
     // The arc begins at (-4, 0), ends at (4, 0) and is 2 high. Its start goes by 0.2 along its chord, so its top goes by 0.1.
     // The circle through (-3.8, 0), (0.1, 2) and (4, 0) is about (0.1, -2.8025). If its center is d higher, its top is 0.416 d higher.
     // 1.6 increments are allowed.

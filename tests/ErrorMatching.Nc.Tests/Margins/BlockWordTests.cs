@@ -56,6 +56,27 @@ public sealed class BlockWordTests
         Assert.Equal(found, Found(Before, after, "N20", new(x, y, z)));
     }
 
+    // An axis moves if it goes by more than 1e-9: that is also what the words say exactly, from zero.
+    [Theory]
+    [InlineData("Y10.", "X0.000000001 Y10.2", 0, 0.2, "N20: " + Other)]
+    [InlineData("Y10.", "X0.0000000011 Y10.2", 0, 0.2)]
+    [InlineData("X10.", "X10.2 Y0.000000001", 0.2, 0, "N20: " + Other)]
+    [InlineData("X10.", "X10.2 Y0.0000000011", 0.2, 0)]
+    [InlineData("X10.", "X10.2 Z0.000000001", 0.2, 0, "N20: " + Other)]
+    [InlineData("X10.", "X10.2 Z0.0000000011", 0.2, 0)]
+    public void A_word_comes_for_no_less_than_a_picometer(string was, string now, double x, double y, params string[] found)
+    {
+        const string Before = "G90 G17\nG0 X0. Y0. Z0.\nN20 G1 WORDS F100\nN25 X20. Y5. Z0.\nG0 Z5.\n";
+
+        Assert.Equal(
+            found,
+            Found(
+                Before.Replace("WORDS", was, StringComparison.Ordinal),
+                Before.Replace("WORDS", now, StringComparison.Ordinal),
+                "N20",
+                new(x, y, 0)));
+    }
+
     // The arc of each plane has its own two center words.
     // It begins at (-3.8, 0) instead of (-4, 0), about (0.1, -2.8025) instead of (0, -3).
     [Theory]

@@ -56,6 +56,25 @@ public sealed class FilletProofTests
         Assert.Equal(holds, Verdict.OnElements(Before, result, ("N10", 0.1), ("N30", 0.3)).Holds);
     }
 
+    // Without an increment, a millionth is left, and from zero the words say it exactly: the fillet touches at the origin, at its start
+    // or at its end.
+    [Theory]
+    [InlineData("X-10. Y0.", "X0. Y0.", "X5. Y5.", "X5. Y15.", "X0.000001 Y0.", "X5. Y5.", false)]
+    [InlineData("X-10. Y0.", "X0. Y0.", "X5. Y5.", "X5. Y15.", "X0.0000011 Y0.", "X5. Y5.", true)]
+    [InlineData("X-15. Y-5.", "X-5. Y-5.", "X0. Y0.", "X0. Y10.", "X-5. Y-5.", "X0. Y0.000001", false)]
+    [InlineData("X-15. Y-5.", "X-5. Y-5.", "X0. Y0.", "X0. Y10.", "X-5. Y-5.", "X0. Y0.0000011", true)]
+    public void A_tangent_point_is_held_to_the_limit_itself(
+        string from, string start, string end, string to, string startNow, string endNow, bool isFound)
+    {
+        string Text(string s, string e) => $"G90 G17\nG0 {from} Z0.\nN10 G1 {s} F100\nN20 G3 {e} R5.\nN30 G1 {to}\nG0 Z5.\n";
+        var path = Bench.Read(Text(start, end));
+        var wishes = new[] { "N10", "N20", "N30" }.Select(
+            b => ElementWish.AlongNormals(path, path.MotionOf(Bench.Blocks(path, b)[0]), 0, 0, 0, b == "N20"));
+        var proof = Prover.Check(path, NcProgram.FromText(Text(startNow, endNow)), DisplacementWish.OfElements([.. wishes]), 0);
+
+        Assert.Equal(isFound, Messages(proof).Contains("N20: the fillet does not end where it touches the lines beside it."));
+    }
+
     // A circle that touches both lines, but whose radius is an increment or two off, or that took the change of one line only.
     [Theory]
     [InlineData(4.799)]

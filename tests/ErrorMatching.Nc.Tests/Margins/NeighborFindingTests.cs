@@ -71,6 +71,28 @@ public sealed class NeighborFindingTests
         Assert.Equal(NeighborRole.Slides, proof.Neighbors.Single(n => n.Block == "N20").Role);
     }
 
+    // The increment is such that 1.6 of it and 1e-6 are 2^-8 mm. By as much, the end that follows its line may be beside the circle of
+    // 10 about the origin.
+    [Theory]
+    [InlineData("N20 G1 X10. Y0. F100\nN30 G3 X0. Y10. I-10. J0.", "X10.00390625 Y0.", "X0. Y10. I-10.00390625 J0.", -0.00390625)]
+    [InlineData("N30 G3 X0. Y10. I-10. J0. F100\nN20 G1 X-10. Y10.", "X-10. Y10.00390625", "X0. Y10.00390625 I-10. J0.", -0.00390625)]
+    public void An_arc_slides_as_far_beside_its_circle_as_rounding_explains(string cuts, string line, string arc, double left)
+    {
+        const double Increment = (0.00390625 - 1e-6) / 1.6;
+        Assert.Equal(0.00390625, (1.6 * Increment) + 1e-6);
+        var isFirst = cuts.StartsWith("N20", StringComparison.Ordinal);
+        var path = Bench.Read($"G90 G17\nG0 X10. Y{(isFirst ? -10 : 0)}. Z0.\n{cuts}\nG0 Z5.\n");
+        var now = isFirst ? $"N20 G1 {line} F100\nN30 G3 {arc}" : $"N30 G3 {arc} F100\nN20 G1 {line}";
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), left));
+        var proof = Prover.Check(
+            path,
+            NcProgram.FromText($"G90 G17\nG0 X{(isFirst ? "10.00390625 Y-10" : "10. Y0")}. Z0.\n{now}\nG0 Z5.\n"),
+            wish,
+            Increment);
+
+        Assert.Equal(NeighborRole.Slides, proof.Neighbors.Single(n => n.Block == "N30").Role);
+    }
+
     // A move home begins where the named end is now, and ends where it did, or goes along in the axes that it does not name.
     [Theory]
     [InlineData("G53 X0. Y0.", 0.5, "")]
@@ -87,6 +109,19 @@ public sealed class NeighborFindingTests
         var behind = proof.Neighbors.Skip(1).Select(n => FormattableString.Invariant($"{n.Block} {n.Role} {n.DisplacementMm:0.###}"));
         Assert.Equal(next, string.Join(", ", behind));
     }
+
+    // From zero, the words say exactly by how much.
+    [Theory]
+    [InlineData("Z0.000000001")]
+    [InlineData("Z0.0000000011", "line 4: " + Retract)]
+    public void A_retract_ends_at_its_height_to_a_picometer(string end, params string[] found) =>
+        Assert.Equal(
+            found,
+            Verdict.OnEnds(
+                "G90 G17\nG0 X0. Y0. Z-5.\nN20 G1 X10. F100\nG0 Z0.\n",
+                $"G90 G17\nG0 X0. Y0. Z-5.\nN20 G1 X10.1 F100\nG0 {end}\n",
+                "N20",
+                new(0.1, 0, 0)).Failures.Select(f => f.Message));
 
     [Fact]
     public void A_retract_that_goes_aside_is_found_and_noted_with_how_far_its_end_went()
