@@ -285,6 +285,19 @@ public sealed class FilletProofTests
             "N10: an end moved by (0.004, 0.000), where neither the wish nor a neighbor puts it."));
     }
 
+    // The lines beside N20 go round the origin as those beside an arc about it do. But N20 is a line, which puts the end of N10: at
+    // y = 5.1, its x is -6 * 0.1 / 5.
+    [Theory]
+    [InlineData("X-0.12 Y5.1")]
+    [InlineData("X0.03 Y5.1", "N10: an end moved by (0.030, 0.100), where neither the wish nor a neighbor puts it.")]
+    public void A_line_about_the_origin_is_no_fillet(string end, params string[] found)
+    {
+        static string Text(string y, string e) =>
+            $"G90 G17\nG0 X-10. Y{y} Z0.\nN10 G1 {e} F100\nN20 X6. Y0.\nN30 X6. Y-10.\nG0 Z5.\n";
+
+        Assert.Equal(found, Messages(Verdict.OnElements(Text("5.", "X0. Y5."), Text("5.1", end), ("N10", 0.1), ("N30", 0))));
+    }
+
     // An arc with nothing behind it rounds no corner: it does not put the end of the line before it.
     [Fact]
     public void An_arc_at_the_end_of_a_program_is_no_fillet() =>
