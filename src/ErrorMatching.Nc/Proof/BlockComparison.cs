@@ -25,11 +25,6 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             var a = was.Bytes.Span[was[first].Start..EndOf(was, behind - 1)];
             var b = now.Bytes.Span[now[first + linesBefore].Start..EndOf(now, behind - 1 + linesBefore)];
             var same = a.CommonPrefixLength(b);
-            if (same == a.Length && same == b.Length)
-            {
-                return behind;
-            }
-
             // The end of a line can depend on the byte after it, so the block of the last equal byte is still in doubt.
             first = same <= was[first].FullLength ? first : was.BlockAt(was[first].Start + same - 1);
             if (!Bytes(was, first).SequenceEqual(Bytes(now, first + linesBefore)))
@@ -62,7 +57,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         }
 
         var isRadiusReplaced = was.Has(MotionFlags.ByRadius) && !now.Has(MotionFlags.ByRadius);
-        var dropped = isRadiusReplaced ? _original.Letters & ~_result.Letters & changeable & RadiusWords : 0;
+        var dropped = isRadiusReplaced ? RadiusWords : 0;
         var inserted = 0u;
         for (var rest = _result.Letters & ~_original.Letters & changeable; rest != 0; rest &= rest - 1)
         {

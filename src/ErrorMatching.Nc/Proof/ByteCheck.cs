@@ -14,7 +14,7 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
     public List<Task<(bool Identical, List<Refusal> Failures)>> Compare(int markerBlock)
     {
         var blocks = task.Before.Program.BlockCount;
-        var border = markerBlock < 0 ? blocks : markerBlock;
+        var border = Math.Min(markerBlock, blocks);
         return [.. Compare(0, border, 0), .. Compare(border, blocks, 1)];
     }
 

@@ -60,7 +60,7 @@ internal sealed class ClosedContours
             }
         }
 
-        for (var joint = first + 1; joint <= last && lastAt.Count > 0; joint++)
+        for (var joint = first + 1; joint <= last; joint++)
         {
             var place = motions.StartOf(joint);
             if (!lastAt.TryGetValue(place, out var before))
@@ -84,7 +84,6 @@ internal sealed class ClosedContours
             && (before.TangentAt(1) - behind.TangentAt(0)).Length > CornerTurn;
     }
 
-    // A damaged arc may begin or end in its own center.
-    private static bool HasDirection(in NcMotion motion) => motion is { MovesInPlane: true, IsCut: true }
-        && (!motion.IsArc || (motion.PlaneStart != motion.Center && motion.PlaneEnd != motion.Center));
+    // An arc that begins or ends in its own center has none, but no element that is one is proved.
+    private static bool HasDirection(in NcMotion motion) => motion is { MovesInPlane: true, IsCut: true };
 }

@@ -61,9 +61,10 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
             return null;
         }
 
-        var tangent = radius * turn * before.Direction.Cross(behind.Direction) / (1 + before.Direction.Dot(behind.Direction));
+        var leftward = turn * radius;
+        var tangent = leftward * before.Direction.Cross(behind.Direction) / (1 + before.Direction.Dot(behind.Direction));
         var (from, to) = (corner - (before.Direction * tangent), corner + (behind.Direction * tangent));
-        return (new(from + (before.Normal * (turn * radius)), radius), from, to);
+        return (new(from + (before.Normal * leftward), radius), from, to);
     }
 
     private ElementWish WishOf(int motion) => task.Wish.Elements[task.Elements.IndexOf(motion)];
@@ -79,12 +80,14 @@ internal sealed class FilletCheck(ProofTask task, ProofFindings findings)
         }
 
         var (before, behind) = (motion - 1, motion + 1);
-        for (; before >= 0 && IsPieceOf(motions[before], arc); before--)
+        while (before >= 0 && IsPieceOf(motions[before], arc))
         {
+            before--;
         }
 
-        for (; behind < motions.Length && IsPieceOf(motions[behind], arc); behind++)
+        while (behind < motions.Length && IsPieceOf(motions[behind], arc))
         {
+            behind++;
         }
 
         return before >= 0 && behind < motions.Length

@@ -31,9 +31,9 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
         for (var run = 1; run < task.Elements.Count; run++)
         {
             var (first, behind) = (task.Elements[run - 1].Last + 1, task.Elements[run].First);
-            if (behind - first > 1 && fillets.IsWhole(first, behind - 1))
+            if (fillets.IsWhole(first, behind - 1))
             {
-                allowed.AsSpan(first + 1, behind - first - 1).Fill(true);
+                allowed.AsSpan()[first..behind].Fill(true);
             }
         }
 

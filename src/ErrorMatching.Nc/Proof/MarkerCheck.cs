@@ -5,31 +5,33 @@ namespace ErrorMatching.Nc;
 /// <summary>Checks the inserted comment line: a line of its own that does nothing.</summary>
 internal sealed class MarkerCheck(ProofTask task, ProofFindings findings, string? marker)
 {
-    // The line of the marker in the result; -1 if no marker was requested or found.
+    /// <summary>The line of a marker that was not requested or not found: no block is behind it.</summary>
+    private const int None = int.MaxValue;
+
+    /// <summary>The line of the marker in the result, which is also the first block of the original behind it;
+    /// <see cref="int.MaxValue"/> if no marker was requested or found.</summary>
     public int Find()
     {
-        var extra = task.After.Program.BlockCount - task.Before.Program.BlockCount;
-        if (extra != (marker is null ? 0 : 1))
+        var expected = task.Before.Program.BlockCount + (marker is null ? 0 : 1);
+        if (task.After.Program.BlockCount != expected)
         {
-            var expected = task.Before.Program.BlockCount + (marker is null ? 0 : 1);
             findings.Fail($"The result has {task.After.Program.BlockCount} lines, expected {expected}.");
-            return -1;
+            return None;
         }
 
         if (marker is null)
         {
-            return -1;
+            return None;
         }
 
-        var line = LineOf(task.After.Program, Encoding.UTF8.GetBytes(marker));
-        if (line >= 0)
+        if (LineOf(task.After.Program, Encoding.UTF8.GetBytes(marker)) is >= 0 and var line)
         {
             CheckMarker(line);
             return line;
         }
 
         findings.Fail("The marker comment is not in the result.");
-        return -1;
+        return None;
     }
 
     // The first line that consists of the text alone; -1 if there is none.

@@ -36,13 +36,20 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
         }
 
         arcs.CheckWords(was, now);
+
+        // Also if only one of its ends moved, or both along its circle: the lines beside it are free to end anywhere on it.
+        var isFillet = fillets.Is(motion);
+        if (isFillet)
+        {
+            fillets.Check(motion, was, now);
+        }
+
         if (SlidAlong(was, now))
         {
             findings.Note(was, NeighborRole.Slides, moved);
         }
-        else if (startMoved && endMoved && fillets.Is(motion))
+        else if (isFillet)
         {
-            fillets.Check(motion, was, now);
             findings.Note(was, NeighborRole.Fillet, moved);
         }
         else

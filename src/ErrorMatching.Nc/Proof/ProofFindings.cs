@@ -42,10 +42,11 @@ internal sealed class ProofFindings(NcPath before)
         if (_noted.TryAdd((was.Block, role), _neighbors.Count))
         {
             _neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
-            return;
         }
-
-        var noted = _noted[(was.Block, role)];
-        _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved.Length) };
+        else
+        {
+            var noted = _noted[(was.Block, role)];
+            _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved.Length) };
+        }
     }
 }

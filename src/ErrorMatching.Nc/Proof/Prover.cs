@@ -68,7 +68,7 @@ public sealed class Prover
             return null;
         }
 
-        var different = before.DifferencesFrom(after, _marker is null ? int.MaxValue : markerBlock);
+        var different = before.DifferencesFrom(after, markerBlock);
         foreach (var i in different)
         {
             var (was, now) = (before[i], after[i]);
@@ -85,7 +85,7 @@ public sealed class Prover
         return _findings.Failures.Count == 0 ? different : null;
     }
 
-    private static int InResult(int block, int markerBlock) => markerBlock >= 0 && block >= markerBlock ? block + 1 : block;
+    private static int InResult(int block, int markerBlock) => block >= markerBlock ? block + 1 : block;
 
     private int CompareMotions(List<int> different)
     {

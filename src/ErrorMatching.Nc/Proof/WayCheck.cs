@@ -144,7 +144,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             behind++;
         }
 
-        return before < motion && motion < behind && task.Elements.Contains(before) && task.Elements.Contains(behind)
+        return before < motion && task.Elements.Contains(before) && task.Elements.Contains(behind)
             && task.Before.Motions.IsComparable(before, behind);
     }
 

@@ -31,6 +31,32 @@ public sealed class ArcMarginTests
         Assert.Equal(found, Messages(Prover.Check(path, NcProgram.FromText(result), wish, increment)));
     }
 
+    // The increment is such that 1.5 of it and 1e-9 are 2^-9 mm: exactly the difference of the radii.
+    [Fact]
+    public void Radii_may_differ_by_the_limit_itself()
+    {
+        const double Increment = (0.001953125 - 1e-9) / 1.5;
+        Assert.Equal(0.001953125, (1.5 * Increment) + 1e-9);
+        var path = Bench.Read("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y10. I-10. J0. F100\nG0 Z5.\n");
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N30"), new(0, -0.001953125, 0)));
+        var result = NcProgram.FromText("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y9.998046875 I-10. J0. F100\nG0 Z5.\n");
+
+        Assert.Empty(Messages(Prover.Check(path, result, wish, Increment)));
+    }
+
+    // Ends that went apart by 1e-9 let the center go aside, for the arc turns a little then. From zero, the words say it exactly.
+    [Theory]
+    [InlineData("X0.000000001")]
+    [InlineData("X0.0000000009", "N30: it lies 0.0000 mm from where it was wanted.")]
+    public void An_arc_follows_as_a_whole_if_its_ends_went_alike_to_a_picometer(string end, params string[] found)
+    {
+        var path = Bench.Read("G90 G17\nG0 X10. Y0. Z0.\nN30 G3 X0. Y10. I-10. J0. F100\nG0 Z5.\n");
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N30"), new(1e-9, 0, 0)));
+        var result = NcProgram.FromText($"G90 G17\nG0 X10. Y0. Z0.\nN30 G3 {end} Y10. I-10.00001 J0.00001 F100\nG0 Z5.\n");
+
+        Assert.Equal(found, Messages(Prover.Check(path, result, wish, 0.001)));
+    }
+
     // The arc begins at (-4, 0), ends at (4, 0) and is 2 high. Its start goes by 0.2 along its chord, so its top goes by 0.1.
     // The circle through (-3.8, 0), (0.1, 2) and (4, 0) is about (0.1, -2.8025). If its center is d higher, its top is 0.416 d higher.
     // 1.6 increments are allowed.
@@ -45,17 +71,29 @@ public sealed class ArcMarginTests
 
     // Nearly half a turn, 3.85 high: its radius is 4.002922 at first and (3.9^2 + 3.85^2) / 7.7 = 3.900325 at last. One increment more
     // makes it lower by 0.05, but no nearer radius could be written. 1.5 increments are allowed.
-    // With 3.9019, it is 3.9019 - sqrt(3.9019^2 - 3.9^2) = 3.7801 high.
+    // That is 3.901825 and a millionth. With 3.9019, it is 3.9019 - sqrt(3.9019^2 - 3.9^2) = 3.7801 high.
     [Theory]
     [InlineData("R3.900325")]
     [InlineData("R3.9013")]
     [InlineData("R3.9018")]
+    [InlineData("R3.901825")]
+    [InlineData("R3.901827", "N30: it lies 0.0676 mm from where it was wanted.")]
     [InlineData("R3.9019", "N30: it lies 0.0699 mm from where it was wanted.")]
     public void An_arc_by_its_radius_is_as_high_as_the_rounding_of_its_radius_lets_it(string radius, params string[] found) =>
         Assert.Equal(found, WithMovedStart("R4.002922", radius));
 
-    // From a quarter of a turn to 179 or 181 degrees.
+    // Its radius is 5 at its start and sqrt(4.003^2 + 9) = 5.0024 at its end. The circle may be off by the difference in addition: with
+    // 1.6 increments, 0.004. It is 2 high about (0.1015, -2.8054), and 0.416 d higher if its center is d higher.
     [Theory]
+    [InlineData("J-2.8054")]
+    [InlineData("J-2.7965")]
+    [InlineData("J-2.795", "N30: it lies 0.0043 mm from where it was wanted.")]
+    public void An_arc_may_be_off_by_the_difference_of_its_radii(string center, params string[] found) =>
+        Assert.Equal(found, WithMovedStart("I4. J-3.", $"I3.9015 {center}", "X4.003"));
+
+    // From a quarter of a turn to 179, 180 or 181 degrees.
+    [Theory]
+    [InlineData("X-10. Y0.", false)]
     [InlineData("X-9.998477 Y0.174524", false)]
     [InlineData("X-9.998477 Y-0.174524", true)]
     public void An_arc_may_turn_by_a_right_angle_more(string end, bool isFound)
@@ -69,11 +107,11 @@ public sealed class ArcMarginTests
         Assert.Equal(isFound, Messages(proof).Contains("N30: it turns by another angle than before."));
     }
 
-    private static string[] WithMovedStart(string was, string now)
+    private static string[] WithMovedStart(string was, string now, string end = "X4.")
     {
-        var path = Bench.Read($"G90 G17\nG0 X-10. Y0. Z0.\nN20 G1 X-4. Y0. F100\nN30 G2 X4. Y0. {was}\nG0 Z5.\n");
+        var path = Bench.Read($"G90 G17\nG0 X-10. Y0. Z0.\nN20 G1 X-4. Y0. F100\nN30 G2 {end} Y0. {was}\nG0 Z5.\n");
         var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N20"), new Vector3(0.2, 0, 0)));
-        var result = $"G90 G17\nG0 X-10. Y0. Z0.\nN20 G1 X-3.8 Y0. F100\nN30 G2 X4. Y0. {now}\nG0 Z5.\n";
+        var result = $"G90 G17\nG0 X-10. Y0. Z0.\nN20 G1 X-3.8 Y0. F100\nN30 G2 {end} Y0. {now}\nG0 Z5.\n";
         return Messages(Prover.Check(path, NcProgram.FromText(result), wish, 0.001));
     }
 

@@ -111,6 +111,21 @@ public sealed class FindingTests
             On(Before, After.Replace("X10.", "X10.01", StringComparison.Ordinal), ("N10", 0.1)));
     }
 
+    // An increment from a place that the program does not say leads to such a place, whatever its words.
+    [Fact]
+    public void A_word_that_leads_nowhere_known_must_not_change()
+    {
+        const string Head = "G90 G17\nG91 G1 X5. F100\nG90 ";
+        var proof = Verdict.OnElements(
+            Head + Line["G90 G17 G40\n".Length..],
+            (Head + GoodLine["G90 G17 G40\n".Length..]).Replace("X5.", "X6.", StringComparison.Ordinal),
+            ("N10", 0.1));
+
+        Assert.Equal(
+            ["2 line 2: its words changed although its motion, as far as the program says where it is, did not."], Found(proof));
+        Assert.False(proof.UntouchedBytesIdentical);
+    }
+
     private const string Marker = "(M)";
 
     [Theory]

@@ -58,6 +58,84 @@ public sealed class NeighborFindingTests
                 GoodHead.Replace("X10.", "X9.9995", StringComparison.Ordinal) + $"N20 G3 X0. Y10. {center}\nG0 Z5.\n",
                 ("N10", 0.1)));
 
+    // Its radius is 3 micrometers longer at its end, which is no more than that beside the circle of its start.
+    [Fact]
+    public void An_arc_whose_radii_differ_slides_along_the_circle_of_its_start()
+    {
+        var proof = Verdict.OnElements(
+            Head + "N20 G3 X0. Y10.003 I-10. J0.\nG0 Z5.\n",
+            GoodHead.Replace("X10.", "X9.9995", StringComparison.Ordinal) + "N20 G3 X0. Y10.003 I-9.9995 J-0.1\nG0 Z5.\n",
+            ("N10", 0.1));
+
+        Assert.Empty(proof.Failures);
+        Assert.Equal(NeighborRole.Slides, proof.Neighbors.Single(n => n.Block == "N20").Role);
+    }
+
+    // The increment is such that 1.6 of it and 1e-6 are 2^-8 mm. By as much, the end that follows its line may be beside the circle of
+    // 10 about the origin.
+    [Theory]
+    [InlineData("N20 G1 X10. Y0. F100\nN30 G3 X0. Y10. I-10. J0.", "X10.00390625 Y0.", "X0. Y10. I-10.00390625 J0.", -0.00390625)]
+    [InlineData("N30 G3 X0. Y10. I-10. J0. F100\nN20 G1 X-10. Y10.", "X-10. Y10.00390625", "X0. Y10.00390625 I-10. J0.", -0.00390625)]
+    public void An_arc_slides_as_far_beside_its_circle_as_rounding_explains(string cuts, string line, string arc, double left)
+    {
+        const double Increment = (0.00390625 - 1e-6) / 1.6;
+        Assert.Equal(0.00390625, (1.6 * Increment) + 1e-6);
+        var isFirst = cuts.StartsWith("N20", StringComparison.Ordinal);
+        var path = Bench.Read($"G90 G17\nG0 X10. Y{(isFirst ? -10 : 0)}. Z0.\n{cuts}\nG0 Z5.\n");
+        var now = isFirst ? $"N20 G1 {line} F100\nN30 G3 {arc}" : $"N30 G3 {arc} F100\nN20 G1 {line}";
+        var wish = Bench.Usable(DisplacementWish.Normal(path, Bench.Blocks(path, "N20"), left));
+        var proof = Prover.Check(
+            path,
+            NcProgram.FromText($"G90 G17\nG0 X{(isFirst ? "10.00390625 Y-10" : "10. Y0")}. Z0.\n{now}\nG0 Z5.\n"),
+            wish,
+            Increment);
+
+        Assert.Equal(NeighborRole.Slides, proof.Neighbors.Single(n => n.Block == "N30").Role);
+    }
+
+    // A move home begins where the named end is now, and ends where it did, or goes along in the axes that it does not name.
+    [Theory]
+    [InlineData("G53 X0. Y0.", 0.5, "")]
+    [InlineData("G53 Y0.", 0.3, "line 5 Follows 0.3")]
+    [InlineData("G53 X0.", 0.4, "line 5 Follows 0.4")]
+    public void A_move_home_is_positioning(string home, double displaced, string next)
+    {
+        string Text(string end) => $"G90 G17\nG0 X0. Y0. Z5.\nN20 G1 {end} F100\n{home}\nG0 X5. Y5.\n";
+        var proof = Verdict.OnEnds(Text("X10. Y0."), Text("X10.3 Y0.4"), "N20", new(0.3, 0.4, 0));
+
+        Assert.Empty(proof.Failures);
+        Assert.Equal(("line 4", NeighborRole.Positioning), (proof.Neighbors[0].Block, proof.Neighbors[0].Role));
+        Assert.Equal(displaced, proof.Neighbors[0].DisplacementMm, 1e-9);
+        var behind = proof.Neighbors.Skip(1).Select(n => FormattableString.Invariant($"{n.Block} {n.Role} {n.DisplacementMm:0.###}"));
+        Assert.Equal(next, string.Join(", ", behind));
+    }
+
+    // From zero, the words say exactly by how much.
+    [Theory]
+    [InlineData("Z0.000000001")]
+    [InlineData("Z0.0000000011", "line 4: " + Retract)]
+    public void A_retract_ends_at_its_height_to_a_picometer(string end, params string[] found) =>
+        Assert.Equal(
+            found,
+            Verdict.OnEnds(
+                "G90 G17\nG0 X0. Y0. Z-5.\nN20 G1 X10. F100\nG0 Z0.\n",
+                $"G90 G17\nG0 X0. Y0. Z-5.\nN20 G1 X10.1 F100\nG0 {end}\n",
+                "N20",
+                new(0.1, 0, 0)).Failures.Select(f => f.Message));
+
+    [Fact]
+    public void A_retract_that_goes_aside_is_found_and_noted_with_how_far_its_end_went()
+    {
+        var proof = Verdict.OnEnds(
+            "G90 G17\nG0 X0. Y0. Z5.\nN20 G1 X10. Y0. F100\nG0 Z6.\nX50. Y0.\n",
+            "G90 G17\nG0 X0. Y0. Z5.\nN20 G1 X10.1 Y0. F100\nG0 X10.2 Z6.\nX50. Y0.\n",
+            "N20",
+            new(0.1, 0, 0));
+
+        Assert.Equal(["line 4: " + Retract], proof.Failures.Select(f => f.Message));
+        Assert.Equal([("line 4", 0.2), ("line 5", 0.2)], proof.Neighbors.Select(n => (n.Block, Math.Round(n.DisplacementMm, 9))));
+    }
+
     [Fact]
     public void A_short_neighbor_that_turned_round_is_found()
     {

@@ -14,6 +14,18 @@ internal static class Verdict
         return Prover.Check(path, NcProgram.FromText(result), DisplacementWish.OfElements([.. elements]), 0.001);
     }
 
+    /// <summary>Proves a result of a wish for elements whose ends go by vectors, and their middles by the mean of both.</summary>
+    public static NcProof OnVectors(string before, string result, params (string Block, Vector2 Start, Vector2 End)[] wishes)
+    {
+        var path = Bench.Read(before);
+        var elements = wishes.Select(w => new ElementWish(
+            path.MotionOf(Bench.Blocks(path, w.Block)[0]), w.Start, (w.Start + w.End) / 2, w.End));
+        return Prover.Check(path, NcProgram.FromText(result), DisplacementWish.OfElements([.. elements]), 0.001);
+    }
+
+    /// <summary>The failures of a proof, each behind the number of its line.</summary>
+    public static string[] Found(NcProof proof) => [.. proof.Failures.Select(f => $"{f.Place.Line ?? 0} {f.Message}")];
+
     /// <summary>Proves a result of a wish for end points.</summary>
     public static NcProof OnEnds(string before, string result, string block, Vector3 by)
     {
