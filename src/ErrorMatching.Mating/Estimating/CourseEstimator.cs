@@ -71,40 +71,53 @@ internal sealed class CourseEstimator
     /// <returns>The estimate, or why a feature cannot follow its corrections.</returns>
     public Outcome<CourseEstimate> Estimate()
     {
-        CourseEstimate? best = null;
+        (CourseEstimate Estimate, double Left)? best = null;
         _runs.ForEach(r => r.Compare(_path, isWhole: false));
         for (var round = 0; round < Rounds; round++)
         {
-            foreach (var run in _runs)
+            var made = Made();
+            if (!made.IsUsable)
             {
-                run.Solve(isWhole: false);
-                run.Follow(e => IsCompensated(_features[e]));
+                return best is null ? made.Refusal : best.Value.Estimate;
             }
 
-            if (Wishes(out var wish) is { } cannotFollow)
-            {
-                return cannotFollow;
-            }
-
-            var rewrite = Rewriter.Apply(_path, wish);
-            if (!rewrite.IsUsable)
-            {
-                return best is null ? rewrite.Refusal : best;
-            }
-
-            var after = rewrite.Result.Patches.Count == 0
-                ? _path
-                : NcInterpreter.Run(rewrite.Result.Program, _path.Dialect);
-            best = new(wish, rewrite.Result, after, _runs);
+            // A correction that makes it worse ends the rounds: far off its corner, a point says nothing that a straight line could extend.
             var isSettled = true;
-            _runs.ForEach(r => isSettled &= r.Compare(after, isWhole: false));
-            if (isSettled)
+            _runs.ForEach(r => isSettled &= r.Compare(made.Result.After, isWhole: false));
+            var left = _runs.Max(r => r.LeftMm);
+            if (best is null || left < best.Value.Left)
+            {
+                best = (made.Result, left);
+            }
+
+            if (isSettled || left > best.Value.Left)
             {
                 break;
             }
         }
 
-        return best!;
+        return best!.Value.Estimate;
+    }
+
+    private Outcome<CourseEstimate> Made()
+    {
+        foreach (var run in _runs)
+        {
+            run.Solve(isWhole: false);
+            run.Follow(e => IsCompensated(_features[e]));
+        }
+
+        if (Wishes(out var wish) is { } cannotFollow)
+        {
+            return cannotFollow;
+        }
+
+        var rewrite = Rewriter.Apply(_path, wish);
+        return !rewrite.IsUsable ? rewrite.Refusal
+            : new CourseEstimate(
+                wish,
+                rewrite.Result,
+                rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path.Dialect));
     }
 
     /// <summary>Predicts the mating error that a program leaves.</summary>
@@ -141,7 +154,10 @@ internal sealed class CourseEstimator
 
         var worst = _elements[pass].Select(e => run.WorstBetween(e, cutsAfter)).OfType<PredictedError>()
             .MaxBy(e => Math.Abs(e.AfterMm));
-        return new(points, worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) })
+        return new(
+            points,
+            worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) },
+            [.. _elements[pass].Select(run.PriorOf)])
         {
             Deviation = _elements[pass].Count == 0 ? null : along => run.DeviationAt(
                 _elements[pass].MinBy(e => Math.Max(0, Math.Max(e.FromMm - along, along - e.ToMm)))!, along),
@@ -158,14 +174,20 @@ internal sealed class CourseEstimator
         for (var i = 0; i < pass.Feet.Count; i++)
         {
             var decided = _decision.Features[feature].Points[i];
-            var deviation = _job.Counterpart.Frame.Apply(decided.Point.Displacement);
+            var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.Displacement), pass.Feet[i].Normal);
+            if (_job.Compensation.From == CompensationSource.Counterpart)
+            {
+                // What two measured points differ by along the boundary says nothing.
+                deviation = normal * deviation.Dot(normal);
+            }
+
             yield return new(
                 feature,
                 i,
                 _theoretical[feature][i],
                 deviation,
                 IsCompensated(feature) ? deviation * ShareOf(decided) : deviation,
-                pass.Feet[i].Normal);
+                normal);
         }
     }
 
@@ -276,5 +298,4 @@ internal sealed class CourseEstimator
 /// <param name="Wish">The wish for each motion that cuts a compensated feature.</param>
 /// <param name="Rewrite">The changes that follow it.</param>
 /// <param name="After">The changed program, interpreted, without a marker.</param>
-/// <param name="Runs">The estimates of the runs.</param>
-internal sealed record CourseEstimate(DisplacementWish Wish, Rewrite Rewrite, NcPath After, IReadOnlyList<RunEstimate> Runs);
+internal sealed record CourseEstimate(DisplacementWish Wish, Rewrite Rewrite, NcPath After);

@@ -23,6 +23,7 @@ internal sealed class DeviationPrior
     public DeviationPrior(BoundaryElement element, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
     {
         _element = element;
+        TiltMm = element.Form == ElementForm.Free ? null : tiltMm;
         _terms = element.Degree is { } degree ? TermsOf(places, Math.Min(degree, places.Count - 1)) : [];
         _deviations = element switch
         {
@@ -35,6 +36,15 @@ internal sealed class DeviationPrior
 
     /// <summary>The form error: variances with their lengths of correlation, mm.</summary>
     public IReadOnlyList<(double VarianceMm2, double LengthMm)> Form { get; init; } = [];
+
+    /// <summary>Standard deviation of the tilt at both ends, mm; null for a curve, whose linear mean is vague.</summary>
+    public double? TiltMm { get; }
+
+    /// <summary>What a report states of it.</summary>
+    public ElementPrior Summary => new(
+        TiltMm,
+        Math.Sqrt(Form.Sum(f => f.VarianceMm2)),
+        Form.Count == 0 ? null : Form.Sum(f => f.VarianceMm2 * f.LengthMm) / Form.Sum(f => f.VarianceMm2));
 
     /// <summary>Covariance of the deviations at two places, mm^2.</summary>
     public double Covariance(double along, double other) => OfShape(along, other) + OfForm(along, other);

@@ -10,7 +10,9 @@ public sealed record MatingPrediction(IReadOnlyList<FeaturePrediction> Features)
 /// <summary>The predicted mating error of a feature.</summary>
 /// <param name="Points">Its key points in the order of the job: measured exactly against all cuts of the program around them.</param>
 /// <param name="WorstBetween">The largest error that is expected between them; null for kinds without a course.</param>
-public sealed record FeaturePrediction(IReadOnlyList<PredictedError> Points, PredictedError? WorstBetween)
+/// <param name="Priors">What was assumed about each of its elements before it was measured; empty for kinds without a course.</param>
+public sealed record FeaturePrediction(
+    IReadOnlyList<PredictedError> Points, PredictedError? WorstBetween, IReadOnlyList<ElementPrior> Priors)
 {
     /// <summary>The measured deviation at a length along the boundary, toward the tool, mm; null for kinds without a course.</summary>
     internal Func<double, double>? Deviation { get; init; }
@@ -43,4 +45,23 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
     internal static PredictedError Read(ReportReader r) => new(
         r.Point("place"), r.Vector("normal"), r.Number("uncompensatedMm"), r.Number("predictedMm"), r.Number("uncertaintyMm"));
+}
+
+/// <summary>What was assumed about the deviation of an element before it was measured, chosen by the evidence of the key points.</summary>
+/// <param name="TiltMm">Standard deviation of its tilt at both ends, and of the change of an arc, mm; null for a curve, whose linear mean
+/// is vague.</param>
+/// <param name="FormMm">Standard deviation of its form error, mm.</param>
+/// <param name="LengthMm">Length over which its form error is correlated, mm; null without a form error.</param>
+public sealed record ElementPrior(double? TiltMm, double FormMm, double? LengthMm)
+{
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Number("tiltMm", TiltMm);
+        w.Number("formMm", FormMm);
+        w.Number("lengthMm", LengthMm);
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    internal static ElementPrior Read(ReportReader r) => new(r.OptionalNumber("tiltMm"), r.Number("formMm"), r.OptionalNumber("lengthMm"));
 }

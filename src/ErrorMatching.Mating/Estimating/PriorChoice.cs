@@ -26,7 +26,8 @@ internal static class PriorChoice
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     /// <returns>The priors for the cuts, in which a line runs through its two points, because they say nothing else; and those for the
     /// uncertainty between key points, in which its form may be off by as much as that of the others.</returns>
-    public static (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Of(IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+    public static (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Of(
+        IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
         var own = elements.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Element == e).ToArray()).ToArray();
@@ -52,12 +53,13 @@ internal static class PriorChoice
                 .. elements.Select(
                     (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
-                        Form = element.Form == ElementForm.Free ? forms[e] : FormOf(element, isCut && own[e].Length == 2 ? LeastForm(noise) : form)
+                        Form = element.Form == ElementForm.Free ? forms[e]
+                            : FormOf(element, isCut && own[e].Length == 2 ? LeastForm(noise) : form)
                     })];
     }
 
-    // The form errors of lines, flanks and arcs, from those with more points than they need. Their tilts are vague, so that the likelihood is
-    // the restricted one. Without such an element, nothing tells a form error.
+    // The form errors of lines, flanks and arcs, from those with more points than they need. Their tilts are vague, so that the likelihood
+    // is the restricted one. Without such an element, nothing tells a form error.
     private static IReadOnlyList<(double Variance, double Part)> FormOfStraight(
         IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
     {
@@ -88,7 +90,8 @@ internal static class PriorChoice
                 [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, form) }], rows, noise);
     }
 
-    private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) => [(Math.Pow(LeastError * noise, 2), _formLengths[2])];
+    private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) =>
+        [(Math.Pow(LeastError * noise, 2), _formLengths[2])];
 
     private static (double, double)[] FormOf(BoundaryElement element, IReadOnlyList<(double Variance, double Part)> form) =>
         [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];

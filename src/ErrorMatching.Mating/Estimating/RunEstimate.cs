@@ -42,13 +42,16 @@ internal sealed class RunEstimate
     /// <summary>The deviations that its key points say; null before the first measuring.</summary>
     public DeviationField? Field { get; private set; }
 
+    /// <summary>Root mean square of what the last comparison found, mm.</summary>
+    public double LeftMm { get; private set; }
+
     /// <summary>Compares the places that the key points want with a path, exactly.</summary>
     /// <param name="path">The program before, or one with the displacement that <see cref="Cuts"/> follow.</param>
     /// <param name="isWhole">True for the measured places themselves; false for those that the compensation wants.</param>
     /// <returns>True if the comparison says nothing new.</returns>
     public bool Compare(NcPath path, bool isWhole)
     {
-        var (cuts, following, isSettled) = (OnCuts(path), Run.Following.ToList(), true);
+        var (cuts, following, isSettled, squares) = (OnCuts(path), Run.Following.ToList(), true, 0.0);
         for (var i = 0; i < Points.Count; i++)
         {
             var place = Points[i].Theoretical + (isWhole ? Points[i].Deviation : Points[i].Wanted);
@@ -59,6 +62,7 @@ internal sealed class RunEstimate
             }
 
             var off = foot.DistanceMm - Nominal[i].DistanceMm;
+            squares += off * off;
             RowTerm[] terms = [.. Run.SharesAt(path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
             var row = terms.Length == 0 ? null
                 : new BoundaryRow(terms, terms.Sum(t => t.Weight * Cuts[t.Element].At(t.AlongMm)) - off);
@@ -68,6 +72,7 @@ internal sealed class RunEstimate
             }
         }
 
+        LeftMm = Math.Sqrt(squares / Math.Max(1, Points.Count));
         isSettled &= following.Count == Run.Following.Count;
         Run.Following = following;
         return isSettled;
@@ -137,6 +142,9 @@ internal sealed class RunEstimate
             return cuts.FootOf(place + (toTool * Field!.Mean(index, along)), toTool).DistanceMm - Run.Radius;
         }
     }
+
+    /// <summary>What was assumed about an element before it was measured.</summary>
+    public ElementPrior PriorOf(BoundaryElement element) => _priors!.Value.OfPiece[IndexOf(element)].Summary;
 
     /// <summary>The deviation of an element at a length along the boundary, mm.</summary>
     public double DeviationAt(BoundaryElement element, double along) => Field!.Mean(IndexOf(element), along);

@@ -110,6 +110,7 @@ public static class MatchReporter
                     Deviation = predicted.Deviation
                 }),
             WorstBetween = predicted.WorstBetween,
+            Priors = predicted.Priors,
             StandsOutMm = map.Feature.Points.All(l => result.Input.Part[l].HasZ) ? heights.DefaultIfEmpty().Max() : null,
         };
     }

@@ -61,6 +61,10 @@ public sealed record ReportFeature
     /// versions.</summary>
     public PredictedError? WorstBetween { get; init; }
 
+    /// <summary>What was assumed about each of its elements before it was measured; empty for kinds without a course, and in reports of
+    /// earlier versions.</summary>
+    public IReadOnlyList<ElementPrior> Priors { get; init; } = [];
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
     {
@@ -87,6 +91,7 @@ public sealed record ReportFeature
         w.Optional("fit", Curve, c => c.Write(w));
         w.Number("standsOutMm", StandsOutMm);
         w.Optional("worstBetween", WorstBetween, e => e.Write(w));
+        w.List("priors", Priors, p => p.Write(w));
         w.Object("outline", () =>
         {
             w.Points("theoretical", TheoreticalOutline);
@@ -123,6 +128,7 @@ public sealed record ReportFeature
             TheoreticalOutline = outline.Points("theoretical"),
             ActualOutline = outline.Points("actual"),
             StandsOutMm = r.OptionalNumber("standsOutMm"),
+            Priors = r.OptionalList("priors", ElementPrior.Read),
             WorstBetween = r.OptionalObject("worstBetween") is { } worst ? PredictedError.Read(worst) : null,
         };
     }

@@ -12,8 +12,8 @@ public sealed class SmoothLoopTests
     private const int Parts = 400;
     private const double Noise = 0.002;
 
-    // The best that lines and courses of the same blocks can do knows the true boundary. A gauge with 2 um of noise at two to five points of
-    // a line does not, so a ratio of 1 is out of reach.
+    // The best that lines and courses of the same blocks can do knows the true boundary. A gauge with 2 um of noise at two to five points
+    // of a line does not, so a ratio of 1 is out of reach.
     [Theory]
     [InlineData(false, 1.4)]
     [InlineData(true, 1.6)]

@@ -165,7 +165,8 @@ internal sealed class SmoothPart
 
             if (element.Feature >= 0)
             {
-                _features.Add(new($"F{element.Feature}", element.IsWave ? "curve" : "line", first == block ? $"N{first}" : $"N{first}..N{block}"));
+                var blocks = first == block ? $"N{first}" : $"N{first}..N{block}";
+                _features.Add(new($"F{element.Feature}", element.IsWave ? "curve" : "line", blocks));
             }
         }
 
@@ -300,7 +301,8 @@ internal sealed class SmoothPart
     }
 
     // Where the displaced paths of two elements meet: Newton's method from their common end.
-    private static (Flat Place, double Before, double Behind) MeetingOf(Element before, Element behind, Func<Element, Func<double, double>> course)
+    private static (Flat Place, double Before, double Behind) MeetingOf(
+        Element before, Element behind, Func<Element, Func<double, double>> course)
     {
         var (s, t) = (before.Length, 0.0);
         for (var i = 0; i < 20; i++)
@@ -461,7 +463,8 @@ internal sealed class SmoothPart
             for (var k = 0; k < Steps; k++)
             {
                 // Simpson's rule for the integral of the heading.
-                var (a, b, c) = (Flat.Toward(HeadingAt(k * step)), Flat.Toward(HeadingAt((k + 0.5) * step)), Flat.Toward(HeadingAt((k + 1) * step)));
+                var (a, b, c) = (
+                    Flat.Toward(HeadingAt(k * step)), Flat.Toward(HeadingAt((k + 0.5) * step)), Flat.Toward(HeadingAt((k + 1) * step)));
                 _table[k + 1] = _table[k] + ((a + (b * 4) + c) * (step / 6));
             }
         }

@@ -7,7 +7,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Form">What its cut can follow.</param>
 internal sealed record BoundaryElement(FeaturePass Pass, int First, int Last, ElementForm Form)
 {
-    /// <summary>Degree of the polynomial that its course must be; null for a Gaussian process. Only for <see cref="ElementForm.Free"/>.</summary>
+    /// <summary>Degree of the polynomial that its course must be; null for a Gaussian process. Only for
+    /// <see cref="ElementForm.Free"/>.</summary>
     public int? Degree { get; init; }
 
     /// <summary>Weight against overfitting of that polynomial.</summary>
