@@ -169,6 +169,7 @@ public sealed class StoredReportTests
             One<CompensationSource>(r), Mm(r), One<CompensationAmount>(r), One<CompensationDirection>(r), Mm(r)),
         Rule = r.Next(3) switch { 0 => null, 1 => DecisionRule.Simple, _ => DecisionRule.GuardBand(1 + r.Next(49)) },
         ProbabilityBefore = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
+        ProbabilityAfter = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
         Uncertainty = new(Some(r, () => new UncertaintyContribution(Text(r), Mm(r)))),
         Chain = Maybe(r, () => new ReportChain(new(12, Band(r)), new(12, Band(r)))),
         Features = [.. Labels[..2].Select(name => Feature(r, name))],
@@ -201,6 +202,7 @@ public sealed class StoredReportTests
         Acceptance = r.Next(2) == 0 ? null : Band(r),
         SignificantMm = r.Next(2) == 0 ? null : Mm(r),
         ProbabilityBefore = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
+        ProbabilityAfter = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
         Quantities = [
             new(new("lengthMm", Mm(r), Mm(r), Mm(r)), r.Next(2) == 0 ? null : Mm(r)), new(new("directionDeg", Mm(r), Mm(r), Mm(r)), null)],
         Decision = One<Decision>(r),
@@ -229,6 +231,7 @@ public sealed class StoredReportTests
             UncompensatedMm = Mm(r),
             ExcessMm = Mm(r),
             ProbabilityBefore = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
+            ProbabilityAfter = r.Next(2) == 0 ? null : r.Next(1001) / 1000.0,
             PredictedMm = Mm(r),
             Interval95Mm = Mm(r),
             Blocks = Some(r, () => Text(r)),
