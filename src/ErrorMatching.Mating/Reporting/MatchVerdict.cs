@@ -44,6 +44,10 @@ public sealed record MatchVerdict
     /// <summary>The error with the largest magnitude that will be left at a key point; null without key points.</summary>
     public required ErrorLeft? Worst { get; init; }
 
+    /// <summary>The error left at the key point with limits that is the nearest to its limits, or the furthest beyond them; null without
+    /// limits.</summary>
+    public required ErrorLeft? Tightest { get; init; }
+
     /// <summary>The error with the largest magnitude that is expected between the key points of a feature; null if no feature has a
     /// course.</summary>
     public required ErrorLeft? WorstBetween { get; init; }
@@ -81,11 +85,14 @@ public sealed record MatchVerdict
             NotAccepted = notAccepted,
             OutsideBetween = between,
             Limits = all.Length == 1 ? all[0] : null,
-            Worst = Largest(report.KeyPoints.Select(p => new ErrorLeft(
-                p.Feature, p.Point, p.Theoretical, p.Normal, p.PredictedMm, p.Interval95Mm, LimitsOf(p)))),
+            Worst = Largest(report.KeyPoints.Select(Left)),
+            Tightest = judged.Select(Left).MinBy(e => e.MarginMm),
             WorstBetween = Largest(report.Features.Where(f => f.WorstBetween is not null).Select(f => ErrorLeft.Between(f)!)),
             ProbabilityAfter = report.ProbabilityAfter,
         };
+
+        ErrorLeft Left(ReportKeyPoint p) =>
+            new(p.Feature, p.Point, p.Theoretical, p.Normal, p.PredictedMm, p.Interval95Mm, LimitsOf(p));
 
         ToleranceBand LimitsOf(ReportKeyPoint point) => limits.GetValueOrDefault(point.Feature);
     }
@@ -104,6 +111,7 @@ public sealed record MatchVerdict
         w.Optional("worst", Worst, e => e.Write(w));
         w.Optional("worstBetween", WorstBetween, e => e.Write(w));
         w.Number("probabilityAfter", ProbabilityAfter);
+        w.Text("sentence", VerdictWords.Of(this));
     }
 
     private static ErrorLeft? Largest(IEnumerable<ErrorLeft> errors) => errors.MaxBy(e => Math.Abs(e.MatingErrorMm));
@@ -120,6 +128,9 @@ public sealed record MatchVerdict
 public sealed record ErrorLeft(
     string Feature, string? Point, Point2 Place, Vector2 Normal, double MatingErrorMm, double? Interval95Mm, ToleranceBand Limits)
 {
+    /// <summary>The distance to the nearer limit; negative beyond it.</summary>
+    public double MarginMm => Math.Min(MatingErrorMm - Limits.LowerMm, Limits.UpperMm - MatingErrorMm);
+
     /// <summary>True if it is outside its limits, which have a width.</summary>
     public bool IsOutside => Limits.WidthMm > 0 && !Limits.Contains(MatingErrorMm);
 

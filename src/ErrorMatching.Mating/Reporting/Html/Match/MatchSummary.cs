@@ -73,8 +73,8 @@ internal static class MatchSummary
                     html.Text(
                         $". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}"
                             + (
-                                report.LeftMm(feature) is { } left
-                                    ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}."
+                                report.PointsOf(feature).MaxBy(p => Math.Abs(p.PredictedMm)) is { } left
+                                    ? $"; mating error left, as predicted: {MatchKeyPoints.Left(left)} mm."
                                     : ".")
                             + string.Concat(OutsideWords.Of(report.OutsideOf(feature)).Select(s => " ⚠ " + s)));
                 }
