@@ -86,10 +86,13 @@ public static class VerdictWords
         verdict.Limits is { } limits ? Band(limits) : points == 1 ? "its limits" : "their limits";
 
     private static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
-        ? "±" + ReportNumber.Short(band.UpperMm)
+        ? "±" + Limit(band.UpperMm)
         : $"{Sided(band.LowerMm)} to {Sided(band.UpperMm)}";
 
-    private static string Sided(double mm) => (mm > 0 ? "+" : "") + ReportNumber.Short(mm);
+    private static string Sided(double mm) => (mm > 0 ? "+" : "") + Limit(mm);
+
+    // A limit by a tolerance chain has digits without end.
+    private static string Limit(double mm) => ReportNumber.Short(Math.Round(mm, 4));
 
     private static string Size(ErrorLeft error) => Size(error.MatingErrorMm, error.Interval95Mm);
 
