@@ -9,7 +9,7 @@ namespace ErrorMatching.Mating;
 internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, double> counterpart)
 {
     // Space for labels at the sides, for the legend above and the scale below.
-    private const double Side = 56, Above = 64, Below = 84, LeastWidth = 300;
+    private const double LegendBottom = 46, Side = 56, Above = 64, Below = 84, LeastWidth = 300;
 
     private double Width => Math.Max(LeastWidth, ((scene.High.X - scene.Low.X) * scene.PixelsPerMm) + (2 * Side));
 
@@ -92,7 +92,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
             SvgShapes.Circle(
                 html, "key-point", x, y, 2.6, $"Point {point.Label}: mating error {point.ErrorWords(counterpart(point))}");
             var label = (X: x + (point.Normal.X * aside), Y: y - (point.Normal.Y * aside));
-            if (labels.All(l => Math.Abs(l.X - label.X) > 1.6 * near || Math.Abs(l.Y - label.Y) > near))
+            if (label.Y > LegendBottom + near && labels.All(l => Math.Abs(l.X - label.X) > 1.6 * near || Math.Abs(l.Y - label.Y) > near))
             {
                 labels.Add(label);
                 SvgShapes.Text(html, "tick", label.X, label.Y + 4, "middle", SvgNumber.Label(point.Label, 6));

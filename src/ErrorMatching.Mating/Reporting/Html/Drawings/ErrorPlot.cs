@@ -50,10 +50,12 @@ internal sealed class ErrorPlot
         }
     }
 
+    private PlotPlace? WorstBetween => _between.MaxBy(b => Math.Abs(b.After));
+
     private string Describe(string before, string after)
     {
         return $"{before}: largest error {Largest(p => p.Before)}. {after}: largest error {Largest(p => p.After)}."
-            + (_between.MaxBy(b => Math.Abs(b.After)) is { } worst ? $" Between the points: largest error {Words(worst)}." : "");
+            + (WorstBetween is { } worst ? $" Between the points: largest error {Words(worst)}." : "");
 
         string Largest(Func<PlotPoint, double> value)
         {
@@ -92,16 +94,9 @@ internal sealed class ErrorPlot
             SvgShapes.Plus(html, "between marker", x, _plot.Y(place.After), $"Between the points: {Words(place)}");
         }
 
-        if (_between.MaxBy(b => Math.Abs(b.After)) is { } worst)
+        if (WorstBetween is { } worst)
         {
-            var (x, isRight) = (_plot.X(worst.Index), worst.Index > (_points.Count - 1) / 2.0);
-            SvgShapes.Text(
-                html,
-                "between-label",
-                x + (isRight ? -7 : 7),
-                _plot.Y(worst.After + worst.Interval95Mm) - 4,
-                isRight ? "end" : "start",
-                $"worst between points: {worst.Feature}");
+            SvgShapes.Circle(html, "between ring", _plot.X(worst.Index), _plot.Y(worst.After), 9, null);
         }
     }
 
@@ -208,11 +203,11 @@ internal sealed class ErrorPlot
 
         SvgShapes.Diamond(html, "after marker", second + 20, y, after);
         SvgShapes.Text(html, "legend", second + 48, y + 4, "start", after);
-        if (_between.Count > 0)
+        if (WorstBetween is { } worst)
         {
             var third = _plot.Left + 520;
             SvgShapes.Plus(html, "between marker", third, y, "worst place between points");
-            SvgShapes.Text(html, "legend", third + 12, y + 4, "start", "worst place between points");
+            SvgShapes.Text(html, "legend", third + 12, y + 4, "start", $"between points, worst on {SvgNumber.Label(worst.Feature, 12)}");
         }
     }
 

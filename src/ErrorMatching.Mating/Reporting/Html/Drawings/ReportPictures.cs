@@ -44,7 +44,8 @@ internal static class ReportPictures
                             : "")
                     + (
                         between is { Count: > 0 }
-                            ? " A cross is the largest error expected between the key points of a feature."
+                            ? " A cross is the largest error expected between the key points of a feature; the ring marks the "
+                                + "worst."
                             : "")
                     + (
                         points.Any(p => p.Limits is not null)
