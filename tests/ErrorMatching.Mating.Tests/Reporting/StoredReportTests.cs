@@ -254,7 +254,8 @@ public sealed class StoredReportTests
                 Some(r, () => new VerifiedFeature(
                     Text(r), VerifiedQuantity.All[r.Next(VerifiedQuantity.All.Count)], Mm(r), Mm(r), Mm(r))
                 {
-                    Points = Some(r, () => Text(r))
+                    Points = Some(r, () => Text(r)),
+                    ChangeUncertainty = r.Next(2) == 0 ? null : Mm(r),
                 }))
             {
                 Boundaries = [
