@@ -37,8 +37,8 @@ public sealed class MatchVerdictTests
 
         Assert.Equal((VerdictCode.OutsideBetween, false, 4), (verdict.Code, verdict.IsToCut, verdict.Within));
         Assert.Equal(["L1"], verdict.OutsideBetween);
-        Assert.Equal((null, 50, -0.06, 1.96 * 0.005), (
-            verdict.WorstBetween!.Point, verdict.WorstBetween.Place.X, verdict.WorstBetween.MatingErrorMm, verdict.WorstBetween.Interval95Mm));
+        var worst = verdict.WorstBetween!;
+        Assert.Equal((null, 50, -0.06, 1.96 * 0.005), (worst.Point, worst.Place.X, worst.MatingErrorMm, worst.Interval95Mm));
         Assert.Equal(VerdictCode.Within, Of([0, 0, 0, 0], worstBetween: -0.05).Code);
         Assert.Equal(VerdictCode.Outside, Of([0.03, 0, 0, 0], worstBetween: -0.06).Code);
     }

@@ -20,7 +20,8 @@ public sealed class VerdictWordsTests
         var report = Report([0.03, 0, 0.018, 0], 0.002, Even);
         report = report with { Features = [report.Features[0], With(report.Features[1], new(-0.02, 0.02))] };
 
-        Assert.Equal("4 of 4 points will be within their limits (tightest 0.0180 ± 0.0039 within ±0.02, at point 3). Cut it.", Words(report));
+        Assert.Equal(
+            "4 of 4 points will be within their limits (tightest 0.0180 ± 0.0039 within ±0.02, at point 3). Cut it.", Words(report));
     }
 
     [Fact]

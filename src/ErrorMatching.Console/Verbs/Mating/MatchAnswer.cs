@@ -47,7 +47,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
                     Show.Signed(p.UncompensatedMm),
                     ReportNumber.Interval(p.PredictedMm, p.Interval95Mm)]));
         page.Line("Deviation: actual - theoretical of the part, positive where the counterpart needs more material.");
-        page.Line("Uncompensated, left over: mating error, counterpart - part, positive where too much material stands; ± its 95 % interval.");
+        page.Line("Uncompensated, left over: mating error, counterpart - part, positive where too much material stands; ± 95 % interval.");
         page.Line("Both in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
         if (_report.Compensation.From == CompensationSource.Counterpart)
         {

@@ -73,8 +73,9 @@ public sealed class DrawingTests
         Assert.True(labels.Length >= 12);
         Assert.All(
             labels.Zip(labels.Skip(1)),
-            l => Assert.True(
-                (double)l.Second.Attribute("x")! - (double)l.First.Attribute("x")! >= (7 * Math.Max(l.First.Value.Length, l.Second.Value.Length)) + 4));
+            l => Assert.True(X(l.Second) - X(l.First) >= (7 * Math.Max(l.First.Value.Length, l.Second.Value.Length)) + 4));
+
+        static double X(XElement label) => (double)label.Attribute("x")!;
     }
 
     [Fact]

@@ -2,7 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The appendix with key points and quantities as figure 9 of Wang 2021 prints them: deviations are theoretical - actual.</summary>
+/// <summary>The appendix with key points and quantities as figure 9 of Wang 2021 prints them: deviations are theoretical -
+/// actual.</summary>
 internal static class MatchAsInPaper
 {
     private static readonly TableColumn[] PointColumns =
