@@ -112,6 +112,11 @@ public sealed class VerdictWordsTests
         Assert.Equal(
             ["pictures", "summary", "decisions", "key-points", "quantities", "proof"],
             page.Descendants("section").Select(s => (string?)s.Attribute("id")).Take(6));
+        Assert.StartsWith(
+            "Decide whether to cut: ",
+            PageReader.Read(MatchReportHtml.Write(Between(Report([0, 0, 0, 0], 0.0054, Even), 0.06))).ById("summary").Element("ol")!.Value
+                .TrimStart(),
+            StringComparison.Ordinal);
         Assert.True(
             PageReader.Read(MatchReportHtml.Write(Report([0.07, 0, 0, 0], 0.0054, Even))).ById("verdict").HasClass("fails"));
     }

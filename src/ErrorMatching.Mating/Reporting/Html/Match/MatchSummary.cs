@@ -90,7 +90,9 @@ internal static class MatchSummary
         }
 
         var order = report.Job.WorkOrder is { } number ? $"work order {number}" : $"the job {report.Job.Name}";
-        string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first] : [];
+        string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first]
+            : report.Verdict.IsToCut ? []
+            : ["Decide whether to cut: the verdict at the top says what speaks against it."];
         return
         [
             .. decide,
