@@ -28,6 +28,10 @@ public sealed record MatchReport
     /// null if no feature has limits with a width, and in reports older than decision rules.</summary>
     public double? ProbabilityBefore { get; init; }
 
+    /// <summary>The same probability with the program as written; null if no feature has limits with a width, and in reports of earlier
+    /// versions.</summary>
+    public double? ProbabilityAfter { get; init; }
+
     /// <summary>The gauge's uncertainty and its contributions.</summary>
     public required UncertaintyBudget Uncertainty { get; init; }
 
@@ -42,6 +46,9 @@ public sealed record MatchReport
 
     /// <summary>The key points that the program is predicted to leave outside their limits.</summary>
     public OutsideLimits Outside => OutsideOf(KeyPoints);
+
+    /// <summary>The verdict on the pair.</summary>
+    public MatchVerdict Verdict => MatchVerdict.Of(this);
 
     /// <summary>The program that was written.</summary>
     public required ReportProgram Program { get; init; }

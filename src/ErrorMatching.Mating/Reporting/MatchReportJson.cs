@@ -16,6 +16,7 @@ public static class MatchReportJson
         ArgumentNullException.ThrowIfNull(report);
         return ReportWriter.Document(Schema, w =>
         {
+            w.Object("verdict", () => report.Verdict.Write(w));
             w.Job("mating", report.Job);
             w.Inputs(report.Inputs);
             w.Object("alignment", () => WriteAlignments(w, report.Alignments));
@@ -23,6 +24,7 @@ public static class MatchReportJson
             w.Object("compensation", () => WriteCompensation(w, report.Compensation));
             w.Optional("decisionRule", report.Rule, r => WriteRule(w, r));
             w.Number("probabilityBefore", report.ProbabilityBefore);
+            w.Number("probabilityAfter", report.ProbabilityAfter);
             w.Object("uncertainty", () => WriteUncertainty(w, report.Uncertainty));
             w.Optional("toleranceChain", report.Chain, c => c.Write(w));
             w.List("features", report.Features, f => f.Write(w));
@@ -59,6 +61,7 @@ public static class MatchReportJson
             Compensation = ReadCompensation(document.Object("compensation")),
             Rule = document.OptionalObject("decisionRule") is { } rule ? ReadRule(rule) : null,
             ProbabilityBefore = document.OptionalNumber("probabilityBefore"),
+            ProbabilityAfter = document.OptionalNumber("probabilityAfter"),
             Uncertainty = ReadUncertainty(document.Object("uncertainty")),
             Chain = document.OptionalObject("toleranceChain") is { } chain ? ReportChain.Read(chain) : null,
             Features = features,

@@ -19,6 +19,7 @@ public static class MatchReporter
         ArgumentNullException.ThrowIfNull(result);
         var (job, input) = (result.Input.Job, result.Input);
         var evaluations = result.Maps.Select(m => Evaluate(result, m)).ToArray();
+        double?[] after = [.. result.Prediction.Features.Select((f, i) => ProbabilityAfter(result.Maps[i], f))];
         return new()
         {
             Job = new(job.Name, job.WorkOrder, job.File, job.Sha256),
@@ -35,6 +36,7 @@ public static class MatchReporter
             Compensation = job.Compensation,
             Rule = job.Rule,
             ProbabilityBefore = result.Decision.ProbabilityBefore,
+            ProbabilityAfter = Conformance.OfIndependent(after),
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
             Features = [.. result.Maps.Select((map, i) => Feature(result, map, i, evaluations[i]))],
@@ -47,6 +49,12 @@ public static class MatchReporter
             Notes = Notes(result),
         };
     }
+
+    private static double? ProbabilityAfter(FeatureMap map, FeaturePrediction predicted) =>
+        Conformance.OfIndependent(predicted.Points.Select(p => ProbabilityAfter(map, p)));
+
+    private static double? ProbabilityAfter(FeatureMap map, PredictedError predicted) =>
+        Conformance.Probability(map.Feature.Tolerance.Band.OfMatingError, predicted.AfterMm, predicted.StandardUncertaintyMm);
 
     private static FeatureEvaluation Evaluate(MatchResult result, FeatureMap map) => FeatureEvaluator.Evaluate(
         map.Feature,
@@ -100,6 +108,7 @@ public static class MatchReporter
             Acceptance = decision.Acceptance,
             SignificantMm = decision.SignificantMm,
             ProbabilityBefore = decision.ProbabilityBefore,
+            ProbabilityAfter = ProbabilityAfter(map, predicted),
             ResidualsMm = evaluation.ResidualsMm,
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
@@ -149,6 +158,7 @@ public static class MatchReporter
                 DecidedMm = point.Point.NormalMm,
                 ExcessMm = point.ExcessMm,
                 ProbabilityBefore = point.ProbabilityBefore,
+                ProbabilityAfter = ProbabilityAfter(map, predicted),
                 UncompensatedMm = predicted.BeforeMm,
                 PredictedMm = predicted.AfterMm,
                 Interval95Mm = predicted.Interval95Mm,

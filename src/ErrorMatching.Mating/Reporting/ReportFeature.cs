@@ -37,6 +37,10 @@ public sealed record ReportFeature
     /// limits without width, and in reports older than decision rules.</summary>
     public double? ProbabilityBefore { get; init; }
 
+    /// <summary>The same probability with the program as written; null for limits without width, and in reports of earlier
+    /// versions.</summary>
+    public double? ProbabilityAfter { get; init; }
+
     /// <summary>Residuals of the fit to the measured points, in the order of the points.</summary>
     public IReadOnlyList<double> ResidualsMm { get; init; } = [];
 
@@ -86,6 +90,7 @@ public sealed record ReportFeature
         w.Number("uncertaintyMm", UncertaintyMm);
         w.Number("significantMm", SignificantMm);
         w.Number("probabilityBefore", ProbabilityBefore);
+        w.Number("probabilityAfter", ProbabilityAfter);
         w.Text("decision", ReportWords.Of(Decision));
         w.Numbers("residualsMm", ResidualsMm);
         w.Optional("fit", Curve, c => c.Write(w));
@@ -123,6 +128,7 @@ public sealed record ReportFeature
             Acceptance = r.Names.Contains("acceptanceMm") ? ReadBand(r, "acceptanceMm") : null,
             SignificantMm = r.OptionalNumber("significantMm"),
             ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
+            ProbabilityAfter = r.OptionalNumber("probabilityAfter"),
             ResidualsMm = r.Numbers("residualsMm"),
             Curve = r.OptionalObject("fit") is { } curve ? ReportCurve.Read(curve) : null,
             TheoreticalOutline = outline.Points("theoretical"),

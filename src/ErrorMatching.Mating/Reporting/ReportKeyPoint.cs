@@ -38,6 +38,10 @@ public sealed record ReportKeyPoint
     /// than decision rules.</summary>
     public double? ProbabilityBefore { get; init; }
 
+    /// <summary>The probability that it will be within its limits with the program as written; null for limits without width, and in
+    /// reports of earlier versions.</summary>
+    public double? ProbabilityAfter { get; init; }
+
     /// <summary>The mating error without compensation, counterpart - part: the distance of the measured point from what the original
     /// program cuts.</summary>
     public required double UncompensatedMm { get; init; }
@@ -78,6 +82,7 @@ public sealed record ReportKeyPoint
         w.Number("decidedMm", DecidedMm);
         w.Number("excessMm", ExcessMm);
         w.Number("probabilityBefore", ProbabilityBefore);
+        w.Number("probabilityAfter", ProbabilityAfter);
         w.Number("uncompensatedMm", UncompensatedMm);
         w.Number("predictedMm", PredictedMm);
         w.Number("interval95Mm", Interval95Mm);
@@ -97,6 +102,7 @@ public sealed record ReportKeyPoint
         DecidedMm = r.Number("decidedMm"),
         ExcessMm = r.Number("excessMm"),
         ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
+        ProbabilityAfter = r.OptionalNumber("probabilityAfter"),
         UncompensatedMm = r.OptionalNumber("uncompensatedMm") ?? -r.Number("decidedMm"),
         PredictedMm = r.Number("predictedMm"),
         Interval95Mm = r.OptionalNumber("interval95Mm"),

@@ -14,6 +14,17 @@ public static class ReportWords
         _ => "compensated",
     };
 
+    /// <summary>within-limits, no-limits, not-accepted, outside-between, outside-limits or proof-fails.</summary>
+    public static string Of(VerdictCode code) => code switch
+    {
+        VerdictCode.Within => "within-limits",
+        VerdictCode.NoLimits => "no-limits",
+        VerdictCode.NotAccepted => "not-accepted",
+        VerdictCode.OutsideBetween => "outside-between",
+        VerdictCode.Outside => "outside-limits",
+        _ => "proof-fails",
+    };
+
     /// <summary>simple or guard-band.</summary>
     public static string Of(DecisionRule rule)
     {

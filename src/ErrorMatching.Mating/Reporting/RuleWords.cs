@@ -24,8 +24,9 @@ public static class RuleWords
             : "Decision rule simple: points are accepted up to their limits.";
         if (report.ProbabilityBefore is { } probability)
         {
-            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}, if the errors "
-                + "of the points are independent.";
+            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}"
+                + (report is { ProbabilityAfter: { } after, IsUnchanged: false } ? $", with it: {Percent(after)}" : "")
+                + ", if the errors of the points are independent.";
         }
 
         var risks = report.Features.Where(f => f.Decision != Decision.Compensated && f.ProbabilityBefore is not null)
@@ -39,7 +40,8 @@ public static class RuleWords
     /// <summary>The probability that a point of a feature is outside its limits without compensation; null if it is not known.</summary>
     internal static string? Risk(ReportFeature feature) => feature.ProbabilityBefore is { } probability ? Percent(1 - probability) : null;
 
-    private static string Percent(double probability) => (probability * 100) switch
+    /// <summary>A probability in percent.</summary>
+    internal static string Percent(double probability) => (probability * 100) switch
     {
         < 0.1 => "less than 0.1 %",
         > 99.9 => "more than 99.9 %",

@@ -93,6 +93,7 @@ public static class VerifyReportJson
         w.Number("before", feature.Before);
         w.Number("after", feature.After);
         w.Number("improvementPercent", feature.ImprovementPercent);
+        w.Number("changeUncertainty", feature.ChangeUncertainty);
         w.Texts("points", feature.Points);
     }
 
@@ -104,6 +105,7 @@ public static class VerifyReportJson
         r.Number("after"))
     {
         Points = r.OptionalTexts("points"),
+        ChangeUncertainty = r.OptionalNumber("changeUncertainty"),
     };
 
     private static void WriteBoundary(ReportWriter w, VerifiedBoundary boundary)

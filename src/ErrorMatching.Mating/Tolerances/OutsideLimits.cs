@@ -17,11 +17,11 @@ public sealed record OutsideLimits
     public IEnumerable<string> Staying => Points.Except(DrivenOut, StringComparer.Ordinal);
 
     /// <summary>Judges the mating errors of key points.</summary>
-    /// <param name="points">For each point, in the order of cutting: its label, the limits of its mating error (null for none), and its
-    /// mating error along the normal without and with compensation, mm.</param>
+    /// <param name="points">For each point, in the order of cutting: its label, the limits of its mating error (null, or
+    /// without width, for none), and its mating error along the normal without and with compensation, mm.</param>
     public static OutsideLimits Of(IEnumerable<(string Label, ToleranceBand? Limits, double WithoutMm, double WithMm)> points)
     {
-        var outside = points.Where(p => p.Limits is { } limits && !limits.Contains(p.WithMm)).ToArray();
+        var outside = points.Where(p => p.Limits is { WidthMm: > 0 } limits && !limits.Contains(p.WithMm)).ToArray();
         return new([.. outside.Select(p => p.Label)], [.. outside.Where(p => p.Limits!.Value.Contains(p.WithoutMm)).Select(p => p.Label)]);
     }
 }

@@ -11,6 +11,17 @@ public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, dou
     /// <summary>Labels of the key points for a largest deviation; empty for lengths and angles.</summary>
     public IReadOnlyList<string> Points { get; init; } = [];
 
+    /// <summary>Standard uncertainty of the change from before to after, from the gauge's uncertainty; null if it is not known, as in
+    /// reports of earlier versions.</summary>
+    public double? ChangeUncertainty { get; init; }
+
+    /// <summary>True if the error changed by less than the expanded uncertainty of the change: the gauge cannot tell whether it
+    /// did.</summary>
+    public bool IsChangeUncertain => IsWithinUncertainty(Math.Abs(After - Wanted) - Math.Abs(Before - Wanted));
+
+    /// <summary>True if the error before was less than that uncertainty: a change in percent of it would say nothing.</summary>
+    public bool IsBeforeUncertain => IsWithinUncertainty(Before - Wanted);
+
     /// <summary>Reduction of the error, in percent of the error before; negative if it grew, null if it was zero.</summary>
     public double? ImprovementPercent
     {
@@ -34,4 +45,7 @@ public sealed record VerifiedFeature(string Name, VerifiedQuantity Quantity, dou
         {
             Points = [.. points.Select(p => p.Label)]
         };
+
+    private bool IsWithinUncertainty(double difference) =>
+        ChangeUncertainty is { } u && Math.Abs(difference) < UncertaintyBudget.CoverageFactor * u;
 }

@@ -9,9 +9,11 @@ internal static class Verifier
     /// <summary>Compares two counterparts with the part.</summary>
     /// <param name="job">The job.</param>
     /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
+    /// <param name="isBeforeMeasured">False if the counterpart before is the designed one, which has no uncertainty.</param>
     /// <exception cref="ArgumentException">The lists do not match the job's features and points.</exception>
     /// <exception cref="GeometryException">The points of a feature do not determine it; the message names the feature.</exception>
-    public static VerificationResult Verify(MatingJob job, IReadOnlyList<IReadOnlyList<VerifiedPoint>> points)
+    public static VerificationResult Verify(
+        MatingJob job, IReadOnlyList<IReadOnlyList<VerifiedPoint>> points, bool isBeforeMeasured = true)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(points);
@@ -23,32 +25,38 @@ internal static class Verifier
 
         VerifiedPoint[] all = [.. points.SelectMany(p => p)];
         var byLabel = all.ToDictionary(p => p.Label, StringComparer.Ordinal);
-        return new(all, [.. job.Features.SelectMany(f => OfFeature(f, byLabel)), .. job.Verify.Select(c => OfComparison(c, job, byLabel))]);
+        var u = job.Gauge.Uncertainty.CombinedMm * (isBeforeMeasured ? Math.Sqrt(2) : 1);
+        return new(
+            all,
+            [.. job.Features.SelectMany(f => OfFeature(f, byLabel, u)), .. job.Verify.Select(c => OfComparison(c, job, byLabel, u))]);
     }
 
-    private static List<VerifiedFeature> OfFeature(JobFeature feature, Dictionary<string, VerifiedPoint> byLabel)
+    private static List<VerifiedFeature> OfFeature(JobFeature feature, Dictionary<string, VerifiedPoint> byLabel, double u)
     {
         var points = Select(feature.Points, byLabel);
         return
         [
-            Deviation(feature.Name, false, points),
-            Deviation(feature.Name, true, points),
-            .. feature.Compared.Select(c => Of(feature.Name, c.Quantity, at => c.Of([.. points.Select(at)]))),
+            Deviation(feature.Name, false, points, u),
+            Deviation(feature.Name, true, points, u),
+            .. feature.Compared.Select(c => Of(feature.Name, c.Quantity, at => c.Of([.. points.Select(at)]), points, u)),
         ];
     }
 
-    private static VerifiedFeature OfComparison(JobComparison comparison, MatingJob job, Dictionary<string, VerifiedPoint> byLabel)
+    private static VerifiedFeature OfComparison(
+        JobComparison comparison, MatingJob job, Dictionary<string, VerifiedPoint> byLabel, double u)
     {
         if (comparison is DeviationComparison deviation)
         {
-            return Deviation(comparison.Name, deviation.AlongX, Select(deviation.Points, byLabel));
+            return Deviation(comparison.Name, deviation.AlongX, Select(deviation.Points, byLabel), u);
         }
 
         var angle = (AngleComparison)comparison;
         return Of(
             comparison.Name,
             VerifiedQuantity.Angle,
-            at => FeatureFits.Inside(Element(angle.First, job, byLabel, at), Element(angle.Second, job, byLabel, at)).Degrees);
+            at => FeatureFits.Inside(Element(angle.First, job, byLabel, at), Element(angle.Second, job, byLabel, at)).Degrees,
+            byLabel.Values,
+            u);
     }
 
     private static LineFit Element(
@@ -60,7 +68,8 @@ internal static class Verifier
         return FeatureFits.Line(feature.Name, element.Method, [.. Select(element.Points, byLabel).Select(at)], 0);
     }
 
-    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points) => alongX
+    // A largest deviation is that of one coordinate of one point.
+    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points, double u) => (alongX
         ? new(
             name,
             VerifiedQuantity.DeviationX,
@@ -70,10 +79,27 @@ internal static class Verifier
         {
             Points = [.. points.Select(p => p.Label)]
         }
-        : VerifiedFeature.DeviationOf(name, points);
+        : VerifiedFeature.DeviationOf(name, points)) with { ChangeUncertainty = u };
 
-    private static VerifiedFeature Of(string name, VerifiedQuantity quantity, Func<Func<VerifiedPoint, Point2>, double> value) =>
-        new(name, quantity, value(p => p.Part), value(p => p.Before), value(p => p.After));
+    private static VerifiedFeature Of(
+        string name,
+        VerifiedQuantity quantity,
+        Func<Func<VerifiedPoint, Point2>, double> value,
+        IReadOnlyCollection<VerifiedPoint> points,
+        double u) =>
+        new(name, quantity, value(p => p.Part), value(p => p.Before), value(p => p.After))
+        {
+            ChangeUncertainty = Propagated(value, points, u)
+        };
+
+    // First order: each coordinate of each point off by its uncertainty, one at a time.
+    private static double Propagated(
+        Func<Func<VerifiedPoint, Point2>, double> value, IReadOnlyCollection<VerifiedPoint> points, double u)
+    {
+        var at = value(p => p.After);
+        return Math.Sqrt(points.SelectMany(p => new[] { (Point: p, By: new Vector2(u, 0)), (Point: p, By: new Vector2(0, u)) }).Sum(
+            m => Math.Pow(value(p => p.Label == m.Point.Label ? p.After + m.By : p.After) - at, 2)));
+    }
 
     private static VerifiedPoint[] Select(IReadOnlyList<string> labels, Dictionary<string, VerifiedPoint> byLabel) =>
         [.. labels.Select(l => byLabel[l])];

@@ -65,7 +65,7 @@ public static class VerifyRun
         return new(
             new ReportJob(job.Name, job.WorkOrder, job.File, job.Sha256),
             inputs,
-            Verifier.Verify(job, [.. points]) with { Boundaries = boundaries },
+            Verifier.Verify(job, [.. points], input.Before is not null) with { Boundaries = boundaries },
             input.Before is null ? [BeforeAsDesigned] : [])
         {
             IsBeforeMeasured = input.Before is not null,

@@ -5,8 +5,11 @@ namespace ErrorMatching.Reporting;
 /// <param name="labels">The labels of the points, from left to right.</param>
 public sealed class PointPlot(PlotAxis axis, IReadOnlyList<string> labels)
 {
-    // More labels than this would overlap.
+    // More labels than this would overlap, even short ones.
     private const int MostLabels = 30;
+
+    private const int LongestLabel = 6;
+    private const double CharacterWidth = 7, LabelGap = 6;
 
     /// <summary>Size of the drawing.</summary>
     public required (double Width, double Height) Size { get; init; }
@@ -54,10 +57,12 @@ public sealed class PointPlot(PlotAxis axis, IReadOnlyList<string> labels)
     public void WriteAxes(HtmlText html, string points, double pointsBelow, string values)
     {
         ArgumentNullException.ThrowIfNull(html);
-        var every = (labels.Count + MostLabels - 1) / MostLabels;
+        var longest = labels.Select(l => Math.Min(l.Length, LongestLabel)).DefaultIfEmpty().Max();
+        var needed = labels.Count * ((longest * CharacterWidth) + LabelGap) / (Right - Left);
+        var every = Math.Max((labels.Count + MostLabels - 1) / MostLabels, (int)Math.Ceiling(needed));
         for (var i = 0; i < labels.Count; i += every)
         {
-            SvgShapes.Text(html, "tick", X(i), Bottom + 18, "middle", SvgNumber.Label(labels[i], 6));
+            SvgShapes.Text(html, "tick", X(i), Bottom + 18, "middle", SvgNumber.Label(labels[i], LongestLabel));
         }
 
         SvgShapes.Line(html, "axis", Left, Top, Left, Bottom);

@@ -78,6 +78,20 @@ public static class SvgShapes
         }
     }
 
+    /// <summary>Writes a vertical bar with a short line across each end.</summary>
+    public static void Bar(HtmlText html, string cssClass, double x, double y1, double y2)
+    {
+        ArgumentNullException.ThrowIfNull(html);
+        const double half = 3;
+        html.Empty(
+            "path",
+            ("class", cssClass),
+            (
+                "d",
+                $"M{SvgNumber.Points([(x, y1)])}L{SvgNumber.Points([(x, y2)])}M{SvgNumber.Points([(x - half, y1)])}"
+                    + $"L{SvgNumber.Points([(x + half, y1)])}M{SvgNumber.Points([(x - half, y2)])}L{SvgNumber.Points([(x + half, y2)])}"));
+    }
+
     /// <summary>Writes a plus sign with a tooltip.</summary>
     public static void Plus(HtmlText html, string cssClass, double x, double y, string title)
     {

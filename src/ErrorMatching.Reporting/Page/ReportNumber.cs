@@ -20,6 +20,11 @@ public static class ReportNumber
     /// <summary>A deviation in mm within a sentence.</summary>
     public static string SignedMm(double value) => Signed(value) + " mm";
 
+    /// <summary>A signed error with half its 95 % interval, four decimals each: <c>-0.0014 ± 0.0106</c>; alone if the interval is not
+    /// known.</summary>
+    public static string Interval(double value, double? half) =>
+        Format(value, "+0.0000;-0.0000;0.0000") + (half is { } h ? " ± " + Fine(h) : "");
+
     /// <summary>A signed share in percent, with one decimal.</summary>
     public static string Percent(double value) => Format(value, "+0.0;-0.0;0.0");
 

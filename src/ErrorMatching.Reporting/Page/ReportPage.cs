@@ -9,17 +9,19 @@ public static class ReportPage
     /// <param name="job">The job.</param>
     /// <param name="subject">What the page is about.</param>
     /// <param name="sections">Its sections, listed at the top.</param>
-    public static byte[] Write(ReportJob job, string subject, IReadOnlyList<PageSection> sections)
+    /// <param name="lead">Writes what comes before everything else; null for nothing.</param>
+    public static byte[] Write(ReportJob job, string subject, IReadOnlyList<PageSection> sections, Action<HtmlText>? lead = null)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return Write($"{job.Name}: {subject}", job.WorkOrder is { } order ? $"Work order {order}" : "No work order", sections);
+        return Write($"{job.Name}: {subject}", job.WorkOrder is { } order ? $"Work order {order}" : "No work order", sections, lead);
     }
 
     /// <summary>Writes a page.</summary>
     /// <param name="title">Its heading and window title.</param>
     /// <param name="subtitle">The subject, below the heading.</param>
     /// <param name="sections">Its sections, listed at the top.</param>
-    public static byte[] Write(string title, string subtitle, IReadOnlyList<PageSection> sections)
+    /// <param name="lead">Writes what comes before everything else; null for nothing.</param>
+    public static byte[] Write(string title, string subtitle, IReadOnlyList<PageSection> sections, Action<HtmlText>? lead = null)
     {
         var html = new HtmlText();
         using (html.In("html", ("lang", "en")))
@@ -27,9 +29,10 @@ public static class ReportPage
             WriteHead(html, title);
             using (html.In("body"))
             {
-                html.Put("a", "Skip to the summary", ("class", "skip"), ("href", "#" + sections[0].Id));
+                html.Put("a", $"Skip to: {sections[0].Title}", ("class", "skip"), ("href", "#" + sections[0].Id));
                 using (html.In("header"))
                 {
+                    lead?.Invoke(html);
                     html.Put("h1", title);
                     html.Put("p", subtitle, ("class", "subtitle"));
                     WriteContents(html, sections);

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating.Tests;
@@ -130,6 +131,49 @@ public sealed class VerifierTests
         (job, points) = SmallCase(before: new(0, 0.1), after: new(0, 0.1));
         Assert.Null(Verifier.Verify(job, points).Features.First(f => f.Quantity == VerifiedQuantity.DeviationX).ImprovementPercent);
     }
+
+    // A length depends on one coordinate of each end. Both counterparts are measured: twice the variance of one.
+    [Theory]
+    [InlineData(true, 2)]
+    [InlineData(false, 1.4142136)]
+    public void The_uncertainty_of_a_change_follows_from_the_gauges(bool isBeforeMeasured, double times)
+    {
+        var (job, points) = SmallCase(before: new(0.3, 0.4), after: new(0, 0.1));
+        var u = job.Gauge.Uncertainty.CombinedMm;
+
+        var result = Verifier.Verify(job, points, isBeforeMeasured);
+
+        Assert.True(u > 0);
+        Assert.Equal(times, result.Features.Single(f => f.Quantity == VerifiedQuantity.Length).ChangeUncertainty!.Value / u, 4);
+        Assert.Equal(
+            times / Math.Sqrt(2), result.Features.First(f => f.Quantity == VerifiedQuantity.Deviation).ChangeUncertainty!.Value / u, 6);
+    }
+
+    // Expanded uncertainty of the change: 0.02.
+    [Theory]
+    [InlineData(0.05, 0.0301, "within u")]
+    [InlineData(0.05, 0.0299, "40")]
+    [InlineData(0.05, 0.0699, "within u")]
+    [InlineData(0.05, 0.0701, "-40")]
+    [InlineData(0.001, 0.015, "within u")]
+    [InlineData(0.001, -0.0211, "worse")]
+    [InlineData(0.001, 0.0209, "within u")]
+    [InlineData(0, 0.5, "-")]
+    public void A_change_below_the_gauges_uncertainty_has_no_percentage(double before, double after, string words)
+    {
+        var feature = new VerifiedFeature("L1", VerifiedQuantity.Length, 17, 17 + before, 17 + after) { ChangeUncertainty = 0.01 };
+
+        Assert.Equal(words, ImprovementWords.Of(feature, p => p.ToString("0", CultureInfo.InvariantCulture), "-"));
+        Assert.Equal(
+            words switch { "within u" => "Within u: ", "worse" => "Better, worse: ", _ => null },
+            ImprovementWords.Legend([feature]).SingleOrDefault()?.Split(": ")[0] is { } start ? start + ": " : null);
+    }
+
+    [Fact]
+    public void A_change_of_unknown_uncertainty_is_a_percentage() => Assert.Equal(
+        "-1400",
+        ImprovementWords.Of(
+            new("L1", VerifiedQuantity.Length, 17, 17.001, 17.015), p => p.ToString("0", CultureInfo.InvariantCulture), "-"));
 
     [Fact]
     public void Elements_that_go_straight_on_enclose_180_degrees()

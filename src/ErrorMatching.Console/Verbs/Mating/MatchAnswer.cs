@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -22,7 +23,9 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
     public override void WriteText(Page page)
     {
-        page.Heading($"{_report.Job.Name}: {Summary}");
+        WriteVerdict(page);
+        page.Line();
+        page.Line($"{_report.Job.Name}: {Summary}");
         page.Line();
         page.Table(
             ["feature", "kind", "largest", "lower", "upper", "uncertainty", "decision"],
@@ -33,17 +36,24 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             ]));
         page.Line();
         page.Table(
-            ["point", "feature", "deviation", "correction x", "correction y", "left over"],
+            ["point", "feature", "deviation", "correction x", "correction y", "uncompensated", "left over"],
             _report.KeyPoints.Select(p => (IReadOnlyList<string>)
                 [
                     p.Point,
                     p.Feature,
-                    Show.Signed(p.DecidedMm),
+                    Show.Signed(p.NormalMm),
                     Show.Signed(p.Correction.X),
                     Show.Signed(p.Correction.Y),
-                    Show.Signed(p.PredictedMm)]));
-        page.Line(
-            "Deviations in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
+                    Show.Signed(p.UncompensatedMm),
+                    ReportNumber.Interval(p.PredictedMm, p.Interval95Mm)]));
+        page.Line("Deviation: actual - theoretical of the part, positive where the counterpart needs more material.");
+        page.Line("Uncompensated, left over: mating error, counterpart - part, positive where too much material stands; ± 95 % interval.");
+        page.Line("Both in mm along the normal from the counterpart's material to its tool; corrections are added in the program's frame.");
+        if (_report.Compensation.From == CompensationSource.Counterpart)
+        {
+            page.Line("Largest: of part - counterpart, which the limits are for.");
+        }
+
         foreach (var sentence in RuleWords.Of(_report).Concat(OutsideWords.Of(_report.Outside)))
         {
             page.Line(sentence);
@@ -69,6 +79,16 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
         page.Line();
         WriteNext(page);
+    }
+
+    private void WriteVerdict(Page page)
+    {
+        var verdict = _report.Verdict;
+        page.Heading(VerdictWords.Of(verdict));
+        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>())
+        {
+            page.Line(sentence);
+        }
     }
 
     private string Summary => _report.IsUnchanged
@@ -125,6 +145,10 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         if (OutsideWords.ToDecide(_report.Outside) is { } decide)
         {
             page.Line(decide);
+        }
+        else if (!_report.Verdict.IsToCut)
+        {
+            page.Line("Decide before you cut: see the first line.");
         }
 
         page.Line(string.Create(

@@ -30,10 +30,15 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
                     Show.Mm(f.Wanted),
                     Show.Mm(f.Before),
                     Show.Mm(f.After),
-                    f.ImprovementPercent is { } percent ? Show.Percent(percent) : "-"]));
+                    ImprovementWords.Of(f, Show.Percent, "-")]));
         page.Line(
             "Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - "
                 + "part.");
+        foreach (var sentence in ImprovementWords.Legend(report.Result.Features))
+        {
+            page.Line(sentence);
+        }
+
         page.Line();
         page.Table(
             ["point", "before dx", "dy", "along normal", "after dx", "dy", "along normal"],

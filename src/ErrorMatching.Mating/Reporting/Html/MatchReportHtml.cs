@@ -4,8 +4,8 @@ namespace ErrorMatching.Mating;
 
 /// <summary>The report of a match as one HTML file that needs no network and no script.</summary>
 /// <remarks>Lengths are in millimeters, angles in degrees. Also well-formed XML; UTF-8 without a byte order mark, lines end with a line
-/// feed. The same report always gives the same bytes. Tables as in figure 9, plots as in figures 13, 14, 18 and 19 of Wang
-/// 2021.</remarks>
+/// feed. The same report always gives the same bytes. The verdict comes first, then pictures, numbers and proof. Every deviation is
+/// actual - nominal, but for the appendix with the tables of figure 9 of Wang 2021.</remarks>
 public static class MatchReportHtml
 {
     /// <summary>The report as a page.</summary>
@@ -16,9 +16,9 @@ public static class MatchReportHtml
             report.Job,
             "matching the counterpart to the part",
             [
+                new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
                 new("summary", "Summary", html => MatchSummary.Write(html, report)),
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
-                new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
                 new("key-points", "Key points", html => MatchKeyPoints.Write(html, report)),
                 new("quantities", "Lengths and angles", html => MatchQuantities.Write(html, report)),
                 new("proof", "Proof", html => MatchProof.Write(html, report)),
@@ -35,6 +35,8 @@ public static class MatchReportHtml
                         ("--part", "part"),
                         ("--counterpart", "counterpart"),
                         ("--program", "program"))),
-            ]);
+                new("paper", "As in the paper", html => MatchAsInPaper.Write(html, report)),
+            ],
+            html => MatchLead.Write(html, report));
     }
 }

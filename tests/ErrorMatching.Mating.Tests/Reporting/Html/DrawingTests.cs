@@ -39,6 +39,46 @@ public sealed class DrawingTests
     }
 
     [Fact]
+    public void Plot_shows_what_is_left_with_its_interval_and_the_worst_place_between_the_points()
+    {
+        ToleranceBand band = new(-0.05, 0.05);
+        var svg = Draw(h => new ErrorPlot(
+            [
+                new("a", "F", 0.04, 0.01, band) { Interval95Mm = 0.02 }, new("b", "F", -0.04, 0.01, band) { Interval95Mm = 0.02 },
+                new("c", "G", -0.04, 0.01, band)],
+            [new("F", 0.25, 0.03, 0.01, "X1 Y2"), new("G", 2, -0.02, 0.01, "X3 Y4")]).Write(h, "p", "before", "after"));
+
+        // Three points over 642 pixels, 0.02 over 41.33 pixels, zero at 176.
+        var intervals = svg.WithClass("path", "interval").Where(p => !p.HasClass("between")).Select(p => Attributes(p, "d")).ToArray();
+        Assert.Equal(["M181,114L181,196.67", "M395,114L395,196.67"], intervals.Take(2).Select(d => d[..d.IndexOf('M', 1)]));
+        var marker = svg.WithClass("path", "between").First(p => p.HasClass("marker"));
+        Assert.StartsWith("M229.5,114L239.5,114", (string?)marker.Attribute("d"), StringComparison.Ordinal);
+        Assert.Equal("Between the points: +0.0300 ± 0.0100 mm on F near X1 Y2", marker.Value);
+        Assert.Equal("234.5|114", Attributes(svg.WithClass("circle", "ring").Single(), "cx", "cy"));
+        Assert.Contains("Point a, after: +0.0100 ± 0.0200 mm", svg.Descendants("title").Select(t => t.Value));
+        Assert.EndsWith(
+            "Between the points: largest error +0.0300 ± 0.0100 mm on F near X1 Y2.", svg.Element("desc")!.Value, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("PT")]
+    [InlineData("a-long-label")]
+    public void Labels_of_60_points_do_not_touch(string prefix)
+    {
+        var svg = Draw(h => new ErrorPlot([.. Enumerable.Range(1, 60).Select(i => new PlotPoint($"{prefix}{i}", "F", 0, 0, null))]).Write(
+            h, "p", "before", "after"));
+
+        var labels = svg.WithClass("text", "tick").Where(t => (string?)t.Attribute("y") == "318").ToArray();
+        Assert.True(labels.Length >= 12);
+        Assert.All(
+            labels.Zip(labels.Skip(1)),
+            l => Assert.True(X(l.Second) - X(l.First) >= (7 * Math.Max(l.First.Value.Length, l.Second.Value.Length)) + 4));
+
+        static double X(XElement label) => (double)label.Attribute("x")!;
+    }
+
+    [Fact]
     public void Plot_shows_zero_even_where_all_errors_are_on_one_side()
     {
         var axis = PlotAxis.Around([0.3, 0.5]);

@@ -8,13 +8,24 @@ public sealed class MatchReportHtmlTests
     private static readonly MatchReport Report = HandMadeReport.Report;
 
     [Fact]
-    public void Key_points_stand_as_in_figure_9_and_keep_their_signs()
+    public void Key_points_show_actual_less_nominal()
     {
         var table = Page(Report).Table("key-points-table");
 
-        // Deviation is theoretical - actual; before compensation the counterpart lacks what the part is too far away: a gap, negative.
-        Assert.Equal("1|L1|0.000|0.000|0.002|0.100|-0.002|-0.100|+0.100|0.000|+0.100|-0.100|0.000|N10", table.Row("1"));
-        Assert.Equal("2|L1|100.000|0.000|100.002|0.080|-0.002|-0.080|+0.080|0.000|+0.080|-0.080|-0.001|N10", table.Row("2"));
+        // Deviation is actual - theoretical; before compensation the counterpart lacks what the part is too far away: a gap, negative.
+        Assert.Equal("1|L1|0.000|0.000|0.002|0.100|+0.002|+0.100|+0.100|0.000|+0.100|-0.100|0.000|N10", table.Row("1"));
+        Assert.Equal("2|L1|100.000|0.000|100.002|0.080|+0.002|+0.080|+0.080|0.000|+0.080|-0.080|-0.001|N10", table.Row("2"));
+    }
+
+    [Fact]
+    public void The_appendix_has_the_signs_of_figure_9()
+    {
+        var page = Page(Report);
+
+        // Theoretical - actual, ideal - actual.
+        Assert.Equal("1|0.000|0.000|0.002|0.100|-0.002|-0.100", page.Table("paper-points-table").Row("1"));
+        Assert.Equal("L1|length|mm|100.000|100.020|-0.020|100.019", page.Table("paper-quantities-table").Row("L1"));
+        Assert.Equal("paper", (string?)page.Descendants("section").Last().Attribute("id"));
     }
 
     [Fact]
@@ -24,7 +35,7 @@ public sealed class MatchReportHtmlTests
 
         var table = Page(Report with { KeyPoints = points }).Table("key-points-table");
 
-        Assert.StartsWith("1|L1|0.000|0.000|0.002|0.100|-1.000|2.500|-0.002|", table.Row("1"), StringComparison.Ordinal);
+        Assert.StartsWith("1|L1|0.000|0.000|0.002|0.100|-1.000|2.500|+0.002|", table.Row("1"), StringComparison.Ordinal);
         Assert.Contains("|–|–|", table.Row("2"), StringComparison.Ordinal);
     }
 
@@ -251,7 +262,7 @@ public sealed class MatchReportHtmlTests
             .Elements("tr")
             .Select(r => string.Join('|', r.Elements().Select(c => c.Value)));
 
-        Assert.Equal(["L1|length|mm|100.000|100.020|-0.020|0.0030|100.019", "L1|direction|°|0.000|-0.012|+0.012|0.0024|–"], rows);
+        Assert.Equal(["L1|length|mm|100.000|100.020|+0.020|0.0030|100.019", "L1|direction|°|0.000|-0.012|-0.012|0.0024|–"], rows);
     }
 
     [Fact]

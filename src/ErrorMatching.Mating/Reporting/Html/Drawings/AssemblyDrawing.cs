@@ -9,7 +9,7 @@ namespace ErrorMatching.Mating;
 internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, double> counterpart)
 {
     // Space for labels at the sides, for the legend above and the scale below.
-    private const double Side = 56, Above = 64, Below = 84, LeastWidth = 300;
+    private const double LegendBottom = 46, Side = 56, Above = 64, Below = 84, LeastWidth = 300;
 
     private double Width => Math.Max(LeastWidth, ((scene.High.X - scene.Low.X) * scene.PixelsPerMm) + (2 * Side));
 
@@ -38,7 +38,7 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
     {
         var worst = scene.Features.SelectMany(f => f.Points).MaxBy(p => Math.Abs(Error(p)))!;
         return $"Outlines of part and counterpart, deviations {scene.FactorText}. The largest mating error is "
-            + $"{ReportNumber.SignedMm(Error(worst))} at point {worst.Label}: {(Error(worst) > 0 ? "the pieces overlap" : "a gap")}.";
+            + $"{worst.ErrorWords(counterpart(worst))} at point {worst.Label}: {(Error(worst) > 0 ? "the pieces overlap" : "a gap")}.";
     }
 
     private double Error(DrawnPoint point) => counterpart(point) - point.Part;
@@ -90,9 +90,9 @@ internal sealed class AssemblyDrawing(AssemblyScene scene, Func<DrawnPoint, doub
         {
             var (x, y) = Place(feature.Foot(point) + (point.Normal * (scene.Factor * point.Part)));
             SvgShapes.Circle(
-                html, "key-point", x, y, 2.6, $"Point {point.Label}: mating error {ReportNumber.SignedMm(Error(point))}");
+                html, "key-point", x, y, 2.6, $"Point {point.Label}: mating error {point.ErrorWords(counterpart(point))}");
             var label = (X: x + (point.Normal.X * aside), Y: y - (point.Normal.Y * aside));
-            if (labels.All(l => Math.Abs(l.X - label.X) > 1.6 * near || Math.Abs(l.Y - label.Y) > near))
+            if (label.Y > LegendBottom + near && labels.All(l => Math.Abs(l.X - label.X) > 1.6 * near || Math.Abs(l.Y - label.Y) > near))
             {
                 labels.Add(label);
                 SvgShapes.Text(html, "tick", label.X, label.Y + 4, "middle", SvgNumber.Label(point.Label, 6));

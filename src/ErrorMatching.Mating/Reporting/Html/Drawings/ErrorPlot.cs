@@ -6,15 +6,20 @@ namespace ErrorMatching.Mating;
 internal sealed class ErrorPlot
 {
     private readonly IReadOnlyList<PlotPoint> _points;
+    private readonly IReadOnlyList<PlotPlace> _between;
     private readonly PointPlot _plot;
 
     /// <summary>A plot of some points, at least one.</summary>
-    public ErrorPlot(IReadOnlyList<PlotPoint> points)
+    /// <param name="points">The points.</param>
+    /// <param name="between">The worst places between them, one of a feature at most.</param>
+    public ErrorPlot(IReadOnlyList<PlotPoint> points, IReadOnlyList<PlotPlace>? between = null)
     {
-        _points = points;
+        (_points, _between) = (points, between ?? []);
         _plot = new(
-            PlotAxis.Around(points.SelectMany(
-                p => p.Limits is { } l ? [p.Before, p.After, l.LowerMm, l.UpperMm] : new[] { p.Before, p.After })),
+            PlotAxis.Around([
+                .. points.SelectMany(p => new[] { p.Before, p.After - (p.Interval95Mm ?? 0), p.After + (p.Interval95Mm ?? 0) }),
+                .. points.Select(p => p.Limits).OfType<ToleranceBand>().SelectMany(l => new[] { l.LowerMm, l.UpperMm }),
+                .. _between.SelectMany(b => new[] { b.After - b.Interval95Mm, b.After + b.Interval95Mm })]),
             [.. points.Select(p => p.Label)])
         {
             Size = (820, 360),
@@ -37,20 +42,61 @@ internal sealed class ErrorPlot
             WriteBands(html);
             WriteAxes(html);
             WriteLimits(html);
+            WriteIntervals(html);
             WriteLine(html, "before", p => p.Before, before, WriteCircle);
             WriteLine(html, "after", p => p.After, after, SvgShapes.Diamond);
+            WriteBetween(html);
             WriteLegend(html, before, after);
         }
     }
 
+    private PlotPlace? WorstBetween => _between.MaxBy(b => Math.Abs(b.After));
+
     private string Describe(string before, string after)
     {
-        return $"{before}: largest error {Largest(p => p.Before)}. {after}: largest error {Largest(p => p.After)}.";
+        return $"{before}: largest error {Largest(p => p.Before)}. {after}: largest error {Largest(p => p.After)}."
+            + (WorstBetween is { } worst ? $" Between the points: largest error {Words(worst)}." : "");
 
         string Largest(Func<PlotPoint, double> value)
         {
             var point = _points.MaxBy(p => Math.Abs(value(p)))!;
-            return $"{ReportNumber.SignedMm(value(point))} at point {point.Label}";
+            return $"{Words(value(point), point.Interval95Mm)} at point {point.Label}";
+        }
+    }
+
+    private static string Words(double error, double? interval) =>
+        interval is { } half ? ReportNumber.Interval(error, half) + " mm" : ReportNumber.SignedMm(error);
+
+    private static string Words(PlotPlace place) => $"{Words(place.After, place.Interval95Mm)} on {place.Feature} near {place.Place}";
+
+    private void WriteIntervals(HtmlText html)
+    {
+        for (var i = 0; i < _points.Count; i++)
+        {
+            if (_points[i].Interval95Mm is { } half)
+            {
+                SvgShapes.Bar(html, "interval", _plot.X(i), _plot.Y(_points[i].After + half), _plot.Y(_points[i].After - half));
+            }
+        }
+    }
+
+    private void WriteBetween(HtmlText html)
+    {
+        foreach (var place in _between)
+        {
+            var x = _plot.X(place.Index);
+            SvgShapes.Bar(
+                html,
+                "between interval",
+                x,
+                _plot.Y(place.After + place.Interval95Mm),
+                _plot.Y(place.After - place.Interval95Mm));
+            SvgShapes.Plus(html, "between marker", x, _plot.Y(place.After), $"Between the points: {Words(place)}");
+        }
+
+        if (WorstBetween is { } worst)
+        {
+            SvgShapes.Circle(html, "between ring", _plot.X(worst.Index), _plot.Y(worst.After), 9, null);
         }
     }
 
@@ -137,7 +183,7 @@ internal sealed class ErrorPlot
                 cssClass + " marker",
                 _plot.X(i),
                 _plot.Y(value(_points[i])),
-                $"Point {_points[i].Label}, {name}: {ReportNumber.SignedMm(value(_points[i]))}");
+                $"Point {_points[i].Label}, {name}: {Words(value(_points[i]), _points[i].Interval95Mm)}");
         }
     }
 
@@ -147,9 +193,22 @@ internal sealed class ErrorPlot
         SvgShapes.Line(html, "before line", _plot.Left, y, _plot.Left + 40, y);
         WriteCircle(html, "before marker", _plot.Left + 20, y, before);
         SvgShapes.Text(html, "legend", _plot.Left + 48, y + 4, "start", before);
-        SvgShapes.Line(html, "after line", _plot.Middle, y, _plot.Middle + 40, y);
-        SvgShapes.Diamond(html, "after marker", _plot.Middle + 20, y, after);
-        SvgShapes.Text(html, "legend", _plot.Middle + 48, y + 4, "start", after);
+        var second = _between.Count > 0 ? _plot.Left + 200 : _plot.Middle;
+        SvgShapes.Line(html, "after line", second, y, second + 40, y);
+        if (_points.Any(p => p.Interval95Mm is not null))
+        {
+            SvgShapes.Bar(html, "interval", second + 20, y - 9, y + 9);
+            after += ", 95 % interval";
+        }
+
+        SvgShapes.Diamond(html, "after marker", second + 20, y, after);
+        SvgShapes.Text(html, "legend", second + 48, y + 4, "start", after);
+        if (WorstBetween is { } worst)
+        {
+            var third = _plot.Left + 520;
+            SvgShapes.Plus(html, "between marker", third, y, "worst place between points");
+            SvgShapes.Text(html, "legend", third + 12, y + 4, "start", $"between points, worst on {SvgNumber.Label(worst.Feature, 12)}");
+        }
     }
 
     /// <summary>First and last position of neighbors with a common value.</summary>

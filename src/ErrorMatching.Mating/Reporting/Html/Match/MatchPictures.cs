@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -11,19 +12,44 @@ internal static class MatchPictures
             Plot(report),
             AssemblyScene.Of(report.Features.Select(f => Draw(report, f))),
             "without compensation",
-            "as compensated (predicted)");
+            "as compensated (predicted)",
+            [.. report.Features.Select(f => Between(report, f)).OfType<PlotPlace>()]);
 
     private static PlotPoint[] Plot(MatchReport report)
     {
         var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
         return [
             .. report.KeyPoints.Select(p => new PlotPoint(
-                p.Point, p.Feature, p.UncompensatedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null))];
+                p.Point, p.Feature, p.UncompensatedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null)
+            {
+                Interval95Mm = p.Interval95Mm
+            })];
+    }
+
+    // The place on the axis of the points, at its share of the way from one key point to the next.
+    private static PlotPlace? Between(MatchReport report, ReportFeature feature)
+    {
+        var points = report.KeyPoints.Select((p, i) => (Point: p, Index: i)).Where(p => p.Point.Feature == feature.Name).ToArray();
+        if (points.Length < 2 || ErrorLeft.Between(feature) is not { } worst)
+        {
+            return null;
+        }
+
+        var (at, share) = points.Zip(points.Skip(1)).Select(p =>
+        {
+            var way = new Segment2(p.First.Point.Theoretical, p.Second.Point.Theoretical);
+            var fraction = way.NearestFraction(worst.Place);
+            return (Index: p.First.Index, Fraction: fraction, Distance: way.At(fraction).DistanceTo(worst.Place));
+        }).MinBy(w => w.Distance) is var nearest ? (nearest.Index, nearest.Fraction) : default;
+        return new(feature.Name, at + share, worst.MatingErrorMm, worst.Interval95Mm ?? 0, VerdictWords.Place(worst));
     }
 
     private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
         feature.TheoreticalOutline,
         [
             .. report.PointsOf(feature).Select(p => new DrawnPoint(
-                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm + p.UncompensatedMm, p.NormalMm + p.PredictedMm))]);
+                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm + p.UncompensatedMm, p.NormalMm + p.PredictedMm)
+            {
+                Interval95Mm = p.Interval95Mm
+            })]);
 }

@@ -2,8 +2,7 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with ideal, actual and corrected lengths and angles, as in figure 9 of Wang 2021, and the fits of the
-/// features.</summary>
+/// <summary>The section with ideal, actual and corrected lengths and angles, and the fits of the features.</summary>
 internal static class MatchQuantities
 {
     private static readonly TableColumn[] Columns =
@@ -31,13 +30,13 @@ internal static class MatchQuantities
             row.Text(QuantityName.Unit(q.Quantity.Name));
             row.Number(ReportNumber.Plain(q.Quantity.Theoretical));
             row.Number(ReportNumber.Plain(q.Quantity.Actual));
-            row.Number(ReportNumber.Signed(q.Quantity.Deviation));
+            row.Number(ReportNumber.Signed(-q.Quantity.Deviation));
             row.Number(ReportNumber.Fine(q.Quantity.StandardUncertainty));
             row.Number(q.Corrected is { } corrected ? ReportNumber.Plain(corrected) : ReportNumber.None);
         });
         html.Put(
             "p",
-            "Ideal: by the theoretical points. Actual: by the measured ones. Deviation: ideal - actual. Corrected: on the counterpart as "
+            "Ideal: by the theoretical points. Actual: by the measured ones. Deviation: actual - ideal. Corrected: on the counterpart as "
                 + "the new program cuts it.",
             ("class", "small"));
         HtmlTable.Write(html, "fits-table", "How well the measured points fit their features", FitColumns, report.Features, (row, f) =>

@@ -73,8 +73,8 @@ internal static class MatchSummary
                     html.Text(
                         $". Largest deviation {ReportNumber.SignedMm(feature.LargestMm)}"
                             + (
-                                report.LeftMm(feature) is { } left
-                                    ? $"; mating error left, as predicted: {ReportNumber.SignedMm(left)}."
+                                report.PointsOf(feature).MaxBy(p => Math.Abs(p.PredictedMm)) is { } left
+                                    ? $"; mating error left, as predicted: {MatchKeyPoints.Left(left)} mm."
                                     : ".")
                             + string.Concat(OutsideWords.Of(report.OutsideOf(feature)).Select(s => " ⚠ " + s)));
                 }
@@ -90,7 +90,9 @@ internal static class MatchSummary
         }
 
         var order = report.Job.WorkOrder is { } number ? $"work order {number}" : $"the job {report.Job.Name}";
-        string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first] : [];
+        string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first]
+            : report.Verdict.IsToCut ? []
+            : ["Decide whether to cut: the verdict at the top says what speaks against it."];
         return
         [
             .. decide,

@@ -34,11 +34,12 @@ internal static class VerifyTables
             row.Number(ReportNumber.Plain(f.After));
             row.Number(ReportNumber.Signed(f.Before - f.Wanted));
             row.Number(ReportNumber.Signed(f.After - f.Wanted));
-            row.Number(f.ImprovementPercent is { } percent ? ReportNumber.Percent(percent) : ReportNumber.None);
+            row.Number(ImprovementWords.Of(f, ReportNumber.Percent, ReportNumber.None));
         });
         html.Put(
             "p",
-            "Error: found - wanted. Improvement: by how much of the error before the error after is smaller; negative where it grew.",
+            "Error: found - wanted. Improvement: by how much of the error before the error after is smaller; negative where it grew. "
+                + string.Join(' ', ImprovementWords.Legend(result.Features)),
             ("class", "small"));
     }
 

@@ -1,0 +1,177 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The verdict on the pair that a setter decides by: how many key points will be within their limits, the largest error that
+/// will be left, and whether to cut.</summary>
+/// <remarks>It follows from the report, also from one of an earlier version. A feature with limits without width asks for a correction,
+/// not for conformance: its points are neither within nor outside.</remarks>
+public sealed record MatchVerdict
+{
+    private MatchVerdict()
+    {
+    }
+
+    /// <summary>The result in one word.</summary>
+    public required VerdictCode Code { get; init; }
+
+    /// <summary>True if the counterpart can be cut; false if somebody has to decide first.</summary>
+    public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits;
+
+    /// <summary>True if the program differs from the original.</summary>
+    public required bool IsCompensated { get; init; }
+
+    /// <summary>Number of key points with limits.</summary>
+    public required int Points { get; init; }
+
+    /// <summary>Number of those that will be within their limits.</summary>
+    public int Within => Points - Outside.Count;
+
+    /// <summary>Labels of the key points that will be outside their limits, in the order of cutting.</summary>
+    public required IReadOnlyList<string> Outside { get; init; }
+
+    /// <summary>Labels of the key points within their limits that the guard bands of the job's rule do not accept; none without such
+    /// bands.</summary>
+    public required IReadOnlyList<string> NotAccepted { get; init; }
+
+    /// <summary>Names of the features that are expected to be outside their limits between the key points.</summary>
+    public required IReadOnlyList<string> OutsideBetween { get; init; }
+
+    /// <summary>The limits of the mating error if all points have the same; otherwise null.</summary>
+    public required ToleranceBand? Limits { get; init; }
+
+    /// <summary>The error with the largest magnitude that will be left at a key point; null without key points.</summary>
+    public required ErrorLeft? Worst { get; init; }
+
+    /// <summary>The error left at the key point with limits that is the nearest to its limits, or the furthest beyond them; null without
+    /// limits.</summary>
+    public required ErrorLeft? Tightest { get; init; }
+
+    /// <summary>The error with the largest magnitude that is expected between the key points of a feature; null if no feature has a
+    /// course.</summary>
+    public required ErrorLeft? WorstBetween { get; init; }
+
+    /// <summary>The probability that every key point will be within its limits, if the errors of the points are independent; null without
+    /// limits, and in reports of earlier versions.</summary>
+    public required double? ProbabilityAfter { get; init; }
+
+    /// <summary>The verdict on a report.</summary>
+    internal static MatchVerdict Of(MatchReport report)
+    {
+        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
+        ReportKeyPoint[] judged = [.. report.KeyPoints.Where(p => LimitsOf(p).WidthMm > 0)];
+        var rule = report.Rule ?? DecisionRule.Simple;
+        IReadOnlyList<string> outside = [.. judged.Where(p => !LimitsOf(p).Contains(p.PredictedMm)).Select(p => p.Point)];
+        IReadOnlyList<string> notAccepted = [
+            .. judged.Where(p => LimitsOf(p).Contains(p.PredictedMm)
+                && rule.AcceptanceLimits(LimitsOf(p), (p.Interval95Mm ?? 0) / PredictedError.Factor95)?.Contains(p.PredictedMm) != true)
+            .Select(p => p.Point)];
+        IReadOnlyList<string> between = [
+            .. report.Features.Where(f => f.WorstBetween is { } e && limits[f.Name] is { WidthMm: > 0 } l && !l.Contains(e.AfterMm))
+                .Select(f => f.Name)];
+        var all = judged.Select(p => LimitsOf(p)).Distinct().ToArray();
+        return new()
+        {
+            Code = !report.Proof.Holds ? VerdictCode.ProofFails
+                : outside.Count > 0 ? VerdictCode.Outside
+                : between.Count > 0 ? VerdictCode.OutsideBetween
+                : notAccepted.Count > 0 ? VerdictCode.NotAccepted
+                : judged.Length == 0 ? VerdictCode.NoLimits
+                : VerdictCode.Within,
+            IsCompensated = !report.IsUnchanged,
+            Points = judged.Length,
+            Outside = outside,
+            NotAccepted = notAccepted,
+            OutsideBetween = between,
+            Limits = all.Length == 1 ? all[0] : null,
+            Worst = Largest(report.KeyPoints.Select(Left)),
+            Tightest = judged.Select(Left).MinBy(e => e.MarginMm),
+            WorstBetween = Largest(report.Features.Where(f => f.WorstBetween is not null).Select(f => ErrorLeft.Between(f)!)),
+            ProbabilityAfter = report.ProbabilityAfter,
+        };
+
+        ErrorLeft Left(ReportKeyPoint p) =>
+            new(p.Feature, p.Point, p.Theoretical, p.Normal, p.PredictedMm, p.Interval95Mm, LimitsOf(p));
+
+        ToleranceBand LimitsOf(ReportKeyPoint point) => limits.GetValueOrDefault(point.Feature);
+    }
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("code", ReportWords.Of(Code));
+        w.Flag("cut", IsToCut);
+        w.Flag("compensated", IsCompensated);
+        w.Count("points", Points);
+        w.Count("pointsWithin", Within);
+        w.Texts("outside", Outside);
+        w.Texts("notAccepted", NotAccepted);
+        w.Texts("outsideBetween", OutsideBetween);
+        w.Optional("worst", Worst, e => e.Write(w));
+        w.Optional("worstBetween", WorstBetween, e => e.Write(w));
+        w.Number("probabilityAfter", ProbabilityAfter);
+        w.Text("sentence", VerdictWords.Of(this));
+    }
+
+    private static ErrorLeft? Largest(IEnumerable<ErrorLeft> errors) => errors.MaxBy(e => Math.Abs(e.MatingErrorMm));
+}
+
+/// <summary>A mating error that the program is predicted to leave: counterpart - part, positive where too much material stands.</summary>
+/// <param name="Feature">Name of the feature.</param>
+/// <param name="Point">Label of the key point; null for a place between key points.</param>
+/// <param name="Place">Where the boundary is as designed, in the part's frame.</param>
+/// <param name="Normal">Unit normal there, from the counterpart's material to its tool, in the part's frame.</param>
+/// <param name="MatingErrorMm">The error.</param>
+/// <param name="Interval95Mm">Half its 95 % interval; null in reports of earlier versions.</param>
+/// <param name="Limits">The limits of the mating error.</param>
+public sealed record ErrorLeft(
+    string Feature, string? Point, Point2 Place, Vector2 Normal, double MatingErrorMm, double? Interval95Mm, ToleranceBand Limits)
+{
+    /// <summary>The distance to the nearer limit; negative beyond it.</summary>
+    public double MarginMm => Math.Min(MatingErrorMm - Limits.LowerMm, Limits.UpperMm - MatingErrorMm);
+
+    /// <summary>True if it is outside its limits, which have a width.</summary>
+    public bool IsOutside => Limits.WidthMm > 0 && !Limits.Contains(MatingErrorMm);
+
+    /// <summary>The largest error expected between the key points of a feature; null if it has none.</summary>
+    public static ErrorLeft? Between(ReportFeature feature)
+    {
+        ArgumentNullException.ThrowIfNull(feature);
+        return feature.WorstBetween is { } e
+            ? new(feature.Name, null, e.Place, e.Normal, e.AfterMm, e.Interval95Mm, feature.Tolerance.Band.OfMatingError)
+            : null;
+    }
+
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("feature", Feature);
+        w.Text("point", Point);
+        w.Point("place", Place);
+        w.Number("predictedMm", MatingErrorMm);
+        w.Number("interval95Mm", Interval95Mm);
+    }
+}
+
+/// <summary>The verdict on a pair in one word.</summary>
+public enum VerdictCode
+{
+    /// <summary>Every key point will be within its limits, and so will the boundary between them: cut.</summary>
+    Within,
+
+    /// <summary>No feature has limits with a width: cut, as far as limits tell.</summary>
+    NoLimits,
+
+    /// <summary>A key point will be within its limits, but inside the guard band of the job's rule.</summary>
+    NotAccepted,
+
+    /// <summary>The key points will be within their limits, but a place between them is expected to be outside.</summary>
+    OutsideBetween,
+
+    /// <summary>A key point will be outside its limits.</summary>
+    Outside,
+
+    /// <summary>The proof of the program does not hold: do not use it.</summary>
+    ProofFails,
+}
