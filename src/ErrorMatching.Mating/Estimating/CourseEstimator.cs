@@ -175,9 +175,18 @@ internal sealed class CourseEstimator
         {
             var decided = _decision.Features[feature].Points[i];
             var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.Displacement), pass.Feet[i].Normal);
+            (BoundaryElement, double)? beside = null;
             if (_job.Compensation.From == CompensationSource.Counterpart)
             {
-                // What two measured points differ by along the boundary says nothing.
+                // What two measured points differ by along the boundary says nothing. On a corner, neither of them is where the program
+                // before has its vertex, so the point counts for its own element alone.
+                if (pass.Feet[i].OnCorner && _elements[pass].Find(e => e.Contains(pass.Feet[i].Motion)) is { } element)
+                {
+                    var left = _path.Motions[pass.Feet[i].Motion].TangentAt(pass.Feet[i].Fraction).Left;
+                    normal = pass.Feet[i].MaterialIsLeft ? -left : left;
+                    beside = (element, pass.Along(pass.Feet[i]));
+                }
+
                 deviation = normal * deviation.Dot(normal);
             }
 
@@ -187,7 +196,10 @@ internal sealed class CourseEstimator
                 _theoretical[feature][i],
                 deviation,
                 IsCompensated(feature) ? deviation * ShareOf(decided) : deviation,
-                normal);
+                normal)
+            {
+                Beside = beside
+            };
         }
     }
 

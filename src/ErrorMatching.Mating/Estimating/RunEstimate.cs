@@ -54,7 +54,14 @@ internal sealed class RunEstimate
         var (cuts, following, isSettled, squares) = (OnCuts(path), Run.Following.ToList(), true, 0.0);
         for (var i = 0; i < Points.Count; i++)
         {
-            var place = Points[i].Theoretical + (isWhole ? Points[i].Deviation : Points[i].Wanted);
+            var way = isWhole ? Points[i].Deviation : Points[i].Wanted;
+            if (Points[i].Beside is { } beside)
+            {
+                _ofPoints[i] = new([new(IndexOf(beside.Element), beside.AlongMm, 1)], way.Dot(Points[i].Normal));
+                continue;
+            }
+
+            var place = Points[i].Theoretical + way;
             var foot = cuts.FootOf(place, Points[i].Normal);
             if (!isWhole && Run.HiddenBy(Nominal[i], foot) is { } line && !following.Contains(line))
             {
@@ -173,4 +180,8 @@ internal sealed class RunEstimate
 /// <param name="Deviation">From there to the measured place that the boundary should have.</param>
 /// <param name="Wanted">From there to the place that the compensation wants.</param>
 /// <param name="Normal">Unit normal toward the tool.</param>
-internal sealed record RunPoint(int Feature, int Index, Point2 Theoretical, Vector2 Deviation, Vector2 Wanted, Vector2 Normal);
+internal sealed record RunPoint(int Feature, int Index, Point2 Theoretical, Vector2 Deviation, Vector2 Wanted, Vector2 Normal)
+{
+    /// <summary>The element that it counts for alone, and where on it; null if the cuts around it tell.</summary>
+    public (BoundaryElement Element, double AlongMm)? Beside { get; init; }
+}
