@@ -104,10 +104,6 @@ public sealed record MatchReport
     public IReadOnlyList<ReportKeyPoint> BeyondTolerance(ReportFeature feature) =>
         [.. PointsOf(feature).Where(p => p.ExcessMm != 0).OrderByDescending(p => Math.Abs(p.ExcessMm))];
 
-    /// <summary>The mating error with the largest magnitude that the program is predicted to leave at a feature; null if it has no
-    /// points.</summary>
-    public double? LeftMm(ReportFeature feature) => PointsOf(feature).MaxBy(p => Math.Abs(p.PredictedMm))?.PredictedMm;
-
     /// <summary>The measured mating errors of the counterpart compared with the predicted ones, in the order of cutting.</summary>
     public IReadOnlyList<PredictionMiss> MissesOf(VerificationResult measured)
     {

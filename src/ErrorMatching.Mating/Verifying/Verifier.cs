@@ -69,17 +69,16 @@ internal static class Verifier
     }
 
     // A largest deviation is that of one coordinate of one point.
-    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points, double u) => (alongX
-        ? new(
-            name,
-            VerifiedQuantity.DeviationX,
-            0,
-            points.Max(p => Math.Abs(p.BeforeError.Vector.X)),
-            points.Max(p => Math.Abs(p.AfterError.Vector.X)))
+    private static VerifiedFeature Deviation(string name, bool alongX, IReadOnlyList<VerifiedPoint> points, double u)
+    {
+        var deviation = VerifiedFeature.DeviationOf(name, points) with { ChangeUncertainty = u };
+        return !alongX ? deviation : deviation with
         {
-            Points = [.. points.Select(p => p.Label)]
-        }
-        : VerifiedFeature.DeviationOf(name, points)) with { ChangeUncertainty = u };
+            Quantity = VerifiedQuantity.DeviationX,
+            Before = points.Max(p => Math.Abs(p.BeforeError.Vector.X)),
+            After = points.Max(p => Math.Abs(p.AfterError.Vector.X)),
+        };
+    }
 
     private static VerifiedFeature Of(
         string name,
