@@ -16,9 +16,8 @@ public static class WarningForms
     /// <summary>Point and block.</summary>
     public static SentenceForm PointOnCorner { get; } = new(
         "point-on-corner",
-        "Point {0} lies on a rounded corner at an end of {1}: there the boundary follows both elements, so its own deviation cannot be "
-            + "met exactly. This part is measured: see what is left over there before you cut. For the next parts, choose a key point "
-            + "further from the corner in the job.");
+        "Point {0} lies on a rounded corner at an end of {1}: it says something about both elements together, so each of them is less "
+            + "certain. For the next parts, choose a key point further from the corner in the job.");
 
     /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(

@@ -140,7 +140,8 @@ public static class Matcher
     // Adds the name of the feature that owns the refused block, if any.
     private static Refusal Named(Refusal refusal, IReadOnlyList<FeatureMap> maps) =>
         refusal.Place.Feature is not null ? refusal
-            : FeatureRefusal.Of(refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
+            : FeatureRefusal.Of(
+                refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
 
     private static Outcome<MatchResult> Unchanged(
         MatchInput input,

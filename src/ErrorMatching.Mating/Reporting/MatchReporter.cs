@@ -114,7 +114,12 @@ public static class MatchReporter
             TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
             CorrectedOutline = Outlines.Boundary(job.Counterpart, result.After, map.Passes[0]),
             ActualOutline = map.Feature.MeasuredOutline(
-                new(job.Counterpart, result.Before, map, Theoretical(result, map), [.. map.Feature.Points.Select(l => result.Part.Points[l])])
+                new(
+                    job.Counterpart,
+                    result.Before,
+                    map,
+                    Theoretical(result, map),
+                    [.. map.Feature.Points.Select(l => result.Part.Points[l])])
                 {
                     Deviation = predicted.Deviation
                 }),

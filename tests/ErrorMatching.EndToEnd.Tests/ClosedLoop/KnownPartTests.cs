@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
