@@ -13,11 +13,14 @@ internal sealed class DeviationField
     private readonly IReadOnlyList<DeviationPrior> _priors;
     private readonly IReadOnlyList<BoundaryRow> _rows;
     private readonly Cholesky<double>? _factor;
-    private readonly Vector<double>? _weights;
+
+    // For each element, the places where rows speak of it, with their weights in an estimate.
+    private readonly List<(double AlongMm, double Weight)>[] _terms;
 
     public DeviationField(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         (_priors, _rows) = (priors, rows);
+        _terms = [.. priors.Select(_ => new List<(double, double)>())];
         if (rows.Count == 0)
         {
             return;
@@ -26,7 +29,14 @@ internal sealed class DeviationField
         var covariance = Matrix<double>.Build.Dense(rows.Count, rows.Count, CovarianceOf(priors, rows, uncertaintyMm));
         var values = Vector<double>.Build.Dense(rows.Count, i => rows[i].ValueMm);
         _factor = covariance.Cholesky();
-        _weights = _factor.Solve(values);
+        var weights = _factor.Solve(values);
+        for (var i = 0; i < rows.Count; i++)
+        {
+            foreach (var term in rows[i].Terms)
+            {
+                _terms[term.Element].Add((term.AlongMm, weights[i] * term.Weight));
+            }
+        }
     }
 
     /// <summary>The covariance of rows, row by row, with their noise.</summary>
@@ -50,9 +60,9 @@ internal sealed class DeviationField
     public double Mean(int element, double along)
     {
         var sum = 0.0;
-        for (var i = 0; i < _rows.Count; i++)
+        foreach (var (place, weight) in _terms[element])
         {
-            sum += _weights![i] * WithRow(element, along, i);
+            sum += weight * _priors[element].Covariance(along, place);
         }
 
         return sum;

@@ -32,9 +32,16 @@ internal sealed class ElementCut
     {
         ElementForm.Straight => Straight(element, field),
         ElementForm.Arc => Circle(element, field),
-        ElementForm.Free => new(field),
+        ElementForm.Free => new(Once(field)),
         _ => throw new ArgumentOutOfRangeException(nameof(element), element.Form, "Unknown form."),
     };
+
+    // The end of a motion is the start of the next one.
+    private static Func<double, double> Once(Func<double, double> field)
+    {
+        var known = new Dictionary<double, double>();
+        return along => known.TryGetValue(along, out var value) ? value : known[along] = field(along);
+    }
 
     // The coefficients of the first two Legendre polynomials.
     private static ElementCut Straight(BoundaryElement element, Func<double, double> field)

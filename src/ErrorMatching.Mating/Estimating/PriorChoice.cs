@@ -18,7 +18,7 @@ internal static class PriorChoice
     private const double LeastError = 0.25;
 
     // A length with less evidence takes no part.
-    private const double LeastWeight = 0.001;
+    private const double LeastWeight = 0.01;
 
     /// <summary>Chooses the priors.</summary>
     /// <param name="elements">The elements of a run.</param>

@@ -10,7 +10,7 @@ internal sealed class RunEstimate
     private const double Rounding = 0.001;
 
     // The places at which the boundary between two key points is compared.
-    private const double SpacingMm = 0.5;
+    private const double SpacingMm = 1;
     private const int MostPlaces = 200;
 
     private readonly double _uncertaintyMm;
