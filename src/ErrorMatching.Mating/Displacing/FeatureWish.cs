@@ -19,8 +19,11 @@ internal static class FeatureWish
     {
         var motion = path.Motions[index];
         var (from, to) = (pass.Starts[index - pass.First], pass.Starts[index - pass.First + 1]);
-        var (start, end) = (course(from, NormalAt(path, pass, index, -1)), course(to, NormalAt(path, pass, index, 1)));
-        return new(index, start, motion.IsArc ? course((from + to) / 2, motion.TangentAt(0.5).Left) : (start + end) / 2, end);
+        return new(
+            index,
+            course(from, NormalAt(path, pass, index, -1)),
+            course((from + to) / 2, motion.TangentAt(0.5).Left),
+            course(to, NormalAt(path, pass, index, 1)));
     }
 
     // Where two lines of a polyline meet, both ends get one displacement, with the same component along either normal. Otherwise, tilting
