@@ -65,12 +65,13 @@ public sealed partial class CompensationWordsTests
         Assert.Equal(("+0.1170", "−0.1170"), (detail.Decisions[0].Largest, detail.Points[0].Without));
         seat.Tap("tab-decisions").See("decisions-note");
         Assert.Equal(
-            "Largest deviation: part − counterpart without compensation, with the sign of the limits. +0.1359\u00a0mm here is a mating "
-                + "error of −0.1359\u00a0mm under Points.",
+            "Largest deviation: actual − theoretical of the part along the normal, positive where the counterpart needs more material. "
+                + "The limits have the same sign. +0.1359\u00a0mm here is a mating error of −0.1359\u00a0mm under Points.",
             seat.TextOf("decisions-note"));
         Texts.Current.Language = Language.TraditionalChinese;
         seat.WaitFor(
-            () => seat.TextOf("decisions-note") == "最大偏差：工件 − 未補償的對應件，與公差限的正負號一致。此處的 +0.1359\u00a0mm 即「關鍵點」頁的配合誤差 −0.1359\u00a0mm。",
+            () => seat.TextOf("decisions-note") == "最大偏差：沿法線的 工件實際值 − 理論值，正值表示對應件需要更多材料，公差限的正負號相同。"
+                + "此處的 +0.1359\u00a0mm 即「關鍵點」頁的配合誤差 −0.1359\u00a0mm。",
             "It is said in English only.");
         Texts.Current.Language = Language.English;
     });
@@ -80,7 +81,9 @@ public sealed partial class CompensationWordsTests
     {
         var detail = Arrive(seat);
         Assert.Equal(["Needs approval", "Calculated", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
-        Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. Warnings: 2", detail.Steps[1].Basis);
+        Assert.Equal(
+            $"displaced by at most {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at block N150. Warnings: 2",
+            detail.Steps[1].Basis);
         Assert.Contains(
             "Point 2 lies on a rounded corner",
             seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis.Sentence,
@@ -131,7 +134,7 @@ public sealed partial class CompensationWordsTests
             Value(detail.Quantities.Single(q => q.Feature == "L1" && q.Quantity == "length").Corrected))).Degrees;
         Assert.Equal(turned, Math.Abs(Value(direction.Corrected) - Value(direction.Actual)), 0.005);
 
-        static double Value(string shown) => double.Parse(shown.Replace('\u2212', '-'), CultureInfo.InvariantCulture);
+        static double Value(string shown) => double.Parse(shown.Split('\u00a0')[0].Replace('\u2212', '-'), CultureInfo.InvariantCulture);
     });
 
     [Theory]

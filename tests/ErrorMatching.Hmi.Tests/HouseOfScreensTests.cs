@@ -17,7 +17,8 @@ public sealed partial class HouseOfScreensTests
         ("Ink", "Ground"), ("Ink", "Surface"), ("Ink", "SurfaceQuiet"), ("Ink", "AccentGround"), ("Ink", "AttentionGround"),
         ("Ink", "AlarmGround"), ("InkQuiet", "Ground"), ("InkQuiet", "Surface"),
         ("InkQuiet", "SurfaceQuiet"), ("InkQuiet", "AttentionGround"), ("InkQuiet", "AlarmGround"), ("Accent", "AccentGround"),
-        ("OnAccent", "Accent"), ("Attention", "Surface"), ("Attention", "AttentionGround"), ("Alarm", "Surface"), ("Alarm", "AlarmGround"),
+        ("OnAccent", "Accent"), ("Good", "Surface"),
+        ("Attention", "Surface"), ("Attention", "AttentionGround"), ("Alarm", "Surface"), ("Alarm", "AlarmGround"),
         ("PlotPart", "Surface"), ("PlotPart", "PlotGap"), ("PlotCounterpart", "Surface"), ("PlotCounterpart", "PlotGap"),
         ("PlotBefore", "Surface"), ("PlotBefore", "PlotBand"), ("PlotAfter", "Surface"), ("PlotAfter", "PlotBand"),
     ];

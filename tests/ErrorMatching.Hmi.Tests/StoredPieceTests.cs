@@ -1,8 +1,6 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Geometry;
-using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -19,7 +17,7 @@ public sealed class StoredPieceTests
     public void What_is_not_compensated_is_expected_to_stay_as_it_is()
     {
         // Wide limits: nothing is compensated, so both assemblies are the same.
-        var report = Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.5]", StringComparison.Ordinal));
+        var report = SampleReport.Of(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.5]", StringComparison.Ordinal));
         var piece = StoredPiece.Predicted(Part, report);
         Assert.All(report.Features, f => Assert.Equal(Decision.WithinTolerance, f.Decision));
         Assert.All(piece.Result.Points, p => Assert.Equal(p.BeforeError.NormalMm, p.AfterError.NormalMm, 9));
@@ -41,7 +39,7 @@ public sealed class StoredPieceTests
     [Fact]
     public void Where_the_part_lies_further_out_a_gap_is_drawn_and_it_closes()
     {
-        var piece = StoredPiece.Predicted(Part, Report(j => j));
+        var piece = StoredPiece.Predicted(Part, SampleReport.Of(j => j));
         var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
 
         // Point 1 of the part lies 0.117 mm further out along the normal, which the counterpart follows.
@@ -82,7 +80,8 @@ public sealed class StoredPieceTests
     public void A_mating_error_is_held_against_the_limits_the_other_way_round()
     {
         // The part may lie far in and not out: an overlap may be large, a gap not.
-        var piece = StoredPiece.Predicted(Part, Report(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
+        var piece = StoredPiece.Predicted(
+            Part, SampleReport.Of(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
         var band = piece.Result.BandOf("9")!.Value;
         Assert.Equal((-0.001, 0.5), (band.LowerMm, band.UpperMm));
         Assert.Equal("C1", piece.Result.BoundaryOf("9")!.Name);
@@ -92,8 +91,12 @@ public sealed class StoredPieceTests
     [Fact]
     public void Where_points_stay_outside_as_predicted_a_person_decides_about_the_piece_and_can_change_the_set_up()
     {
-        var match = Report(j => j);
-        var measured = StoredPiece.Predicted(Part, match) with { Counterpart = Part with { Id = 2 } };
+        var match = SampleReport.Of().Leaving(("2", 0.06), ("4", -0.07));
+        var predicted = StoredPiece.Predicted(Part, match);
+        var before = new PieceDetail(predicted, [predicted]);
+        Assert.Equal("2 points outside their limits: 2, 4. Within limits without compensation: 2, 4.", before.Verdict);
+        Assert.Equal("Before cutting, read the warnings of the correction: 2, 4 will stay outside.", before.ToDo);
+        var measured = predicted with { Counterpart = Part with { Id = 2 } };
         Assert.Equal(["2", "4"], measured.Outside);
         Assert.Equal(
             "Someone must decide whether to use this piece; the station does not. It was cut as predicted. Before the next one, "
@@ -114,18 +117,5 @@ public sealed class StoredPieceTests
                 " For the next pieces, choose a point further from the corner in the set-up.",
                 WarningText.Of(w),
                 StringComparison.Ordinal));
-    }
-
-    private static MatchReport Report(Func<string, string> change)
-    {
-        using var folder = new TemporaryFolder();
-        foreach (var file in Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating")))
-        {
-            File.Copy(file, folder[Path.GetFileName(file)]);
-        }
-
-        var job = folder["job.json"];
-        File.WriteAllText(job, change(File.ReadAllText(job)));
-        return StoredReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson()).Match!;
     }
 }

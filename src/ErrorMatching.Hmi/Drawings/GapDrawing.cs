@@ -1,3 +1,4 @@
+using System.Collections.ObjectModel;
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
@@ -31,6 +32,13 @@ internal sealed record GapDrawing(
     // A part is long if its sides differ by this factor.
     private const double LongFactor = 1.5;
 
+    /// <summary>Half the 95 % interval about each error, by label; empty if it is not known.</summary>
+    public IReadOnlyDictionary<string, double> Intervals95Mm { get; private init; } = ReadOnlyDictionary<string, double>.Empty;
+
+    /// <summary>The largest mating error without sign, with its interval if that is known.</summary>
+    public string LargestText =>
+        Shown.Mm(LargestMm, Interval95Mm(Points.Count == 0 ? "" : Points.MaxBy(p => Math.Abs(p.GapMm)).Label));
+
     /// <summary>Note below the drawing: the exaggeration, and whether it is turned.</summary>
     public string Note
     {
@@ -47,7 +55,10 @@ internal sealed record GapDrawing(
     public static GapDrawing Before(StoredPiece piece) => Of(piece, p => p.BeforeError);
 
     /// <summary>The assembly with compensation.</summary>
-    public static GapDrawing After(StoredPiece piece) => Of(piece, p => p.AfterError);
+    public static GapDrawing After(StoredPiece piece) => Of(piece, p => p.AfterError) with { Intervals95Mm = piece.Intervals95Mm };
+
+    /// <summary>Half the 95 % interval about the error at a key point; null if it is not known.</summary>
+    public double? Interval95Mm(string label) => Intervals95Mm.TryGetValue(label, out var half) ? half : null;
 
     // A mating error is counterpart - part along the normal. The gap has the opposite sign: part - counterpart.
     private static GapDrawing Of(StoredPiece piece, Func<VerifiedPoint, MatingError> error)

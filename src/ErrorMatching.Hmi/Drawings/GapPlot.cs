@@ -4,7 +4,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws the two boundaries of a mating, true to scale. Tapping a key point shows its gap.</summary>
+/// <summary>Draws the two boundaries of a mating, true to scale. Tapping a key point shows its mating error.</summary>
 internal sealed class GapPlot : PlotArea
 {
     public static readonly StyledProperty<GapDrawing?> DrawingProperty = AvaloniaProperty.Register<GapPlot, GapDrawing?>(nameof(Drawing));
@@ -67,7 +67,10 @@ internal sealed class GapPlot : PlotArea
 
     /// <inheritdoc/>
     protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, _, gap, part, _)
-        ? new(at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(gap), Shown.SignedMm(part)), index)
+        ? new(
+            at,
+            Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(-gap, Drawing.Interval95Mm(label)), Shown.SignedMm(part)),
+            index)
         : null;
 
     /// <inheritdoc/>

@@ -1,3 +1,4 @@
+using System.Collections.ObjectModel;
 using ErrorMatching.Cell;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
@@ -37,12 +38,26 @@ public sealed record StoredPiece(
     /// <summary>The match that the counterpart was cut by; null if it is not in the store.</summary>
     public MatchReport? Match { get; init; }
 
+    /// <summary>Half the 95 % interval about each predicted error, by key point; empty once the counterpart is measured, and for a
+    /// report of an earlier version.</summary>
+    public IReadOnlyDictionary<string, double> Intervals95Mm
+    {
+        get => IsMeasured ? ReadOnlyDictionary<string, double>.Empty : field;
+        private init;
+    } = ReadOnlyDictionary<string, double>.Empty;
+
+    /// <summary>That of the largest error with compensation; null if it is not known.</summary>
+    public double? LargestInterval95Mm => Interval95Mm(Result.WorstAfter.Label);
+
     /// <summary>The counterpart that the errors without compensation are based on; null if its nominal shape is used.</summary>
     public ReportInput? Before { get; init; }
 
     /// <summary>The measured errors compared with the predicted ones, in the order of cutting; empty while nothing is measured,
     /// or if no prediction is known.</summary>
     public IReadOnlyList<PredictionMiss> Misses => IsMeasured ? Match?.MissesOf(Result) ?? [] : [];
+
+    /// <summary>Half the 95 % interval about the predicted error at a key point; null if it is not known.</summary>
+    public double? Interval95Mm(string point) => Intervals95Mm.TryGetValue(point, out var half) ? half : null;
 
     /// <summary>The prediction in a match report: the deviation that was the basis of the decision, and what is predicted to
     /// remain.</summary>
@@ -54,6 +69,8 @@ public sealed record StoredPiece(
         return new(correction, null, report.Job.Name, report.Prediction, isFeedback)
         {
             Match = report,
+            Intervals95Mm = report.KeyPoints.Where(p => p.Interval95Mm is not null).ToDictionary(
+                p => p.Point, p => p.Interval95Mm!.Value, StringComparer.Ordinal),
             Before = isFeedback ? new("counterpart", correction.FileName, correction.MeasurementSha256) : null,
         };
     }

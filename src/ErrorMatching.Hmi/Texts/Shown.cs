@@ -13,6 +13,9 @@ public static class Shown
     private const string SignedMicrometersFormat = "+0.00;−0.00;0.00";
     private const string SignedDegreesFormat = SignedFormat;
 
+    // An error and its interval stay on one line.
+    private const string Between = "\u00a0±\u00a0";
+
     /// <summary>Placeholder for a missing value.</summary>
     public const string Nothing = "–";
 
@@ -21,6 +24,20 @@ public static class Shown
 
     /// <summary>A deviation in mm with its sign, four decimals.</summary>
     public static string SignedMm(double? mm) => Number(mm, SignedFormat);
+
+    /// <summary>An error in mm with its sign and half its 95 % interval, four decimals each; alone if the interval is not known.</summary>
+    public static string SignedMm(double mm, double? interval95Mm) => SignedMm(mm) + Within(interval95Mm);
+
+    /// <summary>The size of an error in mm with half its 95 % interval, four decimals each; alone if the interval is not known.</summary>
+    public static string Mm(double mm, double? interval95Mm) => Mm(mm) + Within(interval95Mm);
+
+    /// <summary>The size of an error in a sentence with half its 95 % interval, to two digits of that, as a report prints it: an error is
+    /// not known better.</summary>
+    public static string MmAsKnown(double mm, double? interval95Mm)
+    {
+        var format = interval95Mm is < 0.00995 ? "0.0000" : "0.000";
+        return Number(Math.Abs(mm), format) + (interval95Mm is { } half ? Between + Number(half, format) : "");
+    }
 
     /// <summary>An angle in degrees, four decimals like the lengths above and below it.</summary>
     public static string Degrees(double? degrees) => Number(degrees, DegreesFormat);
@@ -45,6 +62,9 @@ public static class Shown
     public static string Percent(double? percent) =>
         percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
 
+    /// <summary>A percentage with one decimal.</summary>
+    public static string FinePercent(double percent) => Number(percent, "0.0;−0.0") + " %";
+
     /// <summary>A count.</summary>
     public static string Count(long count) => count.ToString("#,##0", CultureInfo.InvariantCulture);
 
@@ -57,6 +77,8 @@ public static class Shown
         ArgumentNullException.ThrowIfNull(clock);
         return TimeZoneInfo.ConvertTime(time, clock.LocalTimeZone).ToString(Texts.Current["Format.Time"], CultureInfo.InvariantCulture);
     }
+
+    private static string Within(double? interval95Mm) => interval95Mm is { } half ? Between + Mm(half) : "";
 
     // A value that rounds to zero has no sign.
     private static string Number(double? value, string format) => value is { } v

@@ -9,6 +9,7 @@ internal sealed class CorrectionDetail
 {
     private readonly TimeProvider _clock;
     private readonly StoredPiece? _piece;
+    private readonly MatchVerdict? _verdict;
 
     /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
     public CorrectionDetail(StoredCorrection kept, TimeProvider clock)
@@ -23,7 +24,7 @@ internal sealed class CorrectionDetail
                 Shown.Time(s.At, clock), Texts.Current.Word(s.To), RecordedText.Who(s.By), BasisOf(s)))];
         if (report is not null)
         {
-            _piece = StoredPiece.Predicted(kept.Correction, report);
+            (_piece, _verdict) = (StoredPiece.Predicted(kept.Correction, report), report.Verdict);
             Points = [.. report.KeyPoints.Zip(_piece.Result.Points, Row)];
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
         }
@@ -78,30 +79,24 @@ internal sealed class CorrectionDetail
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Stored.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Stored.Correction.LargestMm));
 
-    /// <summary>The largest error predicted to remain, and the points that will be outside their limits; null without prediction.</summary>
-    public string? LeftOver
-    {
-        get
-        {
-            if (_piece is null)
-            {
-                return null;
-            }
+    /// <summary>The verdict on the pair: what a user decides by; null without a prediction. Whether to cut is answered until the piece is
+    /// cut or given up.</summary>
+    public string? Verdict => _verdict is null ? null : MatchVerdictText.Of(
+        _verdict,
+        Stored.Correction.State is CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading
+            or CorrectionState.Verified);
 
-            var worst = _piece.Result.WorstAfter;
-            var most = Texts.Current.With("Head.LeftOver", Shown.Mm(Math.Abs(worst.AfterError.NormalMm)), worst.Label);
-            var (outside, pushed) = (_piece.Outside, _piece.PushedOut);
-            return most + (outside.Count == 0 ? Texts.Current["Head.NoneOutside"]
-                : pushed.Count == outside.Count ? Texts.Current.With("Head.AllPushedOut", Texts.Current.Listed(pushed))
-                : Texts.Current.Counted("Head.Outside", outside.Count, outside.Count, Texts.Current.Listed(outside))
-                    + (pushed.Count > 0 ? Texts.Current.With("Head.PushedOut", Texts.Current.Listed(pushed)) : ""));
-        }
-    }
+    public Severity VerdictSeverity => _verdict is null ? Severity.Quiet : MatchVerdictText.SeverityOf(_verdict.Code);
 
-    public Severity LeftOverSeverity => IsWithin ? Severity.Quiet : Severity.Attention;
+    /// <summary>True if every place will be within its limits.</summary>
+    public bool IsWithin => _verdict?.Code == VerdictCode.Within;
 
-    /// <summary>True unless a point will be outside its limits.</summary>
-    public bool IsWithin => _piece?.IsWithin ?? true;
+    /// <summary>The largest errors predicted to remain, the risk, and the points that compensation drives out of their limits; null without
+    /// a prediction.</summary>
+    public string? LeftOver => _verdict is null ? null : Sentence.Joined(
+        MatchVerdictText.Worst(_verdict) ?? "",
+        MatchVerdictText.Risk(Stored.Report!) ?? "",
+        _piece!.PushedOut is { Count: > 0 } pushed ? Texts.Current.With("Verify.PushedOut", Texts.Current.Listed(pushed)) : "");
 
     /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
     public string? Missing => Stored.Missing;
@@ -119,7 +114,10 @@ internal sealed class CorrectionDetail
     /// <summary>The sign convention of the deviations, with one of them as an example; empty if there are none.</summary>
     public string DecisionsNote =>
         Stored.Report?.Features.MaxBy(f => Math.Abs(f.LargestMm)) is { } example
-            ? Texts.Current.With("Detail.DecisionsNote", Shown.SignedMm(example.LargestMm), Shown.SignedMm(-example.LargestMm))
+            ? Texts.Current.With(
+                IsFromCounterpart(Stored.Report) ? "Detail.DecisionsNoteMeasured" : "Detail.DecisionsNote",
+                Shown.SignedMm(example.LargestMm),
+                Shown.SignedMm(Stored.Report.PointsOf(example).MaxBy(p => Math.Abs(p.DecidedMm))?.UncompensatedMm))
             : "";
 
     /// <summary>Its history, latest first.</summary>
@@ -152,10 +150,10 @@ internal sealed class CorrectionDetail
     public GapDrawing? After { get; }
 
     /// <summary>The exaggeration and the largest gap without compensation.</summary>
-    public string BeforeCaption => Before is null ? "" : Texts.Current.With("Detail.GapBefore", Shown.Mm(Before.LargestMm));
+    public string BeforeCaption => Before is null ? "" : Texts.Current.With("Detail.GapBefore", Before.LargestText);
 
     /// <summary>The largest predicted gap.</summary>
-    public string AfterCaption => After is null ? "" : Texts.Current.With("Detail.GapAfter", Shown.Mm(After.LargestMm));
+    public string AfterCaption => After is null ? "" : Texts.Current.With("Detail.GapAfter", After.LargestText);
 
     /// <summary>Note on the exaggeration, and on whether the drawing is turned.</summary>
     public string Exaggeration => Before?.Note ?? "";
@@ -184,12 +182,14 @@ internal sealed class CorrectionDetail
     /// <summary>How many there are, and where.</summary>
     public string WarningCount => Texts.Current.With("Head.Warnings", Warnings.Count);
 
-    /// <summary>What the approver signs for: the displacement of the program, the remaining error, and every irregularity.</summary>
+    /// <summary>What the approver signs for: the verdict, the displacement of the program, the remaining error, and every
+    /// irregularity.</summary>
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
-        HasProof && !IsProved ? new Fact(Proof, ProofSeverity) : null,
+        Verdict is { } verdict ? new Fact(verdict, VerdictSeverity) : null,
+        HasProof && !IsProved ? new(Proof, ProofSeverity) : null,
         Largest is { } largest ? new(largest, Severity.Quiet) : null,
-        LeftOver is { } left ? new(left, LeftOverSeverity) : null,
+        LeftOver is { Length: > 0 } left ? new(left, Severity.Quiet) : null,
         Missing is { } missing ? new(missing, Severity.Attention) : null,
         IsOfChangedJob ? new(Texts.Current["Head.ChangedJob"], Severity.Attention) : null,
         HasWarnings ? new(WarningCount, Severity.Attention) : null,
@@ -215,7 +215,7 @@ internal sealed class CorrectionDetail
         Shown.SignedMm(p.Correction.X),
         Shown.SignedMm(p.Correction.Y),
         Shown.SignedMm(errors.BeforeError.NormalMm),
-        Shown.SignedMm(errors.AfterError.NormalMm),
+        Shown.SignedMm(errors.AfterError.NormalMm, p.Interval95Mm),
         _piece!.Result.IsOutside(p.Point, errors.AfterError.NormalMm));
 
     private static QuantityRow Row(ReportFeature feature, ReportQuantity q)
@@ -251,6 +251,9 @@ internal sealed class CorrectionDetail
             $"{feature.Name} · {texts["Kind." + feature.Kind.Word]}",
             texts["Decided." + ReportWords.Of(feature.Decision)],
             reason,
+            texts[IsFromCounterpart(report) ? "Detail.LargestDeviationMeasured" : "Detail.LargestDeviation"],
             Shown.SignedMm(feature.LargestMm));
     }
+
+    private static bool IsFromCounterpart(MatchReport report) => report.Compensation.From == CompensationSource.Counterpart;
 }

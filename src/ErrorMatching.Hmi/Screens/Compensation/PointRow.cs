@@ -10,7 +10,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="CompensationX">Displacement of the program, x.</param>
 /// <param name="CompensationY">Displacement of the program, y.</param>
 /// <param name="Without">The mating error without compensation: counterpart - part along the normal.</param>
-/// <param name="LeftOver">The predicted mating error with compensation, by the same convention.</param>
+/// <param name="LeftOver">The predicted mating error with compensation, by the same convention, with its 95 % interval if that is
+/// known.</param>
 /// <param name="IsOutside">True if that error is outside its limits.</param>
 internal sealed record PointRow(
     string Point,

@@ -66,7 +66,7 @@ internal sealed class PieceDetail : Observable
                     Shown.Mm(result.RmsBeforeMm),
                     Shown.Mm(result.RmsAfterMm),
                     Shown.Mm(result.MaxBeforeMm),
-                    Shown.Mm(result.MaxAfterMm));
+                    Shown.Mm(result.MaxAfterMm, _piece.LargestInterval95Mm));
         }
     }
 
@@ -143,11 +143,11 @@ internal sealed class PieceDetail : Observable
     public GapDrawing After { get; }
 
     /// <summary>The largest gap or overlap without compensation.</summary>
-    public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Shown.Mm(Before.LargestMm));
+    public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Before.LargestText);
 
     /// <summary>The largest gap or overlap with compensation.</summary>
     public string AfterCaption =>
-        Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", Shown.Mm(After.LargestMm));
+        Texts.Current.With(_piece.IsMeasured ? "Verify.AssemblyAfter" : "Verify.AssemblyPredicted", After.LargestText);
 
     /// <summary>Note on the exaggeration, and on whether the drawing is turned.</summary>
     public string Exaggeration => Before.Note;
@@ -237,7 +237,7 @@ internal sealed class PieceDetail : Observable
                     CorrectionLabel.Of(p.Correction),
                     KindOf(p),
                     Shown.Mm(p.Result.MaxBeforeMm),
-                    Shown.Mm(p.Result.MaxAfterMm),
+                    Shown.Mm(p.Result.MaxAfterMm, p.LargestInterval95Mm),
                     Shown.Mm(p.Result.RmsBeforeMm),
                     Shown.Mm(p.Result.RmsAfterMm),
                     BaseOf(p)))],
@@ -276,15 +276,19 @@ internal sealed class PieceDetail : Observable
         var isComparison = f.Points.Count > 0 && _piece.Result.Boundaries.All(b => b.Name != f.Name);
         return new(
             f.Name, isComparison ? Texts.Current.With("Verify.OfPoints", quantity, LabelList.Short(f.Points)) : quantity, Shown.Nothing,
-            Deviation(f, f.Before, p => p.BeforeError), Deviation(f, f.After, p => p.AfterError), improvement, unit, isWorse);
+            Deviation(f, f.Before, p => p.BeforeError, _ => null),
+            Deviation(f, f.After, p => p.AfterError, _piece.Interval95Mm), improvement, unit, isWorse);
     }
 
-    // With its sign, if the report names the point.
-    private string Deviation(VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error) =>
-        f.Points.Count == 0 ? Shown.Mm(largestMm) : Shown.SignedMm(
-        _piece.Result.Points.Where(p => f.Points.Contains(p.Label))
-            .Select(p => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm)
-            .MaxBy(Math.Abs));
+    // With its sign and its interval, if the report names the point.
+    private string Deviation(
+        VerifiedFeature f, double largestMm, Func<VerifiedPoint, MatingError> error, Func<string, double?> interval95Mm)
+    {
+        var worst = _piece.Result.Points.Where(p => f.Points.Contains(p.Label)).MaxBy(p => Math.Abs(Of(p)));
+        return worst is null ? Shown.Mm(largestMm) : Shown.SignedMm(Of(worst), interval95Mm(worst.Label));
+
+        double Of(VerifiedPoint p) => f.Quantity == VerifiedQuantity.DeviationX ? error(p).Vector.X : error(p).NormalMm;
+    }
 
     private MatingErrorRow Row(VerifiedPoint p)
     {
@@ -296,7 +300,7 @@ internal sealed class PieceDetail : Observable
             Shown.SignedMm(band?.LowerMm),
             Shown.SignedMm(band?.UpperMm),
             Shown.SignedMm(p.BeforeError.NormalMm),
-            Shown.SignedMm(p.AfterError.NormalMm),
+            Shown.SignedMm(p.AfterError.NormalMm, _piece.Interval95Mm(p.Label)),
             Texts.Current[isOutside ? "Verify.PointOutside" : "Verify.PointWithin"], isOutside);
     }
 }

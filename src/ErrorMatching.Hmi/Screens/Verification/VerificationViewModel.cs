@@ -167,6 +167,6 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
             CorrectionLabel.Of(piece.Correction),
             piece.JobName,
             PieceDetail.KindOf(piece),
-            Shown.Mm(piece.Result.MaxAfterMm) + " mm",
+            Shown.Mm(piece.Result.MaxAfterMm, piece.LargestInterval95Mm),
             PieceDetail.SeverityOf(piece));
 }

@@ -1,0 +1,128 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>The verdict on a pair in the display language: the numbers, and in English the words, of the report and the console.</summary>
+internal static class MatchVerdictText
+{
+    // More labels than this would hide the number of points in a sentence; the tables mark all of them.
+    private const int MostNamed = 6;
+
+    /// <summary>How many points will be within their limits, the worst error left, and whether to cut.</summary>
+    /// <param name="verdict">The verdict.</param>
+    /// <param name="isToBeCut">False if cutting is no longer a question: then it is not answered.</param>
+    public static string Of(MatchVerdict verdict, bool isToBeCut = true)
+    {
+        ArgumentNullException.ThrowIfNull(verdict);
+        var texts = Texts.Current;
+        if (verdict.Code == VerdictCode.ProofFails)
+        {
+            return texts["Pair.ProofFails"];
+        }
+
+        var (result, act) = verdict.Code switch
+        {
+            VerdictCode.Within => (Within(verdict, "Pair.AllWithin"), "Pair.Cut"),
+            VerdictCode.NoLimits => (
+                verdict.Worst is { } worst ? texts.With("Pair.NoLimits", Size(worst)) : texts["Pair.NoPoints"], "Pair.Cut"),
+            VerdictCode.NotAccepted => (
+                texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), Names(verdict.NotAccepted)),
+                "Pair.AcceptRisk"),
+            VerdictCode.OutsideBetween => (
+                texts.With("Pair.OutsideBetween", Within(verdict), Names(verdict.OutsideBetween)), "Pair.AcceptThere"),
+            _ => (Outside(verdict), "Pair.AcceptThere"),
+        };
+        return Sentence.Joined(result, verdict.IsCompensated ? "" : texts["Pair.Unchanged"], isToBeCut ? texts[act] : "");
+    }
+
+    /// <summary>The worst error at the key points and between them, with signs, intervals and places; null without key points.</summary>
+    public static string? Worst(MatchVerdict verdict)
+    {
+        ArgumentNullException.ThrowIfNull(verdict);
+        return (verdict.Worst, verdict.WorstBetween) switch
+        {
+            (null, _) => null,
+            ({ } worst, null) => Texts.Current.With("Pair.Worst", Signed(worst), worst.Point!, worst.Feature),
+            ({ } worst, { } between) => Texts.Current.With(
+                "Pair.WorstAndBetween", Signed(worst), worst.Point!, worst.Feature, Signed(between), between.Feature,
+                $"X{ReportNumber.Plain(between.Place.X)} Y{ReportNumber.Plain(between.Place.Y)}"),
+        };
+    }
+
+    /// <summary>The risk that a point will be outside its limits, with the program and without compensation; null if it is not
+    /// known.</summary>
+    public static string? Risk(MatchReport report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        return report.ProbabilityAfter is not { } after ? null
+            : report is { IsUnchanged: false, ProbabilityBefore: { } before }
+            ? Texts.Current.With("Pair.RiskBefore", Percent(1 - after), Percent(1 - before))
+            : Texts.Current.With("Pair.Risk", Percent(1 - after));
+    }
+
+    /// <summary>Severity of a verdict. Without limits nobody but the user can judge.</summary>
+    public static Severity SeverityOf(VerdictCode code) => code switch
+    {
+        VerdictCode.Within => Severity.Quiet,
+        VerdictCode.Outside or VerdictCode.ProofFails => Severity.Alarm,
+        _ => Severity.Attention,
+    };
+
+    private static string Within(MatchVerdict verdict, string key = "Pair.Within") => Texts.Current.With(
+        key,
+        Shown.Count(verdict.Within),
+        Shown.Count(verdict.Points),
+        Limits(verdict, verdict.Points),
+        verdict switch
+        {
+            { Limits: null, Tightest: { } tightest } =>
+                Texts.Current.With("Pair.Tightest", Size(tightest), Band(tightest.Limits), tightest.Point!),
+            { Worst: { } worst } => Texts.Current.With("Pair.WorstSize", Size(worst)),
+            _ => "",
+        });
+
+    private static string Outside(MatchVerdict verdict)
+    {
+        var texts = Texts.Current;
+        var furthest = verdict.Tightest is not { MarginMm: < 0 } t ? ""
+            : verdict.Outside.Count == 1 ? texts.With("Pair.By", Shown.MmAsKnown(t.MarginMm, t.Interval95Mm))
+            : texts.With("Pair.FurthestBy", t.Point!, Shown.MmAsKnown(t.MarginMm, t.Interval95Mm));
+        return Sentence.Joined(
+            texts.Counted(
+                "Pair.Outside", verdict.Outside.Count, Shown.Count(verdict.Outside.Count), Shown.Count(verdict.Points),
+                Limits(verdict, verdict.Outside.Count), Names(verdict.Outside), furthest),
+            verdict.OutsideBetween.Count > 0 ? texts.With("Pair.SoBetween", Names(verdict.OutsideBetween)) : "");
+    }
+
+    private static string Limits(MatchVerdict verdict, int points) => verdict.Limits is { } limits
+        ? Texts.Current.With("Pair.Limits", Band(limits))
+        : Texts.Current[points == 1 ? "Pair.OwnLimitsOne" : "Pair.OwnLimits"];
+
+    private static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
+        ? "±" + Short(band.UpperMm)
+        : Texts.Current.With("Pair.Band", Sided(band.LowerMm), Sided(band.UpperMm));
+
+    private static string Sided(double mm) => (mm > 0 ? "+" : "") + Short(mm);
+
+    // All digits of a limit, with the minus sign of the station.
+    private static string Short(double mm) => ReportNumber.Short(mm).Replace('-', '−');
+
+    private static string Size(ErrorLeft error) => Shown.MmAsKnown(error.MatingErrorMm, error.Interval95Mm);
+
+    private static string Signed(ErrorLeft error) => Shown.SignedMm(error.MatingErrorMm, error.Interval95Mm);
+
+    private static string Percent(double probability) => (probability * 100) switch
+    {
+        < 0.1 => Texts.Current["Pair.LeastPercent"],
+        > 99.9 => Texts.Current["Pair.MostPercent"],
+        var percent => Shown.FinePercent(percent),
+    };
+
+    private static string Names(IReadOnlyList<string> names) => names.Count switch
+    {
+        1 => names[0],
+        <= MostNamed => Texts.Current.With("Pair.And", Texts.Current.Listed(names.SkipLast(1)), names[^1]),
+        _ => Texts.Current.With("Pair.More", Texts.Current.Listed(names.Take(MostNamed)), Shown.Count(names.Count - MostNamed)),
+    };
+}
