@@ -16,7 +16,8 @@ public sealed class GaugeCapabilityTests
     {
         var match = Match(uncertainty, """[-0.05, 0.05]""") with
         {
-            Compensation = $$"""{ "from": "{{from}}" }""", Counterpart = "1 10 0; 2 40 0"
+            Compensation = $$"""{ "from": "{{from}}" }""",
+            Counterpart = "1 10 0; 2 40 0"
         };
         Assert.Equal(
             expected,
