@@ -80,7 +80,9 @@ public sealed partial class CompensationWordsTests
     {
         var detail = Arrive(seat);
         Assert.Equal(["Needs approval", "Calculated", "Recognized", "Arrived"], detail.Steps.Select(s => s.State));
-        Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. Warnings: 2", detail.Steps[1].Basis);
+        Assert.Equal(
+            $"displaced by at most {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at block N150. Warnings: 2",
+            detail.Steps[1].Basis);
         Assert.Contains(
             "Point 2 lies on a rounded corner",
             seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis.Sentence,

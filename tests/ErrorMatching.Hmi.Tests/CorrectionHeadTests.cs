@@ -15,21 +15,21 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class CorrectionHeadTests
 {
     [Fact]
-    public Task What_is_left_over_is_told_as_the_verification_tells_it() => Seat.AtAsync(seat =>
+    public Task What_is_left_over_is_told_as_the_verification_tells_it() => Seat.AtAsync(prepare: WantedGap.In, test: seat =>
     {
         var detail = Arrive(seat);
 
         // Table 5 of Wang, Tu and Gunawan (2021): the part lies 0.117 mm further out at point 1,
         // so a counterpart as designed leaves a gap there.
         Assert.Equal("−0.1170", detail.Points[0].Without);
-        Assert.Equal(["2", "4"], detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
+        Assert.Equal(WantedGap.Outside, detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
         Assert.Contains(
             "above zero the pieces overlap, below zero there is a gap", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
         var marked = seat.See("points")
             .GetVisualDescendants()
             .OfType<ListBoxItem>()
             .Where(i => i.GetVisualDescendants().OfType<Avalonia.Controls.Shapes.Path>().Any(p => p.IsEffectivelyVisible));
-        Assert.Equal(["2", "4"], marked.Select(i => ((PointRow)i.Content!).Point));
+        Assert.Equal(WantedGap.Outside, marked.Select(i => ((PointRow)i.Content!).Point));
 
         seat.Tap("nav-verification").See("piece-title");
         var verified = ((VerificationViewModel)seat.Shell.Current!).Detail!;
@@ -39,7 +39,7 @@ public sealed class CorrectionHeadTests
     });
 
     [Fact]
-    public Task The_head_says_what_is_proved_what_is_left_over_and_what_moves_most() => Seat.AtAsync(seat =>
+    public Task The_head_says_what_is_proved_what_is_left_over_and_what_moves_most() => Seat.AtAsync(prepare: WantedGap.In, test: seat =>
     {
         Arrive(seat);
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
@@ -53,7 +53,8 @@ public sealed class CorrectionHeadTests
         var worst = points.MaxBy(p => Math.Abs(p.GetProperty("predictedMm").GetDouble()));
         Assert.Equal(
             $"Remaining, predicted: at most {Shown.Mm(Math.Abs(worst.GetProperty("predictedMm").GetDouble()))}\u00a0mm, at point "
-                + $"{worst.GetProperty("point").GetString()}; driven out of limits: 2, 4",
+                + $"{worst.GetProperty("point").GetString()}; 2 points outside their limits: 1, 2; within limits without "
+                + "compensation: 2",
             seat.TextOf("detail-left-over"));
 
         // The tip of the tooth moves most, where both flanks meet.
@@ -103,15 +104,29 @@ public sealed class CorrectionHeadTests
     });
 
     [Fact]
+    public void Where_only_the_compensation_drives_points_out_the_head_says_that()
+    {
+        // Both are within 0.05 mm as designed.
+        var report = Report("[-0.05, 0.05]");
+        var detail = Detail(report with
+        {
+            KeyPoints = [
+                .. report.KeyPoints.Select(p => p.Point switch
+                {
+                    "2" => p with { PredictedMm = 0.06 },
+                    "4" => p with { PredictedMm = -0.07 },
+                    _ => p,
+                })]
+        });
+        Assert.False(detail.IsWithin);
+        Assert.Equal(Severity.Attention, detail.LeftOverSeverity);
+        Assert.Equal("Remaining, predicted: at most 0.0700\u00a0mm, at point 4; driven out of limits: 2, 4", detail.LeftOver);
+    }
+
+    [Fact]
     public void Where_every_point_comes_within_its_limits_the_head_is_quiet()
     {
-        var detail = new CorrectionDetail(
-            new(
-                new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1),
-                [],
-                Report("[-0.1, 0.1]"),
-                null),
-            TimeProvider.System);
+        var detail = Detail(Report("[-0.1, 0.1]"));
         Assert.True(detail.IsWithin);
         Assert.Equal(Severity.Quiet, detail.LeftOverSeverity);
         Assert.EndsWith("; every point is within its limits", detail.LeftOver, StringComparison.Ordinal);
@@ -164,6 +179,14 @@ public sealed class CorrectionHeadTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
         return ((CompensationViewModel)seat.Shell.Current!).Detail!;
     }
+
+    private static CorrectionDetail Detail(MatchReport report) => new(
+        new(
+            new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1),
+            [],
+            report,
+            null),
+        TimeProvider.System);
 
     private static MatchReport Report(string limits)
     {
