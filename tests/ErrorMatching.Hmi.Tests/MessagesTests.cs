@@ -15,7 +15,9 @@ public sealed class MessagesTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-messages").See("message-1");
         Assert.Equal(
-            ("#1 · 0001 needs approval: largest displacement 0.2979\u00a0mm.", "Tap to see what will change, then approve or reject it."),
+            (
+                $"#1 · 0001 needs approval: largest displacement {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm.",
+                "Tap to see what will change, then approve or reject it."),
             ((MessagesViewModel)seat.Shell.Current!).Messages.Where(m => m.Severity == Severity.Attention)
                 .Select(m => (m.What, m.Next))
                 .Single());
@@ -47,7 +49,7 @@ public sealed class MessagesTests
         seat.WaitFor(() => screen.Entries.Any(e => e.What == "calculated"), "Nothing was computed.");
         var entry = screen.Entries.Single(e => e.What == "calculated");
         Assert.Contains("Point 4 is on a rounded corner", entry.Basis, StringComparison.Ordinal);
-        Assert.Equal("displaced by at most 0.2979\u00a0mm at block N150. …", entry.Short);
+        Assert.Equal($"displaced by at most {Shown.Mm(seat.Station.Store.Find(1)!.LargestMm)}\u00a0mm at block N150. …", entry.Short);
         Assert.All(screen.Entries.Where(e => e.What != "calculated"), e => Assert.Equal(e.Basis, e.Short));
 
         ListBoxItem Row() =>

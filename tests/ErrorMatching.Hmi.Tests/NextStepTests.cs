@@ -26,7 +26,8 @@ public sealed class NextStepTests
     private static readonly Correction Surface = Part with { Job = "surface-one", Piece = "surface", Machine = "mill" };
 
     [Fact]
-    public Task From_the_approval_to_the_measured_counterpart_both_screens_say_what_comes_next() => Seat.AtAsync(seat =>
+    public Task From_the_approval_to_the_measured_counterpart_both_screens_say_what_comes_next() =>
+        Seat.AtAsync(prepare: WantedGap.In, test: seat =>
     {
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
@@ -34,7 +35,7 @@ public sealed class NextStepTests
         seat.SignIn(DemoCell.Setter).Tap("nav-verification").See("piece-to-do");
         seat.WaitFor(
             () => seat.TextOf("piece-to-do")
-                == "Before cutting, read the warnings of the correction: 2, 4 will stay outside. Next: approve or reject it in On-line "
+                == "Before cutting, read the warnings of the correction: 1, 2 will stay outside. Next: approve or reject it in On-line "
                     + "compensation.",
             "What to do is not said.");
         seat.Tap("nav-compensation").See("points");
@@ -47,7 +48,7 @@ public sealed class NextStepTests
         BothLanguages.Take(seat, "compensation-next");
         seat.Tap("nav-verification").See("piece-to-do");
         seat.WaitFor(
-            () => seat.TextOf("piece-to-do") == "Before cutting, read the warnings of the correction: 2, 4 will stay outside. " + Cut,
+            () => seat.TextOf("piece-to-do") == "Before cutting, read the warnings of the correction: 1, 2 will stay outside. " + Cut,
             "What to do is not said.");
 
         // It follows by itself, and nothing is read before a cut that was made.

@@ -33,8 +33,8 @@ internal static class DraftDoubts
         }
     }
 
-    /// <summary>Key points on rounded corners, whose measured deviation no compensation can match exactly. A match that compensates warns
-    /// of the same points.</summary>
+    /// <summary>Key points on rounded corners, whose measured deviation says something about both elements together. A match that
+    /// compensates warns of the same points.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="match">Its match.</param>
     public static IEnumerable<DraftProblem> OfCorners(MatingDraft draft, MatchResult match)
@@ -49,8 +49,9 @@ internal static class DraftDoubts
             var mm = string.Create(CultureInfo.InvariantCulture, $"{Math.Ceiling(foot.BeyondEndMm * 10) / 10:0.0} mm");
             yield return new(
                 fields[foot.Label], WarningForms.PointOnCorner.Name, foot.Label,
-                $"Point {foot.Label} lies on a rounded corner at an end of its blocks, where the boundary follows both elements: its own "
-                    + $"deviation cannot be met exactly. Choose it at least {mm} further from the corner.")
+                $"Point {foot.Label} lies on a rounded corner at an end of its blocks, where the boundary follows both elements: it "
+                    + $"says something about both elements together, so each is less certain. Choose it at least {mm} further from the "
+                    + "corner.")
             {
                 Amount = mm,
             };

@@ -99,7 +99,8 @@ public sealed class SetupCountTests
         Assert.Contains("asked", seat.Seat.See("edit-features[0].points[1]").Classes);
         Assert.DoesNotContain("asked", seat.Seat.See("edit-features[0].points[0]").Classes);
         Assert.Equal(
-            "On a rounded corner, a point says something about both elements together, so each is less certain. Probe it at least 1.5 mm further from the corner.",
+            "On a rounded corner, a point says something about both elements together, so each is less certain. Probe it at least 1.5 mm "
+                + "further from the corner.",
             AutomationProperties.GetHelpText(seat.Seat.See("edit-features[0].points[1]")));
         Assert.Equal("To check: 2", AutomationProperties.GetHelpText(seat.Seat.See("side-coordinates")));
         BothLanguages.Take(seat.Seat, "system-corners");
