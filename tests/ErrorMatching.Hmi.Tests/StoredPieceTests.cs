@@ -23,6 +23,10 @@ public sealed class StoredPieceTests
         Assert.All(piece.Result.Points, p => Assert.Equal(p.BeforeError.NormalMm, p.AfterError.NormalMm, 9));
         Assert.All(piece.Result.Features, f => Assert.Equal(0, f.ImprovementPercent!.Value, 6));
         Assert.True(piece.IsWithin);
+        var detail = new PieceDetail(piece, [piece]);
+        Assert.Equal(
+            ("Every point is within its limits.", "Cut the counterpart and measure it: until then this is a prediction."),
+            (detail.Verdict, detail.ToDo));
 
         var (before, after) = (GapDrawing.Before(piece), GapDrawing.After(piece));
         Assert.All(

@@ -108,7 +108,12 @@ public sealed class TapTests
     public Task Tiles_beside_one_that_comes_or_goes_stay_as_they_are() => At(seat =>
     {
         seat.Cell.Deliver(2, 0.02);
-        seat.WaitFor(() => Waiting(seat).Count == 2, "The second part does not appear.");
+
+        // Until it is computed, its own tile changes, too.
+        seat.WaitFor(2, CorrectionState.Proposed);
+        seat.WaitFor(
+            () => Waiting(seat) is [var one, var other] && other.State == one.State && other.HasLargest,
+            "The second part does not appear.");
         var second = seat.See("waiting-2");
         new CorrectionDecisions(seat.Station.Store).Reject(1, DemoCell.Setter, "no");
         seat.WaitFor(() => Waiting(seat) is [{ Id: 2 }], "The first part does not leave.");
