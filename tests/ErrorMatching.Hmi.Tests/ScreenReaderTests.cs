@@ -36,7 +36,7 @@ public sealed class ScreenReaderTests
             plot.Focus();
             user.Press(Key.PageDown).Press(Key.PageDown);
             Assert.Equal(
-                "B: mating error +0.0125\u00a0mm\npart, actual − theoretical: +0.0200\u00a0mm",
+                "B: error +0.0125\u00a0mm\npart +0.0200\u00a0mm",
                 peer.GetProvider<IValueProvider>()!.Value);
             Assert.Equal(2, heard.Count);
             Assert.Equal(plot.Values, heard[^1]);

@@ -16,6 +16,6 @@ public sealed record KeyPointFoot(
     string Label, int Motion, double Fraction, double DistanceMm, Vector2 Normal, bool MaterialIsLeft, bool OnCorner)
 {
     /// <summary>Distance of the point beyond that end, along the motion, mm. Moved this far away from the corner, it would be beside the
-    /// motion, where its own deviation can be compensated. 0 unless <see cref="OnCorner"/>.</summary>
+    /// motion, where it says something about that element alone. 0 unless <see cref="OnCorner"/>.</summary>
     public double BeyondEndMm { get; init; }
 }

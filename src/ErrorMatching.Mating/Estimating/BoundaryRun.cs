@@ -127,7 +127,7 @@ internal sealed class BoundaryRun
         }
 
         var (n1, n2) = (NormalAt(path, before.Value, 1), NormalAt(path, behind.Value, 0));
-        var way = foot.Way.Normalize();
+        var way = WayOf(foot, normal);
         if (Math.Abs(n1.Cross(n2)) < CornerSine)
         {
             return ElementOf(before.Value) is { } smooth ? [(smooth, Along(smooth, before.Value, 1), 1)]
@@ -189,8 +189,11 @@ internal sealed class BoundaryRun
     {
         var (joint, step) = followed.AtStart ? (followed.Motion - 1, -1) : (followed.Motion + 1, 1);
         var normal = NormalAt(path, Neighbor(joint, step)!.Value, followed.AtStart ? 1 : 0);
-        return normal.Dot(foot.Way.Normalize()) * (followed.AtStart ? 1 - foot.Fraction : foot.Fraction);
+        return normal.Dot(WayOf(foot, NormalAt(path, foot.Motion, foot.Fraction))) * (followed.AtStart ? 1 - foot.Fraction : foot.Fraction);
     }
+
+    // Under cutter compensation a point may lie on the path itself.
+    private static Vector2 WayOf(RunFoot foot, Vector2 normal) => foot.Way.Length > 1e-9 ? foot.Way.Normalize() : normal;
 
     /// <summary>True if a pass is part of it.</summary>
     public bool Contains(FeaturePass pass) => pass.First >= First && pass.Last <= Last;

@@ -71,32 +71,45 @@ internal sealed class CourseEstimator
     /// <returns>The estimate, or why a feature cannot follow its corrections.</returns>
     public Outcome<CourseEstimate> Estimate()
     {
-        (CourseEstimate Estimate, double Left)? best = null;
+        var (best, least) = ((CourseEstimate?)null, double.PositiveInfinity);
+        (IReadOnlyList<ElementCut>, IReadOnlyList<FollowingLine>)[] states = [];
         _runs.ForEach(r => r.Compare(_path, isWhole: false));
         for (var round = 0; round < Rounds; round++)
         {
-            var made = Made();
-            if (!made.IsUsable)
+            var outcome = Made();
+            if (!outcome.IsUsable && best is null)
             {
-                return best is null ? made.Refusal : best.Value.Estimate;
+                return outcome.Refusal;
+            }
+
+            if (!outcome.IsUsable)
+            {
+                break;
             }
 
             // A correction that makes it worse ends the rounds: far off its corner, a point says nothing that a straight line could extend.
+            var made = _runs.Select(r => r.State).ToArray();
             var isSettled = true;
-            _runs.ForEach(r => isSettled &= r.Compare(made.Result.After, isWhole: false));
+            _runs.ForEach(r => isSettled &= r.Compare(outcome.Result.After, isWhole: false));
             var left = _runs.Max(r => r.LeftMm);
-            if (best is null || left < best.Value.Left)
+            var isWorse = left > least;
+            if (!isWorse)
             {
-                best = (made.Result, left);
+                (best, least, states) = (outcome.Result, left, made);
             }
 
-            if (isSettled || left > best.Value.Left)
+            if (isSettled || isWorse)
             {
                 break;
             }
         }
 
-        return best!.Value.Estimate;
+        for (var r = 0; r < _runs.Count; r++)
+        {
+            _runs[r].State = states[r];
+        }
+
+        return best!;
     }
 
     private Outcome<CourseEstimate> Made()

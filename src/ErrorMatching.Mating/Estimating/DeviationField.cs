@@ -42,7 +42,9 @@ internal sealed class DeviationField
     /// <summary>The covariance of rows, row by row, with their noise.</summary>
     public static double[] CovarianceOf(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
-        var (n, noise) = (rows.Count, Math.Max(uncertaintyMm, LeastUncertaintyMm));
+        // Many rows round off more.
+        var n = rows.Count;
+        var noise = Math.Max(uncertaintyMm, LeastUncertaintyMm * Math.Max(1, n / 100.0));
         var covariance = new double[n * n];
         for (var i = 0; i < n; i++)
         {

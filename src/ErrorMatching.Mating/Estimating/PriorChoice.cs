@@ -5,7 +5,7 @@ namespace ErrorMatching.Mating;
 /// has too few points to tell.</summary>
 /// <remarks>Each scale is a mean over a grid, weighted by the likelihood of the measured values (Rasmussen and Williams, 2006, section
 /// 5.4.1). The shifts, and the linear mean of a curve, are vague, so the likelihood is the restricted one. The cost grows with the cube of
-/// the number of key points in one run.</remarks>
+/// the number of key points in one run, up to a limit.</remarks>
 internal static class PriorChoice
 {
     private const int Amplitudes = 6, Lengths = 6, Tilts = 5, Errors = 5;
@@ -16,6 +16,9 @@ internal static class PriorChoice
 
     /// <summary>The form error that is assumed where nothing tells one, as a part of the standard uncertainty.</summary>
     private const double LeastError = 0.25;
+
+    // Scales are chosen from no more rows than these, evenly taken; more say the same.
+    private const int MostRows = 120;
 
     // A length with less evidence takes no part.
     private const double LeastWeight = 0.01;
@@ -30,6 +33,7 @@ internal static class PriorChoice
         IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
+        rows = Thinned(rows);
         var own = elements.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Element == e).ToArray()).ToArray();
         var forms = elements.Select((element, e) => FormOf(element, own[e], noise)).ToArray();
         if (rows.Count == 0 || elements.All(e => e.Form == ElementForm.Free))
@@ -166,6 +170,9 @@ internal static class PriorChoice
 
         return Mixture(tried);
     }
+
+    private static IReadOnlyList<BoundaryRow> Thinned(IReadOnlyList<BoundaryRow> rows) => rows.Count <= MostRows ? rows
+        : [.. Enumerable.Range(0, MostRows).Select(i => rows[(int)((long)i * (rows.Count - 1) / (MostRows - 1))])];
 
     private static double[] Weights(IEnumerable<double> evidence)
     {

@@ -106,6 +106,13 @@ internal sealed class RunEstimate
             ? ElementCut.Following(element, along => Field!.Mean(e, along))
             : ElementCut.Still)];
 
+    /// <summary>What the cuts follow now, to come back to.</summary>
+    public (IReadOnlyList<ElementCut> Cuts, IReadOnlyList<FollowingLine> Following) State
+    {
+        get => (Cuts, Run.Following);
+        set => (Cuts, Run.Following) = value;
+    }
+
     /// <summary>The mating error at a key point, measured exactly.</summary>
     /// <param name="point">Index of the point.</param>
     /// <param name="cuts">The cuts of this run.</param>

@@ -35,7 +35,7 @@ public sealed record MatchResult(
     /// <summary>Increment to which new coordinates are rounded, mm.</summary>
     public double LeastIncrementMm => Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals);
 
-    /// <summary>The key points on rounded corners: no program can meet their own deviation.</summary>
+    /// <summary>The key points on rounded corners: each says something about both elements together.</summary>
     public IEnumerable<KeyPointFoot> OnCorners => Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner);
 
     /// <summary>The wish as a file from which the proof can be repeated; empty if nothing is compensated.</summary>

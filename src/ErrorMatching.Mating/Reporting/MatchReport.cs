@@ -71,7 +71,7 @@ public sealed record MatchReport
     /// <summary>True if the program is the original, byte for byte.</summary>
     public bool IsUnchanged => Program.ChangedBlocks == 0 && Proof.Marker is null;
 
-    /// <summary>The key points that a warning reports on rounded corners: no program can meet their own deviation.</summary>
+    /// <summary>The key points that a warning reports on rounded corners: each says something about both elements.</summary>
     public IReadOnlyList<string> OnCorners =>
         [.. Warnings.Where(w => w.Code == WarningForms.PointOnCorner.Name && w.Values.Count > 0).Select(w => w.Values[0])];
 

@@ -25,8 +25,9 @@ public sealed class MatchTests
         Assert.Equal("errormatch/match/1", report.GetProperty("schema").GetString());
         Assert.Equal(points, report.GetProperty("keyPoints").GetArrayLength());
         Assert.Equal(Workshop.Sha256(program), report.GetProperty("program").GetProperty("sha256").GetString());
-        Assert.All(
-            report.GetProperty("features").EnumerateArray(), f => Assert.Equal("compensated", f.GetProperty("decision").GetString()));
+        var decisions = report.GetProperty("features").EnumerateArray().Select(f => f.GetProperty("decision").GetString()).ToArray();
+        Assert.Contains("compensated", decisions);
+        Assert.All(decisions.Where(_ => sample != "dovetail"), d => Assert.Equal("compensated", d));
         var proof = report.GetProperty("proof");
         Assert.True(proof.GetProperty("holds").GetBoolean());
         Assert.True(proof.GetProperty("untouchedBytesIdentical").GetBoolean());
@@ -71,21 +72,22 @@ public sealed class MatchTests
     [Fact]
     public async Task Points_that_the_compensation_drives_out_of_their_limits_are_told_and_what_to_decide()
     {
-        // The part's deviations are the paper's: 0.024 mm at point 2, 0.007 mm at point 4, with limits of 0.05 mm.
+        // L1 is to stay between 0.01 and 0.05 mm beside the part, but the counterpart will follow it to some micrometers. The paper's
+        // deviation at point 2 is within these limits; at point 1 it is 0.117 mm.
         using var shop = new Workshop();
+        const string Line = "\"blocks\": [\"N120\"], \"toleranceMm\": ";
+        shop.Edit(Job, Line + "[-0.05, 0.05]", Line + "[0.01, 0.05]");
         var run = await shop.Run($"match {Job} --out out");
+        Assert.StartsWith("2 of 16 points will be outside their limits: points 1 and 2, ", run.Output, StringComparison.Ordinal);
         Assert.Contains(
-            "\nThe compensation drives points 2 and 4 out of their limits; uncompensated they are within them.\n",
-            run.Output,
-            StringComparison.Ordinal);
+            "\nThe compensation drives point 2 out of its limits; uncompensated it is within them.\n", run.Output, StringComparison.Ordinal);
         Assert.Contains(
-            "\nPoints 2 and 4 will be out of tolerance. Is that acceptable? If not, do not cut. ", run.Output, StringComparison.Ordinal);
-        Assert.DoesNotContain("still outside", run.Output + File.ReadAllText(shop["out", "report.html"]), StringComparison.Ordinal);
+            "\nPoints 1 and 2 will be out of tolerance. Is that acceptable? If not, do not cut. ", run.Output, StringComparison.Ordinal);
         Assert.DoesNotContain("Probe it further", run.Output, StringComparison.Ordinal);
 
         var outside = (await shop.Run($"match {Job} --json")).Json.GetProperty("outsideLimits");
-        Assert.Equal(["2", "4"], outside.GetProperty("drivenOut").EnumerateArray().Select(p => p.GetString()));
-        Assert.Equal(0, outside.GetProperty("staying").GetArrayLength());
+        Assert.Equal(["2"], outside.GetProperty("drivenOut").EnumerateArray().Select(p => p.GetString()));
+        Assert.Equal(["1"], outside.GetProperty("staying").EnumerateArray().Select(p => p.GetString()));
     }
 
     [Fact]

@@ -38,7 +38,8 @@ internal static class SmoothMatch
             Encoding.ASCII.GetBytes(part.Program));
     }
 
-    /// <summary>How far each place of the true boundary is from what a path leaves, mm: positive if the path leaves more material.</summary>
+    /// <summary>How far each place of the true boundary is from what a path leaves, mm; positive if the path leaves more
+    /// material.</summary>
     public static double[] Errors(SmoothPart part, IReadOnlyList<(Flat From, Flat To)> path) =>
         [.. part.Boundary.Select(b => DistanceTo(path, b.Actual) - part.ToolRadius)];
 

@@ -65,7 +65,7 @@ public sealed class PlotAreaTests
     {
         var at = plot.View.ToScreen(new(100, 1));
         user.Click(plot, new(at.X - 15, at.Y + 10));
-        Assert.Equal("B: gap −0.0125\u00a0mm\npart +0.0200\u00a0mm", plot.Values);
+        Assert.Equal("B: error +0.0125\u00a0mm\npart +0.0200\u00a0mm", plot.Values);
         Assert.Equal(plot.Values, AutomationProperties.GetHelpText(plot));
         user.Click(plot, new(plot.Bounds.Width / 2, 30));
         Assert.Null(plot.Values);

@@ -134,10 +134,12 @@ internal sealed class Seat : IAsyncDisposable
         return this;
     }
 
-    /// <summary>Signs in.</summary>
+    /// <summary>Signs in: by the user's tile, or by the name where a small screen has no room for the tile.</summary>
     public Seat SignIn(string name)
     {
-        Tap("login-user-" + name).Type("login-password", DemoCell.Password).Tap("login-sign-in");
+        See("login-users");
+        (Find("login-user-" + name) is null ? Type("login-name", name) : Tap("login-user-" + name))
+            .Type("login-password", DemoCell.Password).Tap("login-sign-in");
         WaitFor(() => !Shell.IsLocked, "The station stays locked.");
         return this;
     }

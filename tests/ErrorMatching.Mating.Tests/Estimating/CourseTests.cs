@@ -51,6 +51,20 @@ public sealed class CourseTests
         Assert.InRange((double)inside / all, 0.9, 0.99);
     }
 
+    // A scanning probe; a gauge without error is the hardest case for the arithmetic.
+    [Fact]
+    public void A_thousand_points_without_noise_are_met()
+    {
+        const double Length = 200;
+        double[] along = [.. Enumerable.Range(0, 1000).Select(i => Length * i / 999)];
+        BoundaryRow[] rows = [.. along.Select(s => new BoundaryRow([new(0, s, 1)], Truth(s)))];
+        var field = new DeviationField(PriorChoice.Of([Element(Length)], rows, 0).OfCuts, rows, 0);
+
+        Assert.All(Enumerable.Range(0, 37), i => Assert.Equal(Truth(5.3 * i), field.Mean(0, 5.3 * i), 2e-4));
+
+        static double Truth(double s) => 0.05 + (0.04 * Math.Sin(s / 9)) + (0.02 * Math.Sin(s / 23));
+    }
+
     // A row of one place with variance V = vague^2 + tilt^2 t^2 and noise u: mean V / (V + u^2) y, variance V u^2 / (V + u^2).
     [Fact]
     public void One_point_on_a_line_follows_the_closed_form()

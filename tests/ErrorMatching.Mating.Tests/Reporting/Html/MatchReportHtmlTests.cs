@@ -333,7 +333,8 @@ public sealed class MatchReportHtmlTests
     {
         // Against the design the part lies at 0.1; the counterpart was cut at -0.2, so it leaves a gap of 0.3 before,
         // and after it is to overlap by 0.01.
-        var points = Report.KeyPoints.Select((p, i) => i == 0 ? p with { DecidedMm = 0.3, UncompensatedMm = -0.3, PredictedMm = 0.01 } : p).ToArray();
+        var points = Report.KeyPoints.Select(
+            (p, i) => i == 0 ? p with { DecidedMm = 0.3, UncompensatedMm = -0.3, PredictedMm = 0.01 } : p).ToArray();
 
         var drawings = Page(Report with { KeyPoints = points }).WithClass("svg", "assembly")
             .Select(d => d.WithClass("circle", "key-point").Select(c => c.Value.Trim()).ToArray())
