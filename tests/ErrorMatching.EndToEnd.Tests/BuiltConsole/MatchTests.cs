@@ -80,7 +80,9 @@ public sealed class MatchTests
         var run = await shop.Run($"match {Job} --out out");
         Assert.StartsWith("2 of 16 points will be outside their limits: points 1 and 2, ", run.Output, StringComparison.Ordinal);
         Assert.Contains(
-            "\nThe compensation drives point 2 out of its limits; uncompensated it is within them.\n", run.Output, StringComparison.Ordinal);
+            "\nThe compensation drives point 2 out of its limits; uncompensated it is within them.\n",
+            run.Output,
+            StringComparison.Ordinal);
         Assert.Contains(
             "\nPoints 1 and 2 will be out of tolerance. Is that acceptable? If not, do not cut. ", run.Output, StringComparison.Ordinal);
         Assert.DoesNotContain("Probe it further", run.Output, StringComparison.Ordinal);
