@@ -13,14 +13,13 @@ internal sealed class RunEstimate
     private const double SpacingMm = 1;
     private const int MostPlaces = 200;
 
-    private readonly double _uncertaintyMm;
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
     private (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece)? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
     {
-        (Run, Points, _uncertaintyMm) = (run, points, uncertaintyMm);
+        (Run, Points, UncertaintyMm) = (run, points, uncertaintyMm);
         Cuts = [.. run.Elements.Select(_ => ElementCut.Still)];
         _ofPoints = new BoundaryRow?[points.Count];
         _before = run.On(run.Path);
@@ -29,6 +28,9 @@ internal sealed class RunEstimate
 
     /// <summary>The run.</summary>
     public BoundaryRun Run { get; }
+
+    /// <summary>Standard uncertainty of what a key point says, and so of a mating error there: that of a measured coordinate, mm.</summary>
+    public double UncertaintyMm { get; }
 
     /// <summary>The key points of its features.</summary>
     public IReadOnlyList<RunPoint> Points { get; }
@@ -95,8 +97,8 @@ internal sealed class RunEstimate
     public void Solve(bool isWhole)
     {
         BoundaryRow[] rows = [.. _ofPoints.OfType<BoundaryRow>()];
-        _priors ??= PriorChoice.Of(Run.Elements, rows, _uncertaintyMm);
-        Field = new(isWhole ? _priors.Value.OfPiece : _priors.Value.OfCuts, rows, _uncertaintyMm);
+        _priors ??= PriorChoice.Of(Run.Elements, rows, UncertaintyMm);
+        Field = new(isWhole ? _priors.Value.OfPiece : _priors.Value.OfCuts, rows, UncertaintyMm);
     }
 
     /// <summary>Lets the cuts of compensated elements follow the field.</summary>
@@ -121,9 +123,6 @@ internal sealed class RunEstimate
 
     /// <summary>The cuts of this run on a program.</summary>
     public RunPath OnCuts(NcPath path) => ReferenceEquals(path, Run.Path) ? _before : Run.On(path);
-
-    /// <summary>Standard uncertainty of that error: that of a measured coordinate.</summary>
-    public double UncertaintyMm => _uncertaintyMm;
 
     /// <summary>The largest mating error expected between the outermost key points of an element.</summary>
     /// <param name="element">The element.</param>
