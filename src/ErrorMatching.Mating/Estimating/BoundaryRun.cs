@@ -88,8 +88,14 @@ internal sealed class BoundaryRun
     public (Point2 Place, Vector2 Normal) PlaceAt(BoundaryElement element, double along)
     {
         var starts = element.Pass.Starts;
-        var motion = element.First;
-        while (motion < element.Last && (!Path.Motions[motion].MovesInPlane || starts[motion - element.Pass.First + 1] < along))
+        var (motion, last) = (element.First, element.Last);
+        while (motion < last)
+        {
+            var middle = (motion + last) / 2;
+            (motion, last) = starts[middle - element.Pass.First + 1] < along ? (middle + 1, last) : (motion, middle);
+        }
+
+        while (motion < element.Last && !Path.Motions[motion].MovesInPlane)
         {
             motion++;
         }

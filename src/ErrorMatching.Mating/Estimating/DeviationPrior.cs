@@ -12,6 +12,9 @@ internal sealed class DeviationPrior
     private readonly BoundaryElement _element;
     private readonly double[] _deviations;
 
+    // An array, because the sum over it is the innermost loop of an estimate.
+    private readonly (double VarianceMm2, double LengthMm)[] _form = [];
+
     // The recurrence of the polynomials that are orthonormal over the key points (Forsythe 1957).
     private readonly (double Shift, double Before, double Norm)[] _terms;
 
@@ -35,7 +38,11 @@ internal sealed class DeviationPrior
     }
 
     /// <summary>The form error: variances with their lengths of correlation, mm.</summary>
-    public IReadOnlyList<(double VarianceMm2, double LengthMm)> Form { get; init; } = [];
+    public IReadOnlyList<(double VarianceMm2, double LengthMm)> Form
+    {
+        get => _form;
+        init => _form = [.. value];
+    }
 
     /// <summary>Standard deviation of the tilt at both ends, mm; null for a curve, whose linear mean is vague.</summary>
     public double? TiltMm { get; }
@@ -112,7 +119,7 @@ internal sealed class DeviationPrior
     private double OfForm(double along, double other)
     {
         var sum = 0.0;
-        foreach (var (variance, length) in Form)
+        foreach (var (variance, length) in _form)
         {
             sum += variance * Correlation(along - other, length);
         }

@@ -9,6 +9,9 @@ internal sealed class Chunks<T>
     private const int Shift = 13;
     private const int Size = 1 << Shift;
 
+    // Most programs are short, and many lists live at once: the first piece begins with this many items and doubles.
+    private const int First = 128;
+
     private readonly Chunks<T>? _like;
     private T[][] _chunks = new T[16][];
     private T[] _last = [];
@@ -113,14 +116,26 @@ internal sealed class Chunks<T>
     {
         _used += _used == _seam ? _gap : 0;
         var piece = _used >> Shift;
-        _end = Math.Min((piece + 1) << Shift, _used < _seam ? _seam : int.MaxValue);
         if (piece == _chunks.Length)
         {
             Array.Resize(ref _chunks, piece * 2);
         }
 
-        var spare = piece > 0 && Share(piece - 1) ? _last : new T[Size];
-        _chunks[piece] = _last = spare;
+        if (_chunks[piece] is not null)
+        {
+            Array.Resize(ref _last, 2 * _last.Length);
+        }
+        else if (piece == 0)
+        {
+            _last = new T[First];
+        }
+        else if (!Share(piece - 1))
+        {
+            _last = new T[Size];
+        }
+
+        _chunks[piece] = _last;
+        _end = Math.Min((piece << Shift) + _last.Length, _used < _seam ? _seam : int.MaxValue);
     }
 
     // The piece was just filled: if the other list has an equal one, this list shares it and reuses its own memory for the next.

@@ -77,7 +77,7 @@ internal sealed class WordEditor
     private Rewrite Result()
     {
         var (patches, program) = (_patches.All, _path.Program);
-        var rewritten = patches.Count == 0 ? program : NcProgram.Read(NcPatch.ApplyInHalves(program.Bytes, patches), program.Syntax);
+        var rewritten = patches.Count == 0 ? program : NcProgram.Read(NcPatch.Apply(program.Bytes, patches), program.Syntax);
         return new Rewrite(rewritten, patches, _patches.Blocks, patches.Count, _grid.Increment);
     }
 

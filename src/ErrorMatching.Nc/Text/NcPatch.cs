@@ -21,13 +21,18 @@ public readonly record struct NcPatch(int Start, int Length, ReadOnlyMemory<byte
         }
 
         var result = GC.AllocateUninitializedArray<byte>(length);
-        Copy(bytes, 0, [.. patches], result);
+        Copy(bytes, 0, patches is List<NcPatch> list ? CollectionsMarshal.AsSpan(list) : [.. patches], result);
         return result;
     }
 
-    /// <summary>Applies patches to the bytes of a long program, to both halves concurrently.</summary>
-    internal static byte[] ApplyInHalves(ReadOnlyMemory<byte> bytes, List<NcPatch> patches)
+    /// <summary>The same; both halves of a long program are copied concurrently.</summary>
+    internal static byte[] Apply(ReadOnlyMemory<byte> bytes, List<NcPatch> patches)
     {
+        if (bytes.Length < NcProgram.Many)
+        {
+            return Apply(bytes.Span, patches);
+        }
+
         // The border is in the middle, or after the patch that spans it.
         var (border, first, shift, growth) = (bytes.Length / 2, 0, 0, 0);
         foreach (ref readonly var patch in CollectionsMarshal.AsSpan(patches))

@@ -12,7 +12,7 @@ public sealed class NcProgram
     public const int MaxBytes = 1 << 30;
 
     /// <summary>Minimum number of bytes for a second thread to pay off.</summary>
-    private const int Many = 4_000_000;
+    internal const int Many = 4_000_000;
 
     private readonly int[] _starts;
     private readonly int _count;
