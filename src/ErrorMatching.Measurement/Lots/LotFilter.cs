@@ -1,0 +1,101 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>Follows the error of a process from piece to piece, over all histories that are still likely.</summary>
+internal sealed class LotFilter
+{
+    // Standard deviations in uncertainties of a value, and how often each occurs. A step of a few uncertainties is believed at once; a
+    // larger surprise is the piece's own until the next one confirms it, because a chip that is taken for the process costs a piece.
+    private static readonly (LotEvent Happened, double Deviation, double Probability)[] _surprises =
+    [
+        (LotEvent.Step, 3.2, 0.015),
+        (LotEvent.Step, 20, 0.0003),
+        (LotEvent.Outlier, 11, 0.03),
+    ];
+
+    // Histories that are followed, and how much less likely than the best one may be: e^-9 is a ten thousandth.
+    private const int Most = 8;
+    private const double Hopeless = 9;
+
+    private readonly double _freedom;
+    private readonly double _unit;
+    private List<LotHistory> _histories;
+
+    /// <summary>Begins before the first piece.</summary>
+    /// <param name="values">Number of values of a piece.</param>
+    /// <param name="freedom">How many of them are independent.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of one measured point.</param>
+    /// <param name="leastNoise">The part of it that stays in a value, squared.</param>
+    public LotFilter(int values, double freedom, double uncertaintyMm, double leastNoise)
+    {
+        (_freedom, _unit) = (freedom, uncertaintyMm * uncertaintyMm);
+        _histories = [LotHistory.Begin(LotModel.All(uncertaintyMm, leastNoise), values)];
+        (Expected, Squares) = (new double[values], new double[values]);
+        (Drift, DriftSquares) = (new double[values], new double[values]);
+    }
+
+    /// <summary>The expected errors of the next piece without corrections, mm.</summary>
+    public double[] Expected { get; private set; }
+
+    /// <summary>The expected squares of these errors, mm^2.</summary>
+    public double[] Squares { get; private set; }
+
+    /// <summary>The expected change from piece to piece, mm.</summary>
+    public double[] Drift { get; private set; }
+
+    /// <summary>The expected squares of this change, mm^2.</summary>
+    public double[] DriftSquares { get; private set; }
+
+    /// <summary>Standard deviation of a measured value about the error of the process, mm.</summary>
+    public double NoiseMm { get; private set; }
+
+    /// <summary>Takes the next piece.</summary>
+    /// <param name="values">The errors that it would have without corrections, mm.</param>
+    public void Add(double[] values)
+    {
+        LotSurprise ordinary = new(LotEvent.None, 0, 1 - _surprises.Sum(s => s.Probability));
+        LotSurprise[] possible = _histories[0].Events.Count == 0
+            ? [ordinary with { Probability = 1 }]
+            : [ordinary, .. _surprises.Select(s => new LotSurprise(s.Happened, s.Deviation * s.Deviation * _unit, s.Probability))];
+        var next = new List<(LotHistory Before, LotEvidence Evidence)>();
+        foreach (var history in _histories)
+        {
+            var squares = history.SquaresOff(values);
+            next.AddRange(possible.Select(s => (history, history.Explain(squares, _freedom, s))));
+        }
+
+        var best = next.Max(n => n.Evidence.LogWeight);
+        _histories = [
+            .. next.Where(n => n.Evidence.LogWeight > best - Hopeless)
+                .OrderByDescending(n => n.Evidence.LogWeight)
+                .Take(Most)
+                .Select(n => n.Before.After(values, n.Evidence))];
+        Conclude(values.Length);
+    }
+
+    /// <summary>Probability that something happened at a piece, from 0.</summary>
+    public double Probability(int piece, LotEvent happened) =>
+        _histories.Zip(Weights(), (h, w) => h.Events[piece] == happened ? w : 0).Sum();
+
+    private void Conclude(int values)
+    {
+        (Expected, Squares) = (new double[values], new double[values]);
+        (Drift, DriftSquares) = (new double[values], new double[values]);
+        var noise = 0.0;
+        foreach (var (history, weight) in _histories.Zip(Weights()))
+        {
+            history.AddExpected(weight, Expected, Squares);
+            history.AddDrift(weight, Drift, DriftSquares);
+            noise += weight * history.Noise;
+        }
+
+        NoiseMm = Math.Sqrt(noise);
+    }
+
+    private double[] Weights()
+    {
+        var best = _histories.Max(h => h.LogWeight);
+        double[] weights = [.. _histories.Select(h => Math.Exp(h.LogWeight - best))];
+        var sum = weights.Sum();
+        return [.. weights.Select(w => w / sum)];
+    }
+}
