@@ -11,9 +11,9 @@ public static class CompensationCsv
     {
         ArgumentNullException.ThrowIfNull(result);
         var text = new StringBuilder("point,x,y,z,errorUm\n");
-        foreach (var sample in result.Samples)
+        foreach (var (sample, expected) in result.Samples.Zip(result.Expected))
         {
-            var p = result.PointOf(sample);
+            var p = result.PointOf(expected);
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"{sample.Point},{Number(p.X)},{Number(p.Y)},{Number(p.Z)},{(sample.ErrorMm * 1000) + 0.0:0.####}\n");

@@ -5,4 +5,9 @@ namespace ErrorMatching.Freeform;
 /// <param name="Surface">The nominal surface.</param>
 /// <param name="Plan">The measuring plan used for the measurement.</param>
 /// <param name="Measured">The measured piece: one file per measurement.</param>
-public sealed record CompensationInput(FreeformJob Job, PartSurface Surface, MeasuringPlan Plan, IReadOnlyList<MeasuredPoints> Measured);
+public sealed record CompensationInput(FreeformJob Job, PartSurface Surface, MeasuringPlan Plan, IReadOnlyList<MeasuredPoints> Measured)
+{
+    /// <summary>The lot with the pieces before this one, and with what the program that cut it had corrected; null for the first
+    /// piece.</summary>
+    public SurfaceLot? Previous { get; init; }
+}

@@ -16,6 +16,16 @@ public sealed record CompensationResult
     /// <summary>The error at each measured point; the mean if the point was measured several times.</summary>
     public required IReadOnlyList<ErrorSample> Samples { get; init; }
 
+    /// <summary>The error at each point that the surface to cut has to correct: the measured one, or with a lot what is expected of the
+    /// next piece without corrections.</summary>
+    public required IReadOnlyList<ErrorSample> Expected { get; init; }
+
+    /// <summary>What the pieces of the lot say about the next one; null for the first piece.</summary>
+    public required Measurement.Lot? Lot { get; init; }
+
+    /// <summary>The lot with this piece, and what the surface to cut corrects.</summary>
+    public required SurfaceLot Pieces { get; init; }
+
     /// <summary>Statistics of the measured errors.</summary>
     public required DeviationStatistics Before { get; init; }
 

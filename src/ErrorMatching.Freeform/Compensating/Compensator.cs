@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
@@ -52,7 +53,26 @@ public static class Compensator
             return outlying;
         }
 
-        var statistics = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
+        var measured = samples;
+        var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
+        Lot? lot = null;
+        SurfaceLot? pieces = null;
+        if (input.Previous is { } previous)
+        {
+            if (previous.Refuse(samples, Sha256(input)) is { } others)
+            {
+                return others;
+            }
+
+            // The program of the lot has not cut a piece that still has its stock.
+            pieces = previous.With(
+                SurfacePiece.Of(Sha256(input), samples, stock > 0 ? null : previous.CorrectionsMm, previous.Pieces[^1]));
+            lot = pieces.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(repeats.Length));
+            samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
+            LotWords.Tell(pieces, lot, notes, warnings);
+        }
+
+        var statistics = lot is null ? before : DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         var structure = SpatialStructure.Of(samples);
         var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
         // If only noise was found, the significance of the mean has already been decided.
@@ -78,8 +98,11 @@ public static class Compensator
         {
             Input = input,
             Alignment = alignment,
-            Samples = samples,
-            Before = statistics,
+            Samples = measured,
+            Expected = samples,
+            Lot = lot,
+            Pieces = pieces ?? new([.. samples.Select(s => s.Point)], [SurfacePiece.Of(Sha256(input), samples, systematic)], []),
+            Before = before,
             Structure = structure,
             Systematic = systematic,
             Compensated = compensated,
@@ -88,11 +111,20 @@ public static class Compensator
             ThroughPoints = surface.ThroughPoints,
             ApproximationMm = surface.ApproximationMm,
             LargestMoveMm = surface.LargestMoveMm,
-            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain),
-            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain),
+            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain, lot?.NoiseMm ?? 0),
+            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain, lot?.NoiseMm ?? 0),
             Warnings = warnings,
             Notes = notes,
         };
+        result = result with
+        {
+            Pieces = result.Pieces with { CorrectionsMm = [.. samples.Select(s => result.MovedMmAt(s.U, s.V))] }
+        };
+        if (BeyondStep(result) is { } tooFar)
+        {
+            return tooFar;
+        }
+
         if (systematic is FittedField { LeaveLineOutMm: > RidgeMm } fitted
             && fitted.LeaveLineOutMm > FarMore * result.Mirror.PointUncertaintyMm)
         {
@@ -107,14 +139,33 @@ public static class Compensator
         return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
     }
 
+    private static string Sha256(CompensationInput input) => MeasuredPoints.Sha256Of(input.Measured);
+
+    // From one piece to the next a process moves little. A large step is a mixed-up report or measurement.
+    private static Refusal? BeyondStep(CompensationResult result)
+    {
+        if (result.Input.Previous is not { } previous || result.Input.Job.Compensation.StepLimitMm is not { } limit)
+        {
+            return null;
+        }
+
+        var (point, mm) = result.Pieces.Points.Zip(result.Pieces.CorrectionsMm.Zip(previous.CorrectionsMm, (now, was) => now - was))
+            .MaxBy(p => Math.Abs(p.Second));
+        return Math.Abs(mm) <= limit ? null : new("beyond-step", string.Create(
+            CultureInfo.InvariantCulture,
+            $"At point {point} the compensation would change by {Beyond(mm, limit)} mm from the previous piece; "
+                + $"compensation.stepLimitMm allows {limit:0.####} mm. Check that the previous report belongs to the program that cut "
+                + $"this piece, and measure again; raise the limit if the process moved that far."));
+    }
+
     // The actual residual of the surface through the points. It may miss the nominal surface and the measurement by any amount.
     private static SurfacePrediction ThroughPoints(
         CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
     {
-        var (samples, systematic) = (result.Samples, result.Systematic);
+        var (samples, systematic, noise) = (result.Expected, result.Systematic, result.Lot?.NoiseMm ?? 0);
         double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
         double[] between = [.. places.Select(p => systematic.At(p.U, p.V) + p.MovedMm)];
-        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, []);
+        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, [], noise);
         if (between.Length == 0)
         {
             return atPoints;
@@ -132,7 +183,7 @@ public static class Compensator
                     + $"points."));
         }
 
-        return SurfacePrediction.Of("mirror", samples, systematic, left, between);
+        return SurfacePrediction.Of("mirror", samples, systematic, left, between, noise);
     }
 
     // Mirroring missing or remaining stock as if it were an error would spoil the piece.

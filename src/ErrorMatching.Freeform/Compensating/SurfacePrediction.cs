@@ -25,9 +25,21 @@ public sealed record SurfacePrediction(
     /// <param name="systematic">The systematic part of the errors.</param>
     /// <param name="compensation">The compensated field, before the gain.</param>
     /// <param name="gain">Compensated share.</param>
+    /// <param name="leastNoiseMm">The scatter of one measured point that the pieces of a lot show; their residuals show less, because the
+    /// samples follow from many pieces.</param>
     internal static SurfacePrediction Of(
-        string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, ErrorField compensation, double gain) =>
-        Of(method, samples, systematic, [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))], []);
+        string method,
+        IReadOnlyList<ErrorSample> samples,
+        ErrorField systematic,
+        ErrorField compensation,
+        double gain,
+        double leastNoiseMm = 0) => Of(
+            method,
+            samples,
+            systematic,
+            [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))],
+            [],
+            leastNoiseMm);
 
     /// <summary>Predicts the remaining error.</summary>
     /// <param name="method">Name of the compensation.</param>
@@ -36,12 +48,19 @@ public sealed record SurfacePrediction(
     /// <param name="left">The remaining systematic error at each sample.</param>
     /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
     /// would find it, so the larger of the two is expected.</param>
+    /// <param name="leastNoiseMm">The scatter of one measured point that the pieces of a lot show.</param>
     internal static SurfacePrediction Of(
-        string method, IReadOnlyList<ErrorSample> samples, ErrorField systematic, double[] left, double[] between)
+        string method,
+        IReadOnlyList<ErrorSample> samples,
+        ErrorField systematic,
+        double[] left,
+        double[] between,
+        double leastNoiseMm = 0)
     {
-        var noise = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted
+        var residual = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted
             ? fitted.ResidualStandardDeviationMm
             : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
+        var noise = Math.Max(residual, leastNoiseMm);
         var field = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
         var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);

@@ -104,6 +104,10 @@ public sealed record JobTool(double DiameterMm, int Flutes, double SpindleRpm, d
 /// <param name="LimitMm">Largest plausible compensation. The job stops beyond it.</param>
 public sealed record JobMirror(bool Mirror, double Gain, double LimitMm)
 {
+    /// <summary>The largest plausible change of the compensation from one piece of a lot to the next; null for no limit of its
+    /// own.</summary>
+    public double? StepLimitMm { get; init; }
+
     /// <summary>The pure mirror, limited to 0.2 mm.</summary>
     public static JobMirror Default { get; } = new(true, 1, 0.2);
 }

@@ -162,7 +162,10 @@ internal sealed class FreeformJobReader(JsonItem root)
         : new(
             item.Find("method")?.Text != "tool-radius",
             item.Find("gain")?.Number ?? JobMirror.Default.Gain,
-            item.Find("limitMm")?.Number ?? JobMirror.Default.LimitMm);
+            item.Find("limitMm")?.Number ?? JobMirror.Default.LimitMm)
+        {
+            StepLimitMm = item.Find("stepLimitMm")?.Number,
+        };
 
     private static int? Count(JsonItem item, string key) => (int?)item.Find(key)?.Number;
 

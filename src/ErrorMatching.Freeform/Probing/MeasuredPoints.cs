@@ -1,3 +1,5 @@
+using System.Security.Cryptography;
+using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
@@ -21,6 +23,16 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         point >= 1 && point <= Points.Count
             ? Points[point - 1].Contact
             : throw new ArgumentOutOfRangeException(nameof(point), point, "The plan has no such point.");
+
+    /// <summary>SHA-256 of a measurement: that of its file, or of the sorted ones of several files, which count as one.</summary>
+    public static string Sha256Of(IReadOnlyList<MeasuredPoints> measured)
+    {
+        ArgumentNullException.ThrowIfNull(measured);
+        return measured is [var only]
+            ? only.Sha256
+            : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(
+                string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
+    }
 
     /// <summary>Throws if files contain the same measurement, which would count several times.</summary>
     /// <exception cref="InputException"><c>same-measurement</c>.</exception>

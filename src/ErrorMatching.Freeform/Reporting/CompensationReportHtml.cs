@@ -17,6 +17,7 @@ public static class CompensationReportHtml
                 new("summary", "Summary", html => WriteSummary(html, report)),
                 new("predicted", "Before, and what is expected after", html => WritePredictions(html, report.Result)),
                 new("maps", "Where the error is, and what is left", html => WriteMaps(html, report.Result)),
+                .. LotSection.Of(report.Result),
                 new("plots", "Error by point", html => WritePlots(html, report.Result)),
                 new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),
                 new("path", "Tool path", html => WritePath(html, report)),
@@ -32,7 +33,7 @@ public static class CompensationReportHtml
                     "inputs",
                     "Files",
                     html => ReportInputs.Write(
-                        html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"))),
+                        html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"), ("--previous", "previous"))),
             ]);
     }
 

@@ -14,6 +14,7 @@ public static class DisplacementReportHtml
         "displaced finishing program",
         [
             new("summary", "Summary", html => WriteSummary(html, report)),
+            .. LotSection.Of(report.Compensation),
             new("points", "Measured points", html => WritePoints(html, report)),
             new("blocks", "Changed blocks", html => WriteBlocks(html, report)),
             new(
@@ -26,6 +27,7 @@ public static class DisplacementReportHtml
                     "surface displace",
                     ("--measured", "measured"),
                     ("--cut-by", "cut-by"),
+                    ("--previous", "previous"),
                     ("--program", "program"))),
         ]);
 

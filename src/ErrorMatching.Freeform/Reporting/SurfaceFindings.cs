@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
@@ -65,6 +66,12 @@ public sealed record SurfaceFindings
     /// <summary>Map of the error, and of what remains of it. The document does not contain heights.</summary>
     public required ErrorMap Map { get; init; }
 
+    /// <summary>The lot with this piece, for the next compensation; null in older reports.</summary>
+    public required SurfaceLot? Pieces { get; init; }
+
+    /// <summary>What the lot says about the next piece; null for its first piece and in older reports.</summary>
+    public required Lot? Lot { get; init; }
+
     /// <summary>The prediction for the chosen compensation.</summary>
     public SurfacePrediction Predicted => IsMirror ? Mirror : ToolRadius;
 
@@ -99,8 +106,10 @@ public sealed record SurfaceFindings
             Mirror = result.Mirror,
             ToolRadius = result.ToolRadius,
             Samples = result.Samples,
-            Compensated = [.. result.Samples.Select(result.PointOf)],
+            Compensated = [.. result.Expected.Select(result.PointOf)],
             Map = ErrorMap.Of(result),
+            Pieces = result.Pieces,
+            Lot = result.Lot,
         };
     }
 
@@ -113,6 +122,10 @@ public sealed record SurfaceFindings
             json.Text("known", CutBy.File is null ? "assumed" : "named");
             json.Text("file", CutBy.File);
             json.Text("sha256", CutBy.Sha256);
+            if (CutBy.Previous is { } previous)
+            {
+                json.Text("previous", previous);
+            }
         });
         EvaluationReportJson.Alignment(json, Alignment);
         json.Text("stage", MeasuredStage.Name(Stage));
@@ -137,6 +150,10 @@ public sealed record SurfaceFindings
         });
         json.List("points", Enumerable.Range(0, Samples.Count), i => WritePoint(json, i));
         json.Object("map", () => MapJson.Write(json, Map));
+        if (Pieces is not null)
+        {
+            json.Object("lot", () => LotJson.Write(json, Pieces, Lot));
+        }
     }
 
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
@@ -152,9 +169,10 @@ public sealed record SurfaceFindings
 
         var (cutBy, compensation, predicted) = (json.OptionalObject("cutBy"), json.Object("compensation"), json.Object("predicted"));
         var points = json.List("points", ReadPoint);
+        var (pieces, lot) = LotJson.Read(json);
         return new()
         {
-            CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")),
+            CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")) { Previous = cutBy?.OptionalText("previous") },
             Alignment = EvaluationReportJson.ReadAlignment(json),
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
             Before = EvaluationReportJson.ReadStatistics(json.Object("before")),
@@ -173,6 +191,8 @@ public sealed record SurfaceFindings
             Samples = [.. points.Select(p => p.Sample)],
             Compensated = [.. points.Select(p => p.Compensated)],
             Map = MapJson.Read(map),
+            Pieces = pieces,
+            Lot = lot,
         };
     }
 

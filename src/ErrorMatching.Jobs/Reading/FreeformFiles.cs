@@ -166,6 +166,10 @@ public sealed class FreeformFiles
         return bytes;
     }
 
+    /// <summary>The bytes of a file from the caller.</summary>
+    internal ReadOnlyMemory<byte> Bytes(string role, GivenFile file, long mostBytes) =>
+        file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, mostBytes);
+
     private NcDialect Dialect(string name, string path)
     {
         if (!NcDialects.IsFile(name))

@@ -10,7 +10,8 @@ namespace ErrorMatching.Jobs;
 /// <param name="files">The job's files.</param>
 /// <param name="request">The other inputs.</param>
 /// <param name="syntax">The syntax of cutting programs.</param>
-internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, NcSyntax syntax)
+/// <param name="previous">The report whose program cut the piece; null if a nominal program did.</param>
+internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, NcSyntax syntax, PreviousReport? previous)
 {
     /// <summary>Code of the refusal.</summary>
     public const string Code = "piece-compensated";
@@ -18,9 +19,11 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
     private const string WhatToDo =
         "The error of such a piece is small because of that correction, and a program made of this measurement would give the correction "
             + "up. "
-        + "Measure a piece that the nominal program cut (errormatch surface toolpath, or the program of the CAM): corrections of a "
-            + "surface do not add up yet. "
+        + "Name the report of that program by --previous, and its correction goes on; or measure a piece that the nominal program "
+            + "cut (errormatch surface toolpath, or the program of the CAM). "
         + "How good this piece is, errormatch surface evaluate says.";
+
+    private const string OtherProgram = "previous-differs";
 
     private readonly List<string> _measurements = [];
 
@@ -35,16 +38,29 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
     public Refusal? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
     {
         _measurements.AddRange(measured.Select(m => m.Sha256));
-        _measurements.Add(SurfaceRun.MeasurementSha256(measured));
+        _measurements.Add(MeasuredPoints.Sha256Of(measured));
         if (Named() is { } refused)
         {
             return refused;
+        }
+
+        if (Continues)
+        {
+            return measured.FirstOrDefault(m => m.CutByMeasurement is not null && !previous!.Made(m.CutByMeasurement)) is { } other
+                ? new Refusal(OtherProgram, "the log says that a program cut the piece that " + NotOfPrevious).In(other.File)
+                : null;
         }
 
         return measured.FirstOrDefault(m => m.CutByMeasurement is not null) is { } log
             ? Refuse(log.File, "the log says that the piece was cut just before by a program that follows a measurement already.", null, 0)
             : Found.File is null && made is not null ? Beside(made, baseSha256) : null;
     }
+
+    // A piece that still has its stock has not been cut by the program of the previous report.
+    private bool Continues => previous is not null && files.Job.Stock.Of(files.Job.Measuring.After) == 0;
+
+    private string NotOfPrevious => $"names another measurement than the last piece of {previous!.File}: that report's program did not cut "
+        + "this piece. Name the report that belongs to the program.";
 
     private Refusal? Named()
     {
@@ -55,6 +71,20 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
 
         var program = NcProgram.Read(bytes, syntax);
         Found = new(named.File, files.Inputs.Last(i => i.Role == FreeformFiles.CutByRole).Sha256);
+        if (Continues)
+        {
+            return Marker.Find(program) switch
+            {
+                [] => new Refusal(
+                    OtherProgram,
+                    "the program that cut the measured piece carries no marker, so it corrected nothing: leave out the previous report, or "
+                        + "name the program that its compensation wrote.").In(named.File),
+                [var (marked, marker), ..] when !previous!.Made(marker?.MeasurementSha256) => BlockRefusal.At(
+                    program, marked, OtherProgram, "the marker of the program that cut the measured piece " + NotOfPrevious).In(named.File),
+                _ => null,
+            };
+        }
+
         return Marker.Find(program) is [var (block, _), ..]
             ? Refuse(
                 named.File,

@@ -10,6 +10,10 @@ public sealed record SurfaceRequest
     /// <summary>The program that cut the measured piece, instead of the one that the job names; null for the job's.</summary>
     public GivenFile? CutBy { get; init; }
 
+    /// <summary>The report of the program that cut the measured piece, to go on from its corrections; null for a piece that a nominal
+    /// program cut.</summary>
+    public GivenFile? Previous { get; init; }
+
     /// <summary>Replaces the job's gain, 0 to 2; null keeps it.</summary>
     public double? Gain { get; init; }
 

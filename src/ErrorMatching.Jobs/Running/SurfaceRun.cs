@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using System.Text;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
@@ -49,7 +48,7 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var marker = new Marker(MeasurementSha256(result.Input.Measured), surfaceSha256);
+            var marker = new Marker(MeasuredPoints.Sha256Of(result.Input.Measured), surfaceSha256);
             var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker, template: template);
             var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
             return new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
@@ -105,7 +104,7 @@ public static class SurfaceRun
                 bytes,
                 dialect,
                 job.Toolpath.ProgramsTip,
-                MeasurementSha256(compensation.Input.Measured));
+                MeasuredPoints.Sha256Of(compensation.Input.Measured));
             return displaced.IsUsable
                 ? new DisplacedSurface(new(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
                 {
@@ -114,12 +113,6 @@ public static class SurfaceRun
                 : displaced.Refusal.In(program.File);
         });
     }
-
-    // For the marker, several measurements of a piece count as one, in any order.
-    internal static string MeasurementSha256(IReadOnlyList<MeasuredPoints> measured) => measured is [var only]
-        ? only.Sha256
-        : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(
-            measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {
@@ -160,15 +153,16 @@ public static class SurfaceRun
 
         var points = request.Measured.Select(f => files.Measured("measured", f, plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
-        var piece = new PieceProgram(files, request, syntax);
+        var previous = PreviousReport.Of(files, request.Previous);
+        var piece = new PieceProgram(files, request, syntax, previous);
         if (piece.Refusal(points, made, baseSha256) is { } compensated)
         {
             refusals = [compensated];
             return null;
         }
 
-        cutBy = piece.Found;
-        var outcome = Compensator.Compensate(new(job, surface, plan, points));
+        cutBy = piece.Found with { Previous = previous?.File };
+        var outcome = Compensator.Compensate(new(job, surface, plan, points) { Previous = previous?.Lot });
         refusals = InputRefusals.In(job.File, outcome.Refusals);
         return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
             ? result with { Notes = [.. result.Notes, note] }

@@ -5,34 +5,20 @@ namespace ErrorMatching.Measurement;
 /// pieces may be outliers. Nobody states which: the lot is explained by a bank of Kalman filters over all these possibilities, and each
 /// counts by how well it explains the pieces. The mean of all points and what differs from it are followed apart, because tools and heat
 /// move all points alike.</remarks>
-public sealed class Lot
+/// <param name="ExpectedMm">The expected error of the next piece at each point if nothing is corrected.</param>
+/// <param name="UncertaintyMm">Standard uncertainty of each.</param>
+/// <param name="DriftMm">Change of the mean of all points from piece to piece.</param>
+/// <param name="DriftUncertaintyMm">Standard uncertainty of the drift.</param>
+/// <param name="NoiseMm">Standard deviation of one measured point about the error of the process.</param>
+/// <param name="Pieces">What was found at each piece.</param>
+public sealed record Lot(
+    IReadOnlyList<double> ExpectedMm,
+    IReadOnlyList<double> UncertaintyMm,
+    double DriftMm,
+    double DriftUncertaintyMm,
+    double NoiseMm,
+    IReadOnlyList<LotFinding> Pieces)
 {
-    private readonly List<LotFinding> _findings = [];
-
-    private Lot(IReadOnlyList<double> expected, IReadOnlyList<double> uncertainty)
-    {
-        ExpectedMm = expected;
-        UncertaintyMm = uncertainty;
-    }
-
-    /// <summary>The expected error of the next piece at each point if nothing is corrected, mm.</summary>
-    public IReadOnlyList<double> ExpectedMm { get; }
-
-    /// <summary>Standard uncertainty of <see cref="ExpectedMm"/>, mm.</summary>
-    public IReadOnlyList<double> UncertaintyMm { get; }
-
-    /// <summary>Change of the mean of all points from piece to piece, mm.</summary>
-    public double DriftMm { get; private init; }
-
-    /// <summary>Standard uncertainty of <see cref="DriftMm"/>.</summary>
-    public double DriftUncertaintyMm { get; private init; }
-
-    /// <summary>Standard deviation of one measured point about the error of the process, mm.</summary>
-    public double NoiseMm { get; private init; }
-
-    /// <summary>What was found at each piece.</summary>
-    public IReadOnlyList<LotFinding> Pieces => _findings;
-
     /// <summary>Estimates the error of the next piece.</summary>
     /// <param name="pieces">The pieces in the order of cutting, at least one, with at least one point.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of one measured point, more than 0.</param>
@@ -66,29 +52,19 @@ public sealed class Lot
             shape?.Add([.. values.Select(v => v - level)]);
         }
 
-        var lot = new Lot(
+        return new(
             [.. Enumerable.Range(0, points).Select(i => mean.Expected[0] + (shape?.Expected[i] ?? 0))],
+            [.. Enumerable.Range(0, points).Select(i => Math.Sqrt(mean.VarianceAt(0) + (shape?.VarianceAt(i) ?? 0)))],
+            mean.Drift[0],
+            Math.Sqrt(mean.DriftVarianceAt(0)),
+            Math.Sqrt((mean.NoiseMm * mean.NoiseMm) + (shape is null ? 0 : shape.NoiseMm * shape.NoiseMm * (points - 1) / points)),
             [
-                .. Enumerable.Range(0, points).Select(
-                    i => Math.Sqrt(Variance(mean.Expected, mean.Squares, 0) + (shape is null ? 0 : Variance(shape.Expected, shape.Squares, i))))])
-        {
-            DriftMm = mean.Drift[0],
-            DriftUncertaintyMm = Math.Sqrt(Variance(mean.Drift, mean.DriftSquares, 0)),
-            NoiseMm = Math.Sqrt((mean.NoiseMm * mean.NoiseMm) + (shape is null ? 0 : shape.NoiseMm * shape.NoiseMm * (points - 1) / points)),
-        };
-        for (var k = 0; k < pieces.Count; k++)
-        {
-            lot._findings.Add(new(
-                pieces[k].ErrorsMm.Average() - pieces[k].CorrectionsMm.Average(),
-                expected[k],
-                Math.Max(mean.Probability(k, LotEvent.Step), shape?.Probability(k, LotEvent.Step) ?? 0),
-                Math.Max(mean.Probability(k, LotEvent.Outlier), shape?.Probability(k, LotEvent.Outlier) ?? 0)));
-        }
-
-        return lot;
+                .. pieces.Select((piece, k) => new LotFinding(
+                    piece.ErrorsMm.Average() - piece.CorrectionsMm.Average(),
+                    expected[k],
+                    Math.Max(mean.Probability(k, LotEvent.Step), shape?.Probability(k, LotEvent.Step) ?? 0),
+                    Math.Max(mean.Probability(k, LotEvent.Outlier), shape?.Probability(k, LotEvent.Outlier) ?? 0)))]);
     }
-
-    private static double Variance(double[] means, double[] squares, int i) => Math.Max(0, squares[i] - (means[i] * means[i]));
 }
 
 /// <summary>What was found at a piece.</summary>

@@ -8,8 +8,9 @@ internal sealed class LotFilter
     private static readonly (LotEvent Happened, double Deviation, double Probability)[] _surprises =
     [
         (LotEvent.Step, 3.2, 0.015),
-        (LotEvent.Step, 20, 0.0003),
+        (LotEvent.Step, 20, 0.0001),
         (LotEvent.Outlier, 11, 0.03),
+        (LotEvent.Outlier, 60, 0.001),
     ];
 
     // Histories that are followed, and how much less likely than the best one may be: e^-9 is a ten thousandth.
@@ -20,6 +21,10 @@ internal sealed class LotFilter
     private readonly double _unit;
     private List<LotHistory> _histories;
 
+    // The expected squares of the errors and drifts, mm^2.
+    private double[] _squares;
+    private double[] _driftSquares;
+
     /// <summary>Begins before the first piece.</summary>
     /// <param name="values">Number of values of a piece.</param>
     /// <param name="freedom">How many of them are independent.</param>
@@ -29,24 +34,24 @@ internal sealed class LotFilter
     {
         (_freedom, _unit) = (freedom, uncertaintyMm * uncertaintyMm);
         _histories = [LotHistory.Begin(LotModel.All(uncertaintyMm, leastNoise), values)];
-        (Expected, Squares) = (new double[values], new double[values]);
-        (Drift, DriftSquares) = (new double[values], new double[values]);
+        (Expected, _squares) = (new double[values], new double[values]);
+        (Drift, _driftSquares) = (new double[values], new double[values]);
     }
 
     /// <summary>The expected errors of the next piece without corrections, mm.</summary>
     public double[] Expected { get; private set; }
 
-    /// <summary>The expected squares of these errors, mm^2.</summary>
-    public double[] Squares { get; private set; }
-
     /// <summary>The expected change from piece to piece, mm.</summary>
     public double[] Drift { get; private set; }
 
-    /// <summary>The expected squares of this change, mm^2.</summary>
-    public double[] DriftSquares { get; private set; }
-
     /// <summary>Standard deviation of a measured value about the error of the process, mm.</summary>
     public double NoiseMm { get; private set; }
+
+    /// <summary>Variance of an expected error, mm^2.</summary>
+    public double VarianceAt(int value) => Math.Max(0, _squares[value] - (Expected[value] * Expected[value]));
+
+    /// <summary>Variance of an expected change, mm^2.</summary>
+    public double DriftVarianceAt(int value) => Math.Max(0, _driftSquares[value] - (Drift[value] * Drift[value]));
 
     /// <summary>Takes the next piece.</summary>
     /// <param name="values">The errors that it would have without corrections, mm.</param>
@@ -78,13 +83,13 @@ internal sealed class LotFilter
 
     private void Conclude(int values)
     {
-        (Expected, Squares) = (new double[values], new double[values]);
-        (Drift, DriftSquares) = (new double[values], new double[values]);
+        (Expected, _squares) = (new double[values], new double[values]);
+        (Drift, _driftSquares) = (new double[values], new double[values]);
         var noise = 0.0;
         foreach (var (history, weight) in _histories.Zip(Weights()))
         {
-            history.AddExpected(weight, Expected, Squares);
-            history.AddDrift(weight, Drift, DriftSquares);
+            history.AddExpected(weight, Expected, _squares);
+            history.AddDrift(weight, Drift, _driftSquares);
             noise += weight * history.Noise;
         }
 

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json.Nodes;
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 using ErrorMatching.Testing;
@@ -103,9 +104,10 @@ public sealed class StoredSurfaceTests
             .. Enumerable.Range(0, 3).Select(i => new ErrorSample(
                 i + 1, i, 0, r.NextDouble(), r.NextDouble(), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), Mm(r)))];
         var verdict = (SpatialVerdict)r.Next(3);
+        var pieces = r.Next(3) == 0 ? null : new SurfaceLot([1, 2, 3], [Piece(r), Piece(r)], [Mm(r), Mm(r), Mm(r)]);
         return new()
         {
-            CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd"),
+            CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd") { Previous = r.Next(2) == 0 ? null : "before/report.json" },
             Alignment = r.Next(2) == 0 ? null : new(new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r))),
             Stage = r.Next(2) == 0 ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             Before = Statistics(r),
@@ -128,8 +130,15 @@ public sealed class StoredSurfaceTests
                 [Mm(r), Mm(r), Mm(r), Mm(r)],
                 [Mm(r), Mm(r), Mm(r), Mm(r)],
                 [Mm(r), Mm(r), Mm(r), Mm(r)]),
+            Pieces = pieces,
+            Lot = pieces is null || r.Next(2) == 0 ? null
+                : new([Mm(r), Mm(r), Mm(r)], [Mm(r), Mm(r), Mm(r)], Mm(r), Mm(r), Mm(r), [Found(r), Found(r)]),
         };
     }
+
+    private static SurfacePiece Piece(Random r) => new("ee", Mm(r), new([Mm(r), Mm(r), Mm(r)], [Mm(r), Mm(r), Mm(r)]));
+
+    private static LotFinding Found(Random r) => new(Mm(r), Mm(r), r.NextDouble(), r.NextDouble());
 
     private static SurfacePrediction Prediction(Random r, string method) =>
         new(method, [Mm(r), Mm(r), Mm(r)], Statistics(r), Mm(r), Mm(r));

@@ -12,6 +12,7 @@ internal sealed class SurfaceCompensate : Verb
         "The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their "
             + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
+    private readonly Option<string> _previous = SurfaceOptions.Previous();
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is "
             + "written.");
@@ -25,6 +26,7 @@ internal sealed class SurfaceCompensate : Verb
         Arguments.Add(_job);
         Options.Add(_measured);
         Options.Add(_cutBy);
+        Options.Add(_previous);
         Options.Add(_out);
     }
 
@@ -39,6 +41,7 @@ internal sealed class SurfaceCompensate : Verb
             {
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
+                Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },

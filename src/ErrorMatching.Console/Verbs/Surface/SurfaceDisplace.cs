@@ -11,6 +11,7 @@ internal sealed class SurfaceDisplace : Verb
         "The measured points: a table, or the log of the probing program. Several files are repeated measurements of the piece; their "
             + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
+    private readonly Option<string> _previous = SurfaceOptions.Previous();
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the displaced program to, by the same name. Without it nothing is written.");
@@ -26,6 +27,7 @@ internal sealed class SurfaceDisplace : Verb
         Arguments.Add(_job);
         Options.Add(_measured);
         Options.Add(_cutBy);
+        Options.Add(_previous);
         Options.Add(_program);
         Options.Add(_out);
     }
@@ -40,6 +42,7 @@ internal sealed class SurfaceDisplace : Verb
             {
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
+                Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,
             },
             new(arguments.GetRequiredValue(_program)),

@@ -24,6 +24,14 @@ internal static class SurfaceOptions
         HelpName = "NC",
     };
 
+    /// <summary>The report of the program that cut the measured piece.</summary>
+    public static Option<string> Previous() => new("--previous")
+    {
+        Description = "The report.json of the compensation whose program cut the measured piece: its corrections go on, and all pieces "
+            + "measured so far count.",
+        HelpName = "REPORT",
+    };
+
     /// <summary>The folder to write to.</summary>
     public static Option<string> Out(string description) => new("--out") { Description = description, HelpName = "DIR" };
 }

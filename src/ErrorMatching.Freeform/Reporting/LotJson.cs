@@ -1,0 +1,75 @@
+using ErrorMatching.Measurement;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>Writes a lot into a report, and reads it.</summary>
+public static class LotJson
+{
+    /// <summary>Writes it into the open object.</summary>
+    internal static void Write(ReportWriter json, SurfaceLot pieces, Lot? lot)
+    {
+        json.Numbers("points", pieces.Points.Select(p => (double)p));
+        json.Numbers("correctionsUm", pieces.CorrectionsMm.Select(c => c * 1000));
+        json.List("pieces", Enumerable.Range(0, pieces.Pieces.Count), k =>
+        {
+            var piece = pieces.Pieces[k];
+            json.Text("measuredSha256", piece.MeasuredSha256);
+            json.Number("noiseUm", piece.NoiseMm * 1000);
+            json.Numbers("errorsUm", piece.Values.ErrorsMm.Select(e => e * 1000));
+            json.Numbers("correctionsUm", piece.Values.CorrectionsMm.Select(c => c * 1000));
+            if (lot is not null)
+            {
+                var found = lot.Pieces[k];
+                json.Number("shownUm", found.ShownMm * 1000);
+                json.Number("expectedUm", found.ExpectedMm * 1000);
+                json.Number("stepProbability", found.StepProbability);
+                json.Number("outlierProbability", found.OutlierProbability);
+            }
+        });
+        if (lot is not null)
+        {
+            json.Object("next", () =>
+            {
+                json.Numbers("expectedUm", lot.ExpectedMm.Select(e => e * 1000));
+                json.Numbers("uncertaintyUm", lot.UncertaintyMm.Select(u => u * 1000));
+                json.Number("driftUm", lot.DriftMm * 1000);
+                json.Number("driftUncertaintyUm", lot.DriftUncertaintyMm * 1000);
+                json.Number("noiseUm", lot.NoiseMm * 1000);
+            });
+        }
+    }
+
+    /// <summary>Reads the lot of a report.</summary>
+    /// <param name="report">The report of a compensation.</param>
+    /// <returns>The pieces, and what they say about the next one; null for what the report does not have.</returns>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
+    public static (SurfaceLot? Pieces, Lot? Lot) Read(ReportReader report)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        if (report.OptionalObject("lot") is not { } json)
+        {
+            return (null, null);
+        }
+
+        var points = json.Counts("points");
+        var pieces = json.List("pieces", p => new SurfacePiece(
+            p.Text("measuredSha256"), p.Micrometers("noiseUm"), new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))));
+        if (points.Count == 0 || pieces.Count == 0)
+        {
+            throw json.Refusal(points.Count == 0 ? "points" : "pieces", "too-few-items", "at least one");
+        }
+
+        var lot = new SurfaceLot(points, pieces, Mm(json, "correctionsUm", points.Count));
+        return (lot, json.OptionalObject("next") is not { } next ? null : new Lot(
+            Mm(next, "expectedUm", points.Count),
+            Mm(next, "uncertaintyUm", points.Count),
+            next.Micrometers("driftUm"),
+            next.Micrometers("driftUncertaintyUm"),
+            next.Micrometers("noiseUm"),
+            json.List("pieces", p => new LotFinding(
+                p.Micrometers("shownUm"), p.Micrometers("expectedUm"), p.Number("stepProbability"), p.Number("outlierProbability")))));
+    }
+
+    private static double[] Mm(ReportReader json, string name, int count) => [.. json.Numbers(name, count).Select(um => um / 1000)];
+}
