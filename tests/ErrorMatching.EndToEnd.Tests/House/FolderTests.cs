@@ -17,7 +17,7 @@ public sealed partial class FolderTests
         ["Json"] = ["Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
-        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources"],
+        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots"],
         ["Nc"] =
         [
             "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Wishes", "Rewriting", "Proof", "Comparison",
@@ -30,7 +30,7 @@ public sealed partial class FolderTests
         ["Freeform"] =
         [
             "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
-            "Evaluating", "Compensating", "Displacing", "Reporting",
+            "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
         ],
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
         ["Cell"] =
