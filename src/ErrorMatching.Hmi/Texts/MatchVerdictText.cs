@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 

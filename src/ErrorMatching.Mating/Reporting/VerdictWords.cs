@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -41,9 +42,9 @@ public static class VerdictWords
     {
         ArgumentNullException.ThrowIfNull(report);
         return report.ProbabilityAfter is not { } after ? null
-            : $"Risk that a point will be outside its limits: {RuleWords.Percent(1 - after)}"
+            : $"Risk that a point will be outside its limits: {ReportNumber.Probability(1 - after)}"
                 + (report.IsUnchanged || report.ProbabilityBefore is not { } before ? ""
-                    : $" (without compensation: {RuleWords.Percent(1 - before)})")
+                    : $" (without compensation: {ReportNumber.Probability(1 - before)})")
                 + ".";
     }
 

@@ -15,7 +15,7 @@ public sealed partial class FolderTests
     private static readonly Dictionary<string, string[]> Orders = new(StringComparer.Ordinal)
     {
         ["Json"] = ["Document", "Schema"],
-        ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments"],
+        ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources"],
         ["Nc"] =
