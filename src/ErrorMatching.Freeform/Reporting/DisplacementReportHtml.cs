@@ -27,7 +27,8 @@ public static class DisplacementReportHtml
                     ("--measured", "measured"),
                     ("--cut-by", "cut-by"),
                     ("--program", "program"))),
-        ]);
+        ],
+        html => ProfileLead.Write(html, report.Compensation, report.Verdict, isReady: true));
 
     private static void WriteSummary(HtmlText html, DisplacementReport report)
     {

@@ -105,6 +105,7 @@ public sealed class StoredSurfaceTests
         var verdict = (SpatialVerdict)r.Next(3);
         return new()
         {
+            Verdict = r.Next(2) == 0 ? null : Verdict(r),
             CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd"),
             Alignment = r.Next(2) == 0 ? null : new(new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r))),
             Stage = r.Next(2) == 0 ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
@@ -130,6 +131,23 @@ public sealed class StoredSurfaceTests
                 [Mm(r), Mm(r), Mm(r), Mm(r)]),
         };
     }
+
+    private static SurfaceVerdict Verdict(Random r) => new(
+        new(0.02, r.Next(2) == 0 ? DecisionRule.Simple : DecisionRule.GuardBand(5), r.Next(2) == 0), Judgement(r, null), Judgement(r, Mm(r)));
+
+    private static ProfileJudgement Judgement(Random r, double? anywhereMm) => new()
+    {
+        Code = (ProfileCode)r.Next(4),
+        ProfileMm = Math.Abs(Mm(r)),
+        Points = r.Next(1, 99),
+        Outside = [.. Enumerable.Range(1, r.Next(1, 9))],
+        NotAccepted = [.. Enumerable.Range(1, r.Next(1, 9))],
+        WorstPoint = r.Next(99),
+        WorstMm = Mm(r),
+        WorstAnywhereMm = anywhereMm,
+        UncertaintyMm = Math.Abs(Mm(r)),
+        Probability = r.NextDouble(),
+    };
 
     private static SurfacePrediction Prediction(Random r, string method) =>
         new(method, [Mm(r), Mm(r), Mm(r)], Statistics(r), Mm(r), Mm(r));
