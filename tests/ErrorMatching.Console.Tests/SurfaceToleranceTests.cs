@@ -7,6 +7,8 @@ namespace ErrorMatching.Console.Tests;
 /// 4.49 um after: twice the largest error that its files of points show.</summary>
 public sealed class SurfaceToleranceTests
 {
+    private const string Stated = "\"profileToleranceMm\": 0.02,";
+
     [Theory]
     [InlineData("0.0044", 2, "Out of tolerance: profile 4.49 of 4.4 um; ")]
     [InlineData("0.0046", 0, "In tolerance: profile 4.49 of 4.6 um at 70 points")]
@@ -78,10 +80,12 @@ public sealed class SurfaceToleranceTests
 
     private static string Job(TemporaryFolder folder, string? width)
     {
+        var surface = Repository.PathTo("samples", "surface-one", "surface.igs").Replace('\\', '/');
         var text = File.ReadAllText(Repository.PathTo("samples", "surface-one", "job.json"))
-            .Replace("surface.igs", Repository.PathTo("samples", "surface-one", "surface.igs").Replace('\\', '/'), StringComparison.Ordinal);
+            .Replace("surface.igs", surface, StringComparison.Ordinal);
+        Assert.Contains(Stated, text, StringComparison.Ordinal);
         return folder.File(
             $"job{width}.json",
-            width is null ? text : text.Replace("\"fit\":", $"\"profileToleranceMm\": {width}, \"fit\":", StringComparison.Ordinal));
+            text.Replace(Stated, width is null ? "" : $"\"profileToleranceMm\": {width},", StringComparison.Ordinal));
     }
 }

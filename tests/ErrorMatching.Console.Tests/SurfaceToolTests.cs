@@ -17,7 +17,7 @@ public sealed class SurfaceToolTests
             var (exit, output, _) = Shell.Run(["surface", .. verb, "--out", folder["out"]]);
             Assert.Equal(0, exit);
             var lines = output.Split('\n');
-            Assert.Equal(verb[0] == "compensate", lines[0].StartsWith("Not judged: ", StringComparison.Ordinal));
+            Assert.Equal(verb[0] == "compensate", lines[0].StartsWith("Expected in tolerance: ", StringComparison.Ordinal));
             Assert.Equal(
                 $"Surface one: {folder["out/finishing.nc"]} has no tool call and stops with an alarm",
                 lines[verb[0] == "compensate" ? 1 : 0]);

@@ -32,7 +32,8 @@ public static class ProfileWords
                     + $"{Percent(ProfileJudgement.LeastProbability(tolerance.Rule))} are wanted. "
                     + "Do not cut it unless you accept the risk.",
             ProfileCode.OutsideBetween =>
-                $"Expected out of tolerance between the points: {Size(Math.Abs(predicted.WorstAnywhereMm ?? 0))} of {Band(tolerance, unit)}. "
+                $"Expected out of tolerance between the points: {Size(Math.Abs(predicted.WorstAnywhereMm ?? 0))} of "
+                    + $"{Band(tolerance, unit)}. "
                     + "Do not cut it unless that is acceptable there.",
             _ =>
                 $"Expected out of tolerance: {expected}; {Outside(predicted, tolerance, unit, "will be")}. "

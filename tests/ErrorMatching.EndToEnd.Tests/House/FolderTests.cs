@@ -30,7 +30,7 @@ public sealed partial class FolderTests
         ["Freeform"] =
         [
             "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
-            "Evaluating", "Compensating", "Displacing", "Reporting",
+            "Judging", "Evaluating", "Compensating", "Displacing", "Reporting",
         ],
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
         ["Cell"] =

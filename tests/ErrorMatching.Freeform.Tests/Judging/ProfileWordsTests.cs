@@ -73,12 +73,12 @@ public sealed class ProfileWordsTests
     public void The_tolerance_says_whether_the_zone_may_move_and_how_points_are_accepted()
     {
         Assert.Equal(
-            "Profile of a surface 20 µm by ISO 1101, with datums: points are judged where they were measured; measured points are accepted up "
-                + "to the limits.",
+            "Profile of a surface 20 µm by ISO 1101, with datums: points are judged where they were measured; measured points are "
+                + "accepted up to the limits.",
             ProfileWords.Of(Tolerance, 0.001, "µm"));
         Assert.Equal(
-            "Profile of a surface 20 µm by ISO 1101, without datums: points are aligned before they are judged; measured points are accepted "
-                + "1.645 µm inside the limits, for a risk of at most 5 % at each.",
+            "Profile of a surface 20 µm by ISO 1101, without datums: points are aligned before they are judged; measured points are "
+                + "accepted 1.645 µm inside the limits, for a risk of at most 5 % at each.",
             ProfileWords.Of(Guarded, 0.001, "µm"));
     }
 
