@@ -115,6 +115,30 @@ public sealed class FreeformTests
             seat.TextOf("program-size"));
     });
 
+    // The sample's job states 0.02 mm.
+    [Fact]
+    public Task The_verdict_is_the_first_line_in_both_languages_and_what_is_signed_for() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-freeform").See("surface-title");
+        Assert.StartsWith("Expected in tolerance: profile ", seat.TextOf("surface-verdict"), StringComparison.Ordinal);
+        Assert.EndsWith("\u00a0µm. Cut it.", seat.TextOf("surface-verdict"), StringComparison.Ordinal);
+        Assert.True(Top("surface-verdict") < Top("surface-title"));
+        Texts.Current.Language = Language.TraditionalChinese;
+        seat.WaitFor(
+            () => seat.TextOf("surface-verdict")!.StartsWith("預期符合公差：輪廓度", StringComparison.Ordinal),
+            $"It says {seat.TextOf("surface-verdict")}.");
+        Texts.Current.Language = Language.English;
+        seat.Tap("nav-compensation").See("detail-verdict");
+        var detail = ((CompensationViewModel)seat.Shell.Current!).Detail!;
+        Assert.StartsWith("Expected in tolerance: profile ", detail.Verdict, StringComparison.Ordinal);
+        Assert.Equal((new Fact(detail.Verdict!, Severity.Quiet), true), (detail.Facts[0], detail.IsWithin));
+
+        double Top(string id) => seat.See(id).TransformToVisual(seat.Window)!.Value.Transform(default).Y;
+    });
+
     [Fact]
     public Task The_compensation_shows_a_surface_too() => Seat.AtAsync(seat =>
     {

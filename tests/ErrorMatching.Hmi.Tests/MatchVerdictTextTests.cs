@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi.Tests;

@@ -103,4 +103,27 @@ public sealed record CompensationResult
 
     /// <summary>The prediction for the selected compensation.</summary>
     public SurfacePrediction Predicted => Input.Job.Compensation.Mirror ? Mirror : ToolRadius;
+
+    /// <summary>The verdict by the job's profile tolerance; null if the job states none.</summary>
+    /// <param name="known">The map of this compensation, if the caller has it.</param>
+    internal SurfaceVerdict? Verdict(ErrorMap? known = null)
+    {
+        if (Input.Job.Profile is not { } tolerance)
+        {
+            return null;
+        }
+
+        var map = known ?? ErrorMap.Of(this);
+        var anywhere = Input.Job.Compensation.Mirror ? map.MirrorMm : map.ToolRadiusMm;
+        return new(
+            tolerance,
+            ProfileJudgement.OfMeasured(tolerance, Samples, Input.Job.Measuring.UncertaintyMm),
+            ProfileJudgement.OfPredicted(
+                tolerance,
+                Samples,
+                Predicted.Errors,
+                Predicted.Statistics.ProfileIsoMm,
+                Predicted.PointUncertaintyMm,
+                map.Net.Inside().Select(k => anywhere[k])));
+    }
 }

@@ -20,6 +20,9 @@ public sealed record EvaluatedPiece(
     DeviationStatistics Statistics,
     IReadOnlyList<string> Warnings)
 {
+    /// <summary>The piece judged by the job's profile tolerance; null if the job states none.</summary>
+    public ProfileJudgement? Judgement { get; init; }
+
     /// <summary>A sentence if the points determined the stage; null if the job's stage was right.</summary>
     public string? StageNote =>
         StageIsFound

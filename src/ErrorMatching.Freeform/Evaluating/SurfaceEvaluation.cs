@@ -72,7 +72,12 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
             alignment,
             samples,
             DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]),
-            [.. piece.Warnings, .. Outlying(piece, samples)]);
+            [.. piece.Warnings, .. Outlying(piece, samples)])
+        {
+            Judgement = job.Profile is { } tolerance
+                ? ProfileJudgement.OfMeasured(tolerance, samples, job.Measuring.UncertaintyMm)
+                : null,
+        };
 
     // A piece is judged by all its points, but a chip under the stylus is not part of the piece, so outlying points are reported.
     private static IEnumerable<string> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)

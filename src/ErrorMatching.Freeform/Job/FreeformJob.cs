@@ -49,6 +49,9 @@ public sealed record FreeformJob
     /// <summary>How the error is compensated.</summary>
     public required JobMirror Compensation { get; init; }
 
+    /// <summary>The tolerance that the surface is judged by; null if the job states none.</summary>
+    public ProfileTolerance? Profile { get; init; }
+
     internal IReadOnlyDictionary<string, JsonPlace> Places { get; init; } = new Dictionary<string, JsonPlace>();
 
     /// <summary>Where the file names another file, a dialect, a template or a tool.</summary>

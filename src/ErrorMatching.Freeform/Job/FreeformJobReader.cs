@@ -1,3 +1,5 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
@@ -8,21 +10,26 @@ internal sealed class FreeformJobReader(JsonItem root)
 {
     public List<Refusal> Problems { get; } = [];
 
-    public FreeformJob Read(string file, string sha256) => new()
+    public FreeformJob Read(string file, string sha256)
     {
-        File = file,
-        Sha256 = sha256,
-        Name = root["name"].Text,
-        WorkOrder = root.Find("workOrder")?.Text,
-        Surface = new(root["surface"].Text, root.Find("surfaceEntity")?.Text, root.Find("outside")?.Text != "-z"),
-        Stock = ReadStock(),
-        Tool = ReadTool(),
-        Measuring = ReadMeasuring(root["measuring"]),
-        Fit = ReadFit(),
-        Toolpath = ReadToolpath(root["toolpath"]),
-        Compensation = ReadMirror(),
-        Places = Named().OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
-    };
+        var (measuring, compensation) = (ReadMeasuring(root["measuring"]), ReadMirror());
+        return new()
+        {
+            File = file,
+            Sha256 = sha256,
+            Name = root["name"].Text,
+            WorkOrder = root.Find("workOrder")?.Text,
+            Surface = new(root["surface"].Text, root.Find("surfaceEntity")?.Text, root.Find("outside")?.Text != "-z"),
+            Stock = ReadStock(),
+            Tool = ReadTool(),
+            Measuring = measuring,
+            Fit = ReadFit(),
+            Toolpath = ReadToolpath(root["toolpath"]),
+            Compensation = compensation,
+            Profile = ReadProfile(measuring, compensation),
+            Places = Named().OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
+        };
+    }
 
     // Values that name a file, a dialect or a tool, which are checked later.
     private IEnumerable<JsonItem?> Named()
@@ -166,6 +173,50 @@ internal sealed class FreeformJobReader(JsonItem root)
         {
             StepLimitMm = item.Find("stepLimitMm")?.Number,
         };
+
+    private ProfileTolerance? ReadProfile(JobMeasuring measuring, JobMirror compensation)
+    {
+        if (root.Find("profileToleranceMm") is not { } item)
+        {
+            return null;
+        }
+
+        var rule = root.Find("decision") is { } decision && decision["rule"].Text == "guard-band"
+            ? DecisionRule.GuardBand(decision.Find("riskPercent")?.Number ?? DecisionRule.DefaultRiskPercent)
+            : DecisionRule.Simple;
+        var tolerance = new ProfileTolerance(item.Number, rule, measuring.BestFit);
+        var (u, limit, found) = (measuring.UncertaintyMm, compensation.LimitMm, item.Text + " mm");
+        if (tolerance.Limits.UpperMm > limit)
+        {
+            Refuse(
+                item,
+                "limit-implausible",
+                found,
+                $"at most {Mm(2 * limit)}, twice compensation.limitMm, beyond which the job stops. um? {item.Text} um are "
+                    + $"{Mm(item.Number / 1000)}");
+        }
+        else if (2 * u > tolerance.WidthMm)
+        {
+            Refuse(
+                item,
+                "gauge-too-coarse",
+                found,
+                $"at least {Mm(2 * u)}, the uncertainty of a measured point (k = 2): a coarser gauge cannot tell a good surface from a "
+                    + "bad one");
+        }
+        else if (rule.AcceptanceLimits(tolerance.Limits, u) is null)
+        {
+            Refuse(
+                item,
+                "guard-bands-overlap",
+                found,
+                $"at least {Mm(Math.Ceiling(2e6 * rule.GuardMm(u)) / 1e6)}, or the guard bands of \"decision\" leave no error to accept");
+        }
+
+        return tolerance;
+    }
+
+    private static string Mm(double value) => value.ToString("0.######", CultureInfo.InvariantCulture) + " mm";
 
     private static int? Count(JsonItem item, string key) => (int?)item.Find(key)?.Number;
 

@@ -23,6 +23,9 @@ public sealed record CompensationReport(
     /// <summary>What everybody must know first: a missing tool call, then the warnings of the compensation.</summary>
     public IReadOnlyList<string> Warnings => CallsTool ? Result.Warnings : [FinishingProgram.NoToolCall, .. Result.Warnings];
 
+    /// <summary>The verdict by the job's profile tolerance, calculated at each call; null if the job states none.</summary>
+    public SurfaceVerdict? Verdict => Result.Verdict();
+
     /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 }

@@ -33,8 +33,15 @@ public static class CompensationReportHtml
                     "inputs",
                     "Files",
                     html => ReportInputs.Write(
-                        html, report.Job, report.Inputs, "surface compensate", ("--measured", "measured"), ("--cut-by", "cut-by"), ("--previous", "previous"))),
-            ]);
+                        html,
+                        report.Job,
+                        report.Inputs,
+                        "surface compensate",
+                        ("--measured", "measured"),
+                        ("--cut-by", "cut-by"),
+                        ("--previous", "previous"))),
+            ],
+            html => ProfileLead.Write(html, report.Result, report.Verdict, report.CallsTool));
     }
 
     private static void WriteSummary(HtmlText html, CompensationReport report)
@@ -63,7 +70,7 @@ public static class CompensationReportHtml
 
         ReportFacts.WriteWarnings(html, report.Warnings);
         ReportFacts.WriteNotes(html, result.Notes);
-        ReportFacts.Write(html,
+        List<(string Name, string Value)> facts = [
             ("Measured piece", report.CutBy.Sentence),
             (
                 "Errors",
@@ -80,9 +87,14 @@ public static class CompensationReportHtml
                     $", gain {result.Input.Job.Compensation.Gain:0.###}, at most {result.Input.Job.Compensation.LimitMm:0.###} mm.")),
             (
                 "Calculated in",
-                report.CalculatingS is { } s
-                    ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s (the paper's CAD system: about 30 s).")
-                    : "Not timed."));
+                report.CalculatingS is { } s ? string.Create(CultureInfo.InvariantCulture, $"{s:0.00} s.") : "Not timed."),
+        ];
+        if (result.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var u })
+        {
+            facts.Insert(0, ("Tolerance", ProfileWords.Of(tolerance, u, "µm")));
+        }
+
+        ReportFacts.Write(html, facts.ToArray());
     }
 
     private static void WritePredictions(HtmlText html, CompensationResult result)

@@ -20,6 +20,9 @@ public sealed record DisplacementReport(
     /// <summary>File name of the program: that of the original program.</summary>
     public string Name => Path.GetFileName(ProgramFile);
 
+    /// <summary>The verdict by the job's profile tolerance, calculated at each call; null if the job states none.</summary>
+    public SurfaceVerdict? Verdict => Compensation.Verdict();
+
     /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 

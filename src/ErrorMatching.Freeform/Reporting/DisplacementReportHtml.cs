@@ -29,7 +29,8 @@ public static class DisplacementReportHtml
                     ("--cut-by", "cut-by"),
                     ("--previous", "previous"),
                     ("--program", "program"))),
-        ]);
+        ],
+        html => ProfileLead.Write(html, report.Compensation, report.Verdict, isReady: true));
 
     private static void WriteSummary(HtmlText html, DisplacementReport report)
     {

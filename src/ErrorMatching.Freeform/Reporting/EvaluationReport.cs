@@ -20,6 +20,12 @@ public sealed record EvaluationReport(
     SurfaceEvaluation? ToolRadius = null,
     SurfaceEvaluation? ToolRadiusBefore = null)
 {
+    /// <summary>The tolerance that the pieces are judged by; null if the job states none.</summary>
+    public ProfileTolerance? Tolerance { get; init; }
+
+    /// <summary>True if all measured pieces are in tolerance; null if the job states none.</summary>
+    public bool? IsInTolerance => Tolerance is null ? null : Measured.Pieces.All(p => p.Judgement!.IsWithin);
+
     /// <summary>Reduction of standard deviation and profile; null if there is nothing to compare.</summary>
     public SurfaceImprovement? Improvement => SurfaceImprovement.Of(Before, Measured);
 

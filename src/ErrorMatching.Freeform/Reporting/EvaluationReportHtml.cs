@@ -30,7 +30,8 @@ public static class EvaluationReportHtml
                         ("--before", "before"),
                         ("--tool-radius", "toolRadius"),
                         ("--tool-radius-before", "toolRadiusBefore"))),
-            ]);
+            ],
+            html => ProfileLead.Write(html, report));
     }
 
     private static void WriteSummary(HtmlText html, EvaluationReport report)
@@ -62,7 +63,7 @@ public static class EvaluationReportHtml
 
         ReportFacts.WriteWarnings(html, [.. report.Pieces.SelectMany(p => p.Warnings)]);
         ReportFacts.WriteNotes(html, [.. report.Pieces.Select(p => p.StageNote).OfType<string>()]);
-        ReportFacts.Write(html,
+        List<(string Name, string Value)> facts = [
             (
                 "Errors",
                 "Signed distances along the normal of the nominal surface, positive where material is left, less the stock of the stage."),
@@ -70,7 +71,15 @@ public static class EvaluationReportHtml
             ("Alignment", Alignment(report)),
             (
                 "Profile",
-                "By ISO 1101 with a zone about the nominal surface: twice the largest absolute error. Standard deviations use n − 1."));
+                "By ISO 1101 with a zone about the nominal surface: twice the largest absolute error. Standard deviations use n − 1."),
+        ];
+        if (report.Tolerance is { } tolerance)
+        {
+            facts.Insert(
+                0, ("Tolerance", ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm, "µm")));
+        }
+
+        ReportFacts.Write(html, facts.ToArray());
     }
 
     private static string Improvement(EvaluationReport report)

@@ -13,6 +13,11 @@ public static class EvaluationReportJson
         {
             json.Job("freeform", report.Job);
             json.Inputs(report.Inputs);
+            if (report.Tolerance is { } tolerance)
+            {
+                json.Object("verdict", () => Verdict(json, report, tolerance));
+            }
+
             Evaluation(json, report.Measured);
             json.Optional("before", report.Before, b => Evaluation(json, b));
             Improvement(json, report.Improvement);
@@ -60,6 +65,16 @@ public static class EvaluationReportJson
         ? new(transform.Vector3("translateMm"), transform.Vector3("rotateDegrees"), transform.Point3("centerMm"))
         : null;
 
+    private static void Verdict(ReportWriter json, EvaluationReport report, ProfileTolerance tolerance)
+    {
+        json.Text("code", ProfileWords.Of(report.Measured.Pieces.Max(p => p.Judgement!.Code)));
+        json.Flag("inTolerance", report.IsInTolerance == true);
+        SurfaceVerdict.Write(json, tolerance);
+        json.Count("pieces", report.Measured.Pieces.Count);
+        json.Count("piecesWithin", report.Measured.Pieces.Count(p => p.Judgement!.IsWithin));
+        json.Text("sentence", ProfileLead.Of(report, "um"));
+    }
+
     private static void Improvement(ReportWriter json, SurfaceImprovement? improvement) => json.Optional("improvement", improvement, i =>
     {
         json.Number("standardDeviationPercent", i.StandardDeviationPercent);
@@ -77,6 +92,11 @@ public static class EvaluationReportJson
             json.Texts("warnings", p.Warnings);
             Alignment(json, p.Alignment);
             Statistics(json, p.Statistics);
+            if (p.Judgement is { } judgement)
+            {
+                json.Object("verdict", () => judgement.Write(json));
+            }
+
             json.List("points", p.Samples, s =>
             {
                 json.Count("point", s.Point);

@@ -8,6 +8,9 @@ namespace ErrorMatching.Freeform;
 /// that both documents share. Lengths in millimeters; in the document, in micrometers if the key says so.</summary>
 public sealed record SurfaceFindings
 {
+    /// <summary>The verdict by the job's profile tolerance; null if the job states none, and in older reports.</summary>
+    public required SurfaceVerdict? Verdict { get; init; }
+
     /// <summary>The program that cut the measured piece; not stated in older reports.</summary>
     public required MeasuredPieceProgram CutBy { get; init; }
 
@@ -81,9 +84,10 @@ public sealed record SurfaceFindings
     public static SurfaceFindings Of(CompensationResult result, MeasuredPieceProgram cutBy)
     {
         ArgumentNullException.ThrowIfNull(result);
-        var job = result.Input.Job;
+        var (job, map) = (result.Input.Job, ErrorMap.Of(result));
         return new()
         {
+            Verdict = result.Verdict(map),
             CutBy = cutBy,
             Alignment = result.Alignment,
             Stage = job.Measuring.After,
@@ -107,7 +111,7 @@ public sealed record SurfaceFindings
             ToolRadius = result.ToolRadius,
             Samples = result.Samples,
             Compensated = [.. result.Expected.Select(result.PointOf)],
-            Map = ErrorMap.Of(result),
+            Map = map,
             Pieces = result.Pieces,
             Lot = result.Lot,
         };
@@ -117,6 +121,11 @@ public sealed record SurfaceFindings
     public void Write(ReportWriter json)
     {
         ArgumentNullException.ThrowIfNull(json);
+        if (Verdict is { } verdict)
+        {
+            json.Object("verdict", () => verdict.Write(json));
+        }
+
         json.Object("cutBy", () =>
         {
             json.Text("known", CutBy.File is null ? "assumed" : "named");
@@ -173,6 +182,7 @@ public sealed record SurfaceFindings
         return new()
         {
             CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")) { Previous = cutBy?.OptionalText("previous") },
+            Verdict = json.OptionalObject("verdict") is { } verdict ? SurfaceVerdict.Read(verdict) : null,
             Alignment = EvaluationReportJson.ReadAlignment(json),
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
             Before = EvaluationReportJson.ReadStatistics(json.Object("before")),

@@ -25,6 +25,19 @@ public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Pl
                         At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
     }
 
+    /// <summary>Indices of the places whose neighboring cells all belong to the piece, ascending.</summary>
+    public IEnumerable<int> Inside()
+    {
+        var outside = Outside.ToHashSet();
+        return Enumerable.Range(0, CountU * CountV).Where(p => Around(p / CountV, p % CountV).All(c => !outside.Contains(c)));
+
+        IEnumerable<int> Around(int i, int j) =>
+            from a in new[] { i - 1, i }
+            from b in new[] { j - 1, j }
+            where a >= 0 && b >= 0 && a < CountU - 1 && b < CountV - 1
+            select (a * (CountV - 1)) + b;
+    }
+
     /// <summary>The parameters of the net's places, in order.</summary>
     internal static IEnumerable<(double U, double V)> Parameters(PartSurface surface) =>
         from i in Enumerable.Range(0, CellsU + 1)

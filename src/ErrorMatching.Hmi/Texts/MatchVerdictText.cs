@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
@@ -6,9 +7,6 @@ namespace ErrorMatching.Hmi;
 /// <summary>The verdict on a pair in the display language: the numbers, and in English the words, of the report and the console.</summary>
 internal static class MatchVerdictText
 {
-    // More labels than this would hide the number of points in a sentence; the tables mark all of them.
-    private const int MostNamed = 6;
-
     /// <summary>How many points will be within their limits, the worst error left, and whether to cut.</summary>
     /// <param name="verdict">The verdict.</param>
     /// <param name="isToBeCut">False if cutting is no longer a question: then it is not answered.</param>
@@ -27,10 +25,10 @@ internal static class MatchVerdictText
             VerdictCode.NoLimits => (
                 verdict.Worst is { } worst ? texts.With("Pair.NoLimits", Size(worst)) : texts["Pair.NoPoints"], "Pair.Cut"),
             VerdictCode.NotAccepted => (
-                texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), Names(verdict.NotAccepted)),
+                texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), VerdictParts.Names(verdict.NotAccepted)),
                 "Pair.AcceptRisk"),
             VerdictCode.OutsideBetween => (
-                texts.With("Pair.OutsideBetween", Within(verdict), Names(verdict.OutsideBetween)), "Pair.AcceptThere"),
+                texts.With("Pair.OutsideBetween", Within(verdict), VerdictParts.Names(verdict.OutsideBetween)), "Pair.AcceptThere"),
             _ => (Outside(verdict), "Pair.AcceptThere"),
         };
         return Sentence.Joined(result, verdict.IsCompensated ? "" : texts["Pair.Unchanged"], isToBeCut ? texts[act] : "");
@@ -57,8 +55,8 @@ internal static class MatchVerdictText
         ArgumentNullException.ThrowIfNull(report);
         return report.ProbabilityAfter is not { } after ? null
             : report is { IsUnchanged: false, ProbabilityBefore: { } before }
-            ? Texts.Current.With("Pair.RiskBefore", Percent(1 - after), Percent(1 - before))
-            : Texts.Current.With("Pair.Risk", Percent(1 - after));
+            ? Texts.Current.With("Pair.RiskBefore", VerdictParts.Percent(1 - after), VerdictParts.Percent(1 - before))
+            : Texts.Current.With("Pair.Risk", VerdictParts.Percent(1 - after));
     }
 
     /// <summary>Severity of a verdict. Without limits nobody but the user can judge.</summary>
@@ -91,8 +89,8 @@ internal static class MatchVerdictText
         return Sentence.Joined(
             texts.Counted(
                 "Pair.Outside", verdict.Outside.Count, Shown.Count(verdict.Outside.Count), Shown.Count(verdict.Points),
-                Limits(verdict, verdict.Outside.Count), Names(verdict.Outside), furthest),
-            verdict.OutsideBetween.Count > 0 ? texts.With("Pair.SoBetween", Names(verdict.OutsideBetween)) : "");
+                Limits(verdict, verdict.Outside.Count), VerdictParts.Names(verdict.Outside), furthest),
+            verdict.OutsideBetween.Count > 0 ? texts.With("Pair.SoBetween", VerdictParts.Names(verdict.OutsideBetween)) : "");
     }
 
     private static string Limits(MatchVerdict verdict, int points) => verdict.Limits is { } limits
@@ -111,18 +109,4 @@ internal static class MatchVerdictText
     private static string Size(ErrorLeft error) => Shown.MmAsKnown(error.MatingErrorMm, error.Interval95Mm);
 
     private static string Signed(ErrorLeft error) => Shown.SignedMm(error.MatingErrorMm, error.Interval95Mm);
-
-    private static string Percent(double probability) => (probability * 100) switch
-    {
-        < 0.1 => Texts.Current["Pair.LeastPercent"],
-        > 99.9 => Texts.Current["Pair.MostPercent"],
-        var percent => Shown.FinePercent(percent),
-    };
-
-    private static string Names(IReadOnlyList<string> names) => names.Count switch
-    {
-        1 => names[0],
-        <= MostNamed => Texts.Current.With("Pair.And", Texts.Current.Listed(names.SkipLast(1)), names[^1]),
-        _ => Texts.Current.With("Pair.More", Texts.Current.Listed(names.Take(MostNamed)), Shown.Count(names.Count - MostNamed)),
-    };
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Tells deviations from the noise of the gauge, with one threshold for all points of a job.</summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 

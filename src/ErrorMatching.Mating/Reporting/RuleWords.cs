@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -24,8 +23,8 @@ public static class RuleWords
             : "Decision rule simple: points are accepted up to their limits.";
         if (report.ProbabilityBefore is { } probability)
         {
-            yield return $"Probability that every point is within its limits without compensation: {Percent(probability)}"
-                + (report is { ProbabilityAfter: { } after, IsUnchanged: false } ? $", with it: {Percent(after)}" : "")
+            yield return $"Probability that every point is within its limits without compensation: {ReportNumber.Probability(probability)}"
+                + (report is { ProbabilityAfter: { } after, IsUnchanged: false } ? $", with it: {ReportNumber.Probability(after)}" : "")
                 + ", if the errors of the points are independent.";
         }
 
@@ -38,13 +37,5 @@ public static class RuleWords
     }
 
     /// <summary>The probability that a point of a feature is outside its limits without compensation; null if it is not known.</summary>
-    internal static string? Risk(ReportFeature feature) => feature.ProbabilityBefore is { } probability ? Percent(1 - probability) : null;
-
-    /// <summary>A probability in percent.</summary>
-    internal static string Percent(double probability) => (probability * 100) switch
-    {
-        < 0.1 => "less than 0.1 %",
-        > 99.9 => "more than 99.9 %",
-        var percent => percent.ToString("0.0", CultureInfo.InvariantCulture) + " %",
-    };
+    internal static string? Risk(ReportFeature feature) => feature.ProbabilityBefore is { } probability ? ReportNumber.Probability(1 - probability) : null;
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -6,9 +7,6 @@ namespace ErrorMatching.Mating;
 /// <summary>Report texts of the verdict on a pair.</summary>
 public static class VerdictWords
 {
-    // More labels than this would hide the number of points in a sentence; the tables mark all of them.
-    private const int MostNamed = 6;
-
     /// <summary>The verdict in words: how many points will be within their limits, the worst error left, and whether to cut.</summary>
     public static string Of(MatchVerdict verdict)
     {
@@ -24,12 +22,12 @@ public static class VerdictWords
                 $"{Within(verdict)}, but the decision rule does not accept {Points(verdict.NotAccepted)}: too near the "
                     + $"{(verdict.NotAccepted.Count == 1 ? "limit" : "limits")}.{unchanged} Do not cut it unless you accept the risk.",
             VerdictCode.OutsideBetween =>
-                $"{Within(verdict)}, but {Names(verdict.OutsideBetween)} will be outside between them.{unchanged} Do not cut it unless "
+                $"{Within(verdict)}, but {ReportNames.Of(verdict.OutsideBetween)} will be outside between them.{unchanged} Do not cut it unless "
                     + "that is acceptable there.",
             VerdictCode.Outside =>
                 $"{ReportNumber.Count(verdict.Outside.Count)} of {ReportNumber.Count(verdict.Points)} points will be outside "
                     + $"{Limits(verdict, verdict.Outside.Count)}: {Points(verdict.Outside)}{Furthest(verdict)}."
-                    + (verdict.OutsideBetween.Count > 0 ? $" So will {Names(verdict.OutsideBetween)} between the points." : "")
+                    + (verdict.OutsideBetween.Count > 0 ? $" So will {ReportNames.Of(verdict.OutsideBetween)} between the points." : "")
                     + $"{unchanged} Do not cut it unless that is acceptable there.",
             _ => "The proof of the program does not hold. Do not use it.",
         };
@@ -41,9 +39,9 @@ public static class VerdictWords
     {
         ArgumentNullException.ThrowIfNull(report);
         return report.ProbabilityAfter is not { } after ? null
-            : $"Risk that a point will be outside its limits: {RuleWords.Percent(1 - after)}"
+            : $"Risk that a point will be outside its limits: {ReportNumber.Probability(1 - after)}"
                 + (report.IsUnchanged || report.ProbabilityBefore is not { } before ? ""
-                    : $" (without compensation: {RuleWords.Percent(1 - before)})")
+                    : $" (without compensation: {ReportNumber.Probability(1 - before)})")
                 + ".";
     }
 
@@ -104,12 +102,5 @@ public static class VerdictWords
             + (interval is { } half ? " ± " + half.ToString(format, CultureInfo.InvariantCulture) : "");
     }
 
-    private static string Points(IReadOnlyList<string> labels) => (labels.Count == 1 ? "point " : "points ") + Names(labels);
-
-    private static string Names(IReadOnlyList<string> names) => names.Count switch
-    {
-        1 => names[0],
-        <= MostNamed => $"{string.Join(", ", names.SkipLast(1))} and {names[^1]}",
-        _ => $"{string.Join(", ", names.Take(MostNamed))} and {ReportNumber.Count(names.Count - MostNamed)} more",
-    };
+    private static string Points(IReadOnlyList<string> labels) => (labels.Count == 1 ? "point " : "points ") + ReportNames.Of(labels);
 }

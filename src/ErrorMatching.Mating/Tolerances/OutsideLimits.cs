@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The key points whose mating error with compensation is outside its limits, including those that only the compensation drives

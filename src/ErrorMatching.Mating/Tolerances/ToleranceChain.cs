@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The dimensions that add up to a mating dimension, each with its limits and sign (Wang 2021, section 2.4).</summary>

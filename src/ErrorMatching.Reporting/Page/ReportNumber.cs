@@ -28,6 +28,14 @@ public static class ReportNumber
     /// <summary>A signed share in percent, with one decimal.</summary>
     public static string Percent(double value) => Format(value, "+0.0;-0.0;0.0");
 
+    /// <summary>A probability in percent, with one decimal; next to 0 and 1, <c>less than</c> or <c>more than</c> a bound.</summary>
+    public static string Probability(double value) => (value * 100) switch
+    {
+        < 0.1 => "less than 0.1 %",
+        > 99.9 => "more than 99.9 %",
+        var percent => Format(percent, "0.0") + " %",
+    };
+
     /// <summary>A duration in seconds, with three decimals.</summary>
     public static string Seconds(double value) => Format(value, "0.000");
 

@@ -15,7 +15,7 @@ public sealed partial class FolderTests
     private static readonly Dictionary<string, string[]> Orders = new(StringComparer.Ordinal)
     {
         ["Json"] = ["Document", "Schema"],
-        ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments"],
+        ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots"],
         ["Nc"] =
@@ -30,7 +30,7 @@ public sealed partial class FolderTests
         ["Freeform"] =
         [
             "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
-            "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
+            "Judging", "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
         ],
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
         ["Cell"] =

@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -46,6 +47,49 @@ public sealed class FreeformJobTests
         Assert.Equal(new JobFit(FitMethod.ThroughCurveMesh, false, 0.001), job.Fit);
         Assert.Equal(new JobMirror(false, 0.5, 0.2), job.Compensation);
     }
+
+    [Fact]
+    public void A_job_without_a_tolerance_judges_nothing() => Assert.Null(Parse(FreeformTemplate.Text).Profile);
+
+    [Theory]
+    [InlineData("", "", null, false)]
+    [InlineData(", \"decision\": { \"rule\": \"simple\" }", "", null, false)]
+    [InlineData(", \"decision\": { \"rule\": \"guard-band\" }", "", 5.0, false)]
+    [InlineData(", \"decision\": { \"rule\": \"guard-band\", \"riskPercent\": 1 }", "\"alignment\": \"best-fit\",", 1.0, true)]
+    public void A_profile_tolerance_has_a_zone_a_rule_and_the_alignment_of_the_measuring(
+        string decision, string alignment, double? risk, bool isAligned)
+    {
+        var profile = Parse(WithProfile("0.02" + decision, alignment)).Profile!;
+        Assert.Equal((0.02, risk, isAligned), (profile.WidthMm, profile.Rule.RiskPercent, profile.IsAligned));
+        Assert.Equal(new ToleranceBand(-0.01, 0.01), profile.Limits);
+    }
+
+    // limitMm is 0.2, u as stated; the guard bands of 5 % are 1.644854 u wide each.
+    [Theory]
+    [InlineData("0.4", "", null, "")]
+    [InlineData("0.41", "", "limit-implausible", "at most 0.4 mm, twice compensation.limitMm")]
+    [InlineData("20", "", "limit-implausible", "um? 20 um are 0.02 mm")]
+    [InlineData("0.02", "\"uncertaintyMm\": 0.01,", null, "")]
+    [InlineData("0.02", "\"uncertaintyMm\": 0.010001,", "gauge-too-coarse", "at least 0.020002 mm")]
+    [InlineData("0.0329, \"decision\": { \"rule\": \"guard-band\" }", "\"uncertaintyMm\": 0.01,", null, "")]
+    [InlineData(
+        "0.0328, \"decision\": { \"rule\": \"guard-band\" }", "\"uncertaintyMm\": 0.01,", "guard-bands-overlap", "at least 0.032898 mm")]
+    public void A_profile_tolerance_that_judges_nothing_is_refused(string tolerance, string measuring, string? code, string expected)
+    {
+        if (code is null)
+        {
+            Assert.NotNull(Parse(WithProfile(tolerance, measuring)).Profile);
+            return;
+        }
+
+        var problem = Assert.Single(Assert.Throws<InputException>(() => Parse(WithProfile(tolerance, measuring))).Refusals);
+        Assert.Equal((code, "$.profileToleranceMm"), (problem.Code, problem.Place.Path));
+        Assert.Contains(expected, problem.Expected, StringComparison.Ordinal);
+    }
+
+    private static string WithProfile(string tolerance, string measuring) => FreeformTemplate.Text
+        .Replace("\"fit\":", $"\"profileToleranceMm\": {tolerance}, \"fit\":", StringComparison.Ordinal)
+        .Replace("\"approachMm\": 2", measuring + "\"approachMm\": 2", StringComparison.Ordinal);
 
     // Speeds, feeds and lengths that no machine has: written, they would round to 0 or be words of hundreds of digits.
     [Theory]

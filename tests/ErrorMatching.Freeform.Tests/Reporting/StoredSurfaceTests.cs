@@ -108,6 +108,7 @@ public sealed class StoredSurfaceTests
         return new()
         {
             CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd") { Previous = r.Next(2) == 0 ? null : "before/report.json" },
+            Verdict = r.Next(2) == 0 ? null : Verdict(r),
             Alignment = r.Next(2) == 0 ? null : new(new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r))),
             Stage = r.Next(2) == 0 ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             Before = Statistics(r),
@@ -139,6 +140,23 @@ public sealed class StoredSurfaceTests
     private static SurfacePiece Piece(Random r) => new("ee", Mm(r), new([Mm(r), Mm(r), Mm(r)], [Mm(r), Mm(r), Mm(r)]));
 
     private static LotFinding Found(Random r) => new(Mm(r), Mm(r), r.NextDouble(), r.NextDouble());
+
+    private static SurfaceVerdict Verdict(Random r) => new(
+        new(0.02, r.Next(2) == 0 ? DecisionRule.Simple : DecisionRule.GuardBand(5), r.Next(2) == 0), Judgement(r, null), Judgement(r, Mm(r)));
+
+    private static ProfileJudgement Judgement(Random r, double? anywhereMm) => new()
+    {
+        Code = (ProfileCode)r.Next(4),
+        ProfileMm = Math.Abs(Mm(r)),
+        Points = r.Next(1, 99),
+        Outside = [.. Enumerable.Range(1, r.Next(1, 9))],
+        NotAccepted = [.. Enumerable.Range(1, r.Next(1, 9))],
+        WorstPoint = r.Next(99),
+        WorstMm = Mm(r),
+        WorstAnywhereMm = anywhereMm,
+        UncertaintyMm = Math.Abs(Mm(r)),
+        Probability = r.NextDouble(),
+    };
 
     private static SurfacePrediction Prediction(Random r, string method) =>
         new(method, [Mm(r), Mm(r), Mm(r)], Statistics(r), Mm(r), Mm(r));

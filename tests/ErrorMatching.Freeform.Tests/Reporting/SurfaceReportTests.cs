@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json;
 using System.Xml.Linq;
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 using ErrorMatching.Testing;
@@ -64,7 +65,7 @@ public sealed class SurfaceReportTests
         Assert.All(mirror, m => Assert.Equal(0, m, 6));
         Assert.Empty(Values("outside"));
 
-        static double Along(Geometry.KnotVector knots, int i, int count) => knots.Start + ((knots.End - knots.Start) * i / (count - 1));
+        static double Along(KnotVector knots, int i, int count) => knots.Start + ((knots.End - knots.Start) * i / (count - 1));
     }
 
     [Fact]
@@ -172,7 +173,95 @@ public sealed class SurfaceReportTests
         Assert.InRange(json.RootElement.GetProperty("improvement").GetProperty("standardDeviationPercent").GetDouble(), 80, 100);
         var page = Page(EvaluationReportHtml.Write(report));
         Assert.Equal(3, page.Descendants("svg").Count());
-        Assert.Contains("better than before", page.Descendants("strong").First().Value, StringComparison.Ordinal);
+        Assert.Contains("better than before", page.Descendants("section").First().Value, StringComparison.Ordinal);
+        Assert.StartsWith("Not judged", page.Descendants("strong").First().Value, StringComparison.Ordinal);
+        Assert.False(json.RootElement.TryGetProperty("verdict", out _));
+    }
+
+    [Fact]
+    public void Without_a_tolerance_the_first_line_judges_nothing_and_the_document_is_as_before()
+    {
+        var page = Page(CompensationReportHtml.Write(Report));
+        var first = page.Descendants("header").Single().Elements().First();
+        Assert.Equal(("verdict", "verdict"), ((string)first.Attribute("id")!, (string)first.Attribute("class")!));
+        Assert.StartsWith("Not judged: the job states no profile tolerance", first.Value, StringComparison.Ordinal);
+        using var json = JsonDocument.Parse(CompensationDocument.Of(Report).Write());
+        Assert.False(json.RootElement.TryGetProperty("verdict", out _));
+        Assert.DoesNotContain(page.Descendants("dt"), d => d.Value == "Tolerance");
+    }
+
+    // The error rises from 9 to 25 um along u; mirrored, nothing of it is left but the noise of no scatter.
+    [Theory]
+    [InlineData(0.0499, "outside")]
+    [InlineData(0.0501, "within")]
+    public void The_verdict_is_the_first_line_of_the_page_and_in_the_document(double width, string before)
+    {
+        var report = Judged(Report, new(width, DecisionRule.Simple, false));
+        using var json = JsonDocument.Parse(CompensationDocument.Of(report).Write());
+        var verdict = json.RootElement.GetProperty("verdict");
+        Assert.True(verdict.GetProperty("inTolerance").GetBoolean());
+        Assert.Equal("within", verdict.GetProperty("code").GetString());
+        Assert.Equal(before, verdict.GetProperty("before").GetProperty("code").GetString());
+        Assert.Equal(50, verdict.GetProperty("before").GetProperty("profileUm").GetDouble(), 6);
+        Assert.Equal(1000 * width, verdict.GetProperty("toleranceUm").GetDouble(), 9);
+        var first = Page(CompensationReportHtml.Write(report)).Descendants("header").Single().Elements().First();
+        Assert.Equal("verdict holds", (string)first.Attribute("class")!);
+        Assert.StartsWith("✓ Expected in tolerance", first.Value, StringComparison.Ordinal);
+        Assert.Contains("Cut it.", first.Value, StringComparison.Ordinal);
+        DocumentCheck.IsReadAndWritten(CompensationDocument.Of(report).Write(), StoredSurfaceTests.Again);
+
+        // A program that stops with an alarm gets no check mark.
+        first = Page(CompensationReportHtml.Write(report with { CallsTool = false })).Descendants("header").Single().Elements().First();
+        Assert.Equal("verdict", (string)first.Attribute("class")!);
+        Assert.DoesNotContain("Cut it.", first.Value, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_compensation_by_the_mean_that_leaves_too_much_is_not_to_be_cut()
+    {
+        // 16 um of tilt are left by the mean: 8 um to either side, where 7.5 are allowed.
+        var report = Judged(Report, new(0.015, DecisionRule.Simple, false), isMirror: false);
+        var verdict = report.Verdict!;
+        Assert.Equal((ProfileCode.Outside, ProfileCode.Outside), (verdict.Before.Code, verdict.Predicted.Code));
+        Assert.Equal(8, 1000 * Math.Abs(verdict.Predicted.WorstMm), 1);
+        var first = Page(CompensationReportHtml.Write(report)).Descendants("header").Single().Elements().First();
+        Assert.Equal("verdict fails", (string)first.Attribute("class")!);
+        Assert.StartsWith("✗ Expected out of tolerance", first.Value, StringComparison.Ordinal);
+    }
+
+    // Errors of 15 to 35 um before; 1 um either way now, at the corners.
+    [Theory]
+    [InlineData(0.00199, false, "outside", "✗ Out of tolerance")]
+    [InlineData(0.00201, true, "within", "✓ In tolerance")]
+    public void Evaluated_pieces_are_judged_before_and_after(double width, bool isWithin, string code, string start)
+    {
+        var tolerance = new ProfileTolerance(width, DecisionRule.Simple, false);
+        var job = Piece.Job with { Profile = tolerance };
+        var report = new EvaluationReport(
+            Report.Job,
+            [],
+            Piece.Surface,
+            SurfaceEvaluation.Of(job, Piece.Surface, [Piece.Over(0, (u, v) => 0.001 * (u - v))]),
+            SurfaceEvaluation.Of(job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u))]))
+        {
+            Tolerance = tolerance,
+        };
+        Assert.Equal(isWithin, report.IsInTolerance);
+        using var json = JsonDocument.Parse(EvaluationReportJson.Write(report));
+        var (verdict, root) = (json.RootElement.GetProperty("verdict"), json.RootElement);
+        Assert.Equal(
+            (code, isWithin, 1, isWithin ? 1 : 0),
+            (
+                verdict.GetProperty("code").GetString(),
+                verdict.GetProperty("inTolerance").GetBoolean(),
+                verdict.GetProperty("pieces").GetInt32(),
+                verdict.GetProperty("piecesWithin").GetInt32()));
+        Assert.Equal(2, root.GetProperty("pieces")[0].GetProperty("verdict").GetProperty("profileUm").GetDouble(), 6);
+        Assert.Equal("outside", root.GetProperty("before").GetProperty("pieces")[0].GetProperty("verdict").GetProperty("code").GetString());
+        var first = Page(EvaluationReportHtml.Write(report)).Descendants("header").Single().Elements().First();
+        Assert.Equal(isWithin ? "verdict holds" : "verdict fails", (string)first.Attribute("class")!);
+        Assert.StartsWith(start, first.Value, StringComparison.Ordinal);
+        Assert.Contains("Before: out of tolerance, profile 70.00 µm.", first.Value, StringComparison.Ordinal);
     }
 
     // By the paper: what tool-radius modification leaves of the spread is what there was.
@@ -213,6 +302,13 @@ public sealed class SurfaceReportTests
             Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
         Assert.Empty(evaluation.Pieces[0].Warnings);
         Assert.Contains("after finishing and", Assert.Single(evaluation.Pieces[1].Warnings), StringComparison.Ordinal);
+    }
+
+    private static CompensationReport Judged(CompensationReport report, ProfileTolerance tolerance, bool isMirror = true)
+    {
+        var input = report.Result.Input;
+        var job = input.Job with { Profile = tolerance, Compensation = input.Job.Compensation with { Mirror = isMirror } };
+        return report with { Result = report.Result with { Input = input with { Job = job } } };
     }
 
     private static string[] Colors => [.. Enumerable.Range(0, DivergingColors.Count).Select(DivergingColors.Hex)];

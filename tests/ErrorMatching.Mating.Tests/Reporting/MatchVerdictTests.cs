@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.Json.Nodes;
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating.Tests;

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>The verdict in words. The limits of the mating error are -0.05 and 0.02, or ±0.05 where a test says so.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating.Tests;
 
 public sealed class ChainTests

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating.Tests;
 
 /// <summary>Which points a compensation leaves outside of their limits, and which it drives out itself.</summary>

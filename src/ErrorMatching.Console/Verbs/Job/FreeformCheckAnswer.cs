@@ -25,6 +25,11 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
         json.WriteNumber("gain", job.Compensation.Gain);
         json.WriteString("fit", job.Fit.Method.Name);
         json.WriteString("of", job.Fit.OfError ? "error" : "points");
+        if (job.Profile is { } profile)
+        {
+            json.WriteNumber("profileToleranceMm", profile.WidthMm);
+        }
+
         json.WriteEndObject();
         new NamedFiles(Files).WriteJson(json);
     }
@@ -46,6 +51,9 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
                 "compensation",
                 $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {job.Fit.Method.Name} fit of "
                     + $"the {(job.Fit.OfError ? "error" : "points")}"],
+            .. job.Profile is { } profile
+                ? new[] { new[] { "tolerance", ProfileWords.Of(profile, job.Measuring.UncertaintyMm, "um") } }
+                : [],
         ]);
         page.Line();
         new NamedFiles(Files).WriteText(page);

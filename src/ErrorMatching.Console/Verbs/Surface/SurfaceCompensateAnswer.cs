@@ -34,15 +34,16 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
     public override void WriteText(Page page)
     {
         var (report, result, certificate) = (finished.Report, finished.Report.Result, finished.Report.ToolPath.Certificate);
+        page.Heading(ProfileLead.Of(result, report.Verdict, "um", report.CallsTool));
         if (!report.CallsTool)
         {
             page.Heading($"{report.Job.Name}: {In(FinishedSurface.Name)} has no tool call and stops with an alarm");
             page.Line();
             page.Line("Warning: " + FinishingProgram.NoToolCall);
-            page.Line();
         }
 
-        page.Heading(
+        page.Line();
+        page.Line(
             $"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation "
                 + $"{Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
         page.Line();
@@ -59,6 +60,11 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             $"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, "
                 + $"{Um(result.Predicted.PointUncertaintyMm)} um of a point.");
         page.Line("Measured piece: " + report.CutBy.Sentence);
+        if (result.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var uncertainty })
+        {
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty, "um"));
+        }
+
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
         page.Line();
         page.Line(string.Create(

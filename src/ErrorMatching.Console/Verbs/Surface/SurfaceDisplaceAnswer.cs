@@ -13,7 +13,9 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
     {
         var report = surface.Report;
         var (displaced, compensation) = (report.Displaced, report.Compensation);
-        page.Heading(string.Create(
+        page.Heading(ProfileLead.Of(compensation, report.Verdict, "um"));
+        page.Line();
+        page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"{report.Job.Name}: {displaced.OnSurface} points of {report.ProgramFile} follow the compensation, by at most "
                 + $"{displaced.LargestMoveMm * 1000:0.00} um; {displaced.Followed} near by go along"));
@@ -27,6 +29,11 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
                 + $"{displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the "
                 + $"original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
         page.Line("Measured piece: " + report.CutBy.Sentence);
+        if (compensation.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var uncertainty })
+        {
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty, "um"));
+        }
+
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
         {

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -28,6 +29,11 @@ internal sealed class SurfaceEvaluate : Verb
         HelpName = "FILE",
         AllowMultipleArgumentsPerToken = true
     };
+    private readonly Option<bool> _require = new("--require-in-tolerance")
+    {
+        Description = "Exit with 2 unless all measured pieces are in the job's profileToleranceMm. What --out asks for is written all "
+            + "the same: it says why.",
+    };
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
 
@@ -50,12 +56,23 @@ internal sealed class SurfaceEvaluate : Verb
                 result.AddError("--tool-radius-before goes with --tool-radius: there is nothing to compare it with.");
             }
         });
+        Options.Add(_require);
         Options.Add(_out);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
+        var isRequired = arguments.GetValue(_require);
+        if (isRequired && files.Job.Profile is null)
+        {
+            return new Failure(ExitCode.WrongInput, new Refusal(
+                "tolerance-missing",
+                $"{files.Job.File} states no \"profileToleranceMm\", which --require-in-tolerance compares with. Enter the width of the "
+                    + "zone, ISO 1101, in mm.",
+                new() { File = files.Job.File, Path = "$" }));
+        }
+
         var surface = files.Surface();
         var plan = files.Plan(surface);
         // The points were measured, so they were reachable: only a plan without points stops here, not one that this stylus does not reach.
@@ -76,9 +93,12 @@ internal sealed class SurfaceEvaluate : Verb
             SurfaceEvaluation.Of(files.Job, surface, measured),
             Of(before),
             Of(radius),
-            Of(radiusBefore));
+            Of(radiusBefore))
+        {
+            Tolerance = files.Job.Profile,
+        };
         var folder = arguments.GetValue(_out);
-        var answer = new SurfaceEvaluateAnswer(report, folder);
+        var answer = new SurfaceEvaluateAnswer(report, folder, isRequired);
         if (folder is not null)
         {
             OutputFile.WriteAll(answer.Files, files.Read, cancellation);

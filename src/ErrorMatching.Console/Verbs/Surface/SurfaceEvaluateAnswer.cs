@@ -1,16 +1,44 @@
 using System.Globalization;
+using System.Text.Json;
 using ErrorMatching.Freeform;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
 /// <summary>The evaluated errors of measured surfaces.</summary>
 /// <param name="report">The report.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
-internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? folder) : Answer
+/// <param name="isRequired">True if pieces that are not in tolerance must not be used.</param>
+internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? folder, bool isRequired) : Answer
 {
     private readonly byte[] _json = EvaluationReportJson.Write(report);
 
-    public override byte[] ToJson() => _json;
+    public override Failure? Failure => isRequired && report.IsInTolerance == false
+        ? new(ExitCode.Refused, [
+            .. report.Measured.Pieces.Where(p => !p.Judgement!.IsWithin).Select(p => new Refusal(
+                "out-of-tolerance",
+                $"{p.File}: {ProfileWords.Of(report.Tolerance!, [(p.File, p.Judgement!)], "um")}",
+                new() { File = p.File }))])
+        : null;
+
+    public override byte[] ToJson()
+    {
+        if (Failure is not { } failure)
+        {
+            return _json;
+        }
+
+        using var document = JsonDocument.Parse(_json);
+        var root = document.RootElement;
+        return OutcomeWriter.Json(root.GetProperty("schema").GetString()!, json =>
+        {
+            OutcomeWriter.WriteErrors(json, failure);
+            foreach (var member in root.EnumerateObject().Skip(1))
+            {
+                member.WriteTo(json);
+            }
+        });
+    }
 
     /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
@@ -18,7 +46,9 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
 
     public override void WriteText(Page page)
     {
-        page.Heading(report.Before is { } was
+        page.Heading(ProfileLead.Of(report, "um"));
+        page.Line();
+        page.Line(report.Before is { } was
             ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, "
                 + $"{Um(report.Measured.Together.StandardDeviationMm)} um now; profile {Um(was.Together.ProfileIsoMm)} um before, "
                 + $"{Um(report.Measured.Together.ProfileIsoMm)} um now"
@@ -45,6 +75,11 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
         page.Line(
             "Errors along the normal, positive where material is left, less the stock of the stage. Profile by ISO 1101: twice the "
                 + "largest absolute error. Standard deviations use n - 1.");
+
+        if (report.Tolerance is { } tolerance)
+        {
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm, "um"));
+        }
 
         // If one piece has no alignment, none has.
         if (report.Measured.Pieces[0].Alignment is null)

@@ -29,7 +29,7 @@ internal sealed class CorrectionDetail
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
         }
 
-        Surface = kept.Surface is { } surface ? new(surface) : null;
+        Surface = kept.Surface is { } surface ? new(surface, kept.IsToBeCut) : null;
     }
 
     public StoredCorrection Stored { get; }
@@ -79,17 +79,17 @@ internal sealed class CorrectionDetail
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Stored.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Stored.Correction.LargestMm));
 
-    /// <summary>The verdict on the pair: what a user decides by; null without a prediction. Whether to cut is answered until the piece is
-    /// cut or given up.</summary>
-    public string? Verdict => _verdict is null ? null : MatchVerdictText.Of(
-        _verdict,
-        Stored.Correction.State is CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading
-            or CorrectionState.Verified);
+    /// <summary>The verdict on the pair or the surface: what a user decides by; null without a prediction, and for a surface without a
+    /// tolerance. Whether to cut is answered until the piece is cut or given up.</summary>
+    public string? Verdict => _verdict is not null ? MatchVerdictText.Of(_verdict, Stored.IsToBeCut)
+        : Surface is { IsJudged: true } surface ? surface.Verdict
+        : null;
 
-    public Severity VerdictSeverity => _verdict is null ? Severity.Quiet : MatchVerdictText.SeverityOf(_verdict.Code);
+    public Severity VerdictSeverity =>
+        _verdict is null ? Surface?.VerdictSeverity ?? Severity.Quiet : MatchVerdictText.SeverityOf(_verdict.Code);
 
     /// <summary>True if every place will be within its limits.</summary>
-    public bool IsWithin => _verdict?.Code == VerdictCode.Within;
+    public bool IsWithin => _verdict is null ? Surface?.IsWithin == true : _verdict.Code == VerdictCode.Within;
 
     /// <summary>The largest errors predicted to remain, the risk, and the points that compensation drives out of their limits; null without
     /// a prediction.</summary>

@@ -12,7 +12,8 @@ internal sealed class SurfaceDetail
     public SurfaceDetail(StoredCorrection kept, TimeProvider clock)
     {
         (_kept, _clock) = (kept ?? throw new ArgumentNullException(nameof(kept)), clock);
-        Figures = new(kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)));
+        Figures = new(
+            kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)), kept.IsToBeCut);
     }
 
     /// <summary>Number and serial number or file.</summary>

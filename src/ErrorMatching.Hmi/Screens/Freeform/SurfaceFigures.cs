@@ -11,10 +11,13 @@ internal sealed class SurfaceFigures
     private readonly SurfaceFindings _findings;
 
     /// <summary>Formats the report.</summary>
-    public SurfaceFigures(StoredSurface stored)
+    /// <param name="stored">The report.</param>
+    /// <param name="isToBeCut">True if cutting is still a question.</param>
+    public SurfaceFigures(StoredSurface stored, bool isToBeCut)
     {
         _stored = stored ?? throw new ArgumentNullException(nameof(stored));
         _findings = stored.Findings;
+        Verdict = SurfaceVerdictText.Of(_findings, isToBeCut && stored.CallsTool != false);
         var map = _findings.Map;
         LimitMm = Rounded(_findings.Samples.Select(s => Math.Abs(s.ErrorMm)).Concat(map.BeforeMm.Select(Math.Abs)).DefaultIfEmpty().Max());
         Measured = Map(map.BeforeMm, [.. _findings.Samples.Select(s => s.ErrorMm)], "Freeform.AtMeasured");
@@ -34,6 +37,17 @@ internal sealed class SurfaceFigures
             Row("Freeform.ExpectedToolRadius", _findings.ToolRadius.Statistics, !_findings.IsMirror),
         ];
     }
+
+    /// <summary>The verdict by the job's profile tolerance: what a user decides by.</summary>
+    public string Verdict { get; }
+
+    /// <summary>True if the job states a tolerance.</summary>
+    public bool IsJudged => _findings.Verdict is not null;
+
+    public Severity VerdictSeverity => SurfaceVerdictText.SeverityOf(_findings.Verdict);
+
+    /// <summary>True if the surface is expected in tolerance; false if the job states none.</summary>
+    public bool IsWithin => _findings.Verdict?.Predicted.IsWithin == true;
 
     /// <summary>The absolute value of the last colors of all maps, in mm.</summary>
     public double LimitMm { get; }

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>A key point in a plot of mating errors (counterpart - part along the normal; positive overlaps, negative leaves a

@@ -40,8 +40,8 @@ internal static class MatchDecisions
 
             if (probable)
             {
-                row.Number(feature.ProbabilityBefore is { } before ? RuleWords.Percent(before) : ReportNumber.None);
-                row.Number(feature.ProbabilityAfter is { } after ? RuleWords.Percent(after) : ReportNumber.None);
+                row.Number(feature.ProbabilityBefore is { } before ? ReportNumber.Probability(before) : ReportNumber.None);
+                row.Number(feature.ProbabilityAfter is { } after ? ReportNumber.Probability(after) : ReportNumber.None);
             }
 
             using (row.Cell("prose"))

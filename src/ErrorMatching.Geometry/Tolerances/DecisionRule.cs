@@ -1,6 +1,6 @@
 using MathNet.Numerics.Distributions;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Geometry;
 
 /// <summary>How measured values are accepted near their limits (JCGM 106:2012, section 8; ISO 14253-1).</summary>
 /// <remarks>A guard band moves both limits inward by g = u z, where u is the standard uncertainty of the measured value and z the normal
@@ -8,7 +8,7 @@ namespace ErrorMatching.Mating;
 public sealed record DecisionRule
 {
     /// <summary>The risk of a guard band if the job states none: 5 %, the default of ISO 14253-1.</summary>
-    internal const double DefaultRiskPercent = 5;
+    public const double DefaultRiskPercent = 5;
 
     private DecisionRule(double? riskPercent) => RiskPercent = riskPercent;
 

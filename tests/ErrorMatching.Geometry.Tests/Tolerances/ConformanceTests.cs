@@ -1,4 +1,4 @@
-namespace ErrorMatching.Mating.Tests;
+namespace ErrorMatching.Geometry.Tests;
 
 public sealed class ConformanceTests
 {

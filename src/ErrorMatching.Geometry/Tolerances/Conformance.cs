@@ -1,6 +1,6 @@
 using MathNet.Numerics.Distributions;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Geometry;
 
 /// <summary>Probabilities of conformance: how likely a true value is within its limits, given a measured value and its standard
 /// uncertainty (JCGM 106:2012, section 7).</summary>
@@ -49,5 +49,5 @@ public static class Conformance
     }
 
     /// <summary>The probability that a standard normal value is below a number.</summary>
-    internal static double Below(double z) => Normal.CDF(0, 1, z);
+    public static double Below(double z) => Normal.CDF(0, 1, z);
 }

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace ErrorMatching.Mating;
+namespace ErrorMatching.Geometry;
 
 /// <summary>The limits of a signed deviation in millimeters; both limits are inside the band.</summary>
 public readonly record struct ToleranceBand
@@ -30,8 +30,8 @@ public readonly record struct ToleranceBand
     /// <summary>The distance between the limits; 0 asks for a correction of every deviation.</summary>
     public double WidthMm => UpperMm - LowerMm;
 
-    /// <summary>The limits of the mating error, from limits of the part: the job limits part - counterpart; a mating error is counterpart
-    /// - part.</summary>
+    /// <summary>The limits of the same deviation with the opposite sign: a mating job limits part - counterpart; a mating error is
+    /// counterpart - part.</summary>
     public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);
 
     /// <summary>True if a deviation is between the limits or on one of them.</summary>

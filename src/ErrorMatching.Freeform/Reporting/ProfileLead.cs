@@ -1,0 +1,82 @@
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>What a setter reads first on a page about a surface: the verdict by the profile tolerance.</summary>
+public static class ProfileLead
+{
+    private const string NotJudged = "Not judged: the job states no profile tolerance (profileToleranceMm).";
+
+    /// <summary>The verdict on a compensation in one line.</summary>
+    /// <param name="result">The compensation.</param>
+    /// <param name="verdict">Its verdict; null if the job states no tolerance.</param>
+    /// <param name="unit">The unit as the reader's screen has it: <c>um</c> or <c>µm</c>.</param>
+    /// <param name="isReady">True if the program can be run as it is.</param>
+    public static string Of(CompensationResult result, SurfaceVerdict? verdict, string unit, bool isReady = true)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        return verdict is not null
+            ? ProfileWords.Of(verdict, unit)
+                + (result.LargestMoveMm > 0 ? "" : " Nothing is compensated.")
+                + (verdict.Predicted.IsWithin && isReady ? " Cut it." : "")
+            : $"{NotJudged} Profile as measured {Micrometres.OfMm(result.Before.ProfileIsoMm)} {unit}, expected "
+                + $"{Micrometres.OfMm(result.Predicted.Statistics.ProfileIsoMm)} {unit}.";
+    }
+
+    /// <summary>The verdict on measured pieces in one line.</summary>
+    /// <param name="report">The report.</param>
+    /// <param name="unit">The unit as the reader's screen has it: <c>um</c> or <c>µm</c>.</param>
+    public static string Of(EvaluationReport report, string unit)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        if (report.Tolerance is not { } tolerance)
+        {
+            return report.Before is { } was
+                ? $"{NotJudged} Profile before {Micrometres.OfMm(was.Together.ProfileIsoMm)} {unit}, now "
+                    + $"{Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} {unit}."
+                : $"{NotJudged} Profile {Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} {unit}.";
+        }
+
+        var now = ProfileWords.Of(tolerance, Judged(report.Measured), unit);
+        return report.Before is { } before
+            ? $"{now} {ProfileWords.Before([.. before.Pieces.Select(p => p.Judgement!)], unit)}"
+            : now;
+    }
+
+    /// <summary>Writes the verdict on a compensation.</summary>
+    /// <param name="html">The output.</param>
+    /// <param name="result">The compensation.</param>
+    /// <param name="verdict">Its verdict; null if the job states no tolerance.</param>
+    /// <param name="isReady">True if the program can be run as it is.</param>
+    internal static void Write(HtmlText html, CompensationResult result, SurfaceVerdict? verdict, bool isReady) =>
+        Write(html, verdict?.Predicted.IsWithin, isReady, Of(result, verdict, "µm", isReady), result.Warnings.Count);
+
+    /// <summary>Writes the verdict on measured pieces.</summary>
+    internal static void Write(HtmlText html, EvaluationReport report) =>
+        Write(html, report.IsInTolerance, true, Of(report, "µm"), report.Pieces.Sum(p => p.Warnings.Count));
+
+    private static void Write(HtmlText html, bool? isWithin, bool isReady, string words, int warnings)
+    {
+        // A check mark on a program that stops with an alarm would suggest cutting.
+        var (look, mark) = isWithin switch
+        {
+            true when isReady => ("verdict holds", "✓ "),
+            false => ("verdict fails", "✗ "),
+            _ => ("verdict", ""),
+        };
+        using (html.In("p", ("id", "verdict"), ("class", look)))
+        {
+            html.Put("strong", mark + words);
+            if (warnings > 0)
+            {
+                html.Put(
+                    "a",
+                    warnings == 1 ? "Read the warning first." : $"Read the {ReportNumber.Count(warnings)} warnings first.",
+                    ("href", "#summary"));
+            }
+        }
+    }
+
+    private static (string File, ProfileJudgement Judgement)[] Judged(SurfaceEvaluation evaluation) =>
+        [.. evaluation.Pieces.Select(p => (p.File, p.Judgement!))];
+}
