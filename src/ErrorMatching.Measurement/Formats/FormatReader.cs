@@ -11,7 +11,8 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
 
     // The kinds of point arrangement. Their default columns are data, in a file of the same name.
     private static readonly MeasurementColumns[] Kinds = [
-        new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
+        new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null),
+        new GridColumns(default, default, default, default, default)];
 
     public static MeasurementFormat Embedded(string kind)
     {
@@ -28,7 +29,7 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
             MaxBytes = 0,
             MaxPoints = 0,
         });
-        return problems.Count == 0 ? format : throw new InputException(file, problems);
+        return problems.Count == 0 ? format with { Origin = FormatOrigin.Named } : throw new InputException(file, problems);
     }
 
     /// <summary>The format; null if something is wrong.</summary>
@@ -63,7 +64,7 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
                 "decimalComma" => format with { DecimalComma = value.Flag },
                 "skipLines" => format with { SkipLines = (int)value.Number },
                 "unit" => format with { Unit = value.Text == "mm" ? LengthUnit.Millimeter : LengthUnit.Inch },
-                "columns" => format with { Columns = Columns(value, format.Columns) },
+                "columns" => format with { Columns = Columns(value, format.Columns), Origin = FormatOrigin.Described },
                 "maxBytes" => format with { MaxBytes = (int)value.Number },
                 "maxPoints" => format with { MaxPoints = (int)value.Number },
                 _ => format,

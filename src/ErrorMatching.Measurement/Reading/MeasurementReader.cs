@@ -22,6 +22,7 @@ public static class MeasurementReader
     {
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
         var text = SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter);
+        format = format.Origin == FormatOrigin.Recognized ? TableRecognition.FormatOf(text, format) : format;
         var table = Table.Read(text, fileName, format.Layout);
         var (points, nominals, labels) = format.Columns.Read(table, format);
         return points.Count > 0

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -19,6 +20,12 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
             ? number
             : throw Fail(MeasurementError.NumberOutOfRange, "a number within double precision");
     }
+
+    /// <summary>Parses the cell as a whole number.</summary>
+    /// <exception cref="InputException">It is not a whole number within 32 bits.</exception>
+    public int Whole() => int.TryParse(Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number)
+        ? number
+        : throw Fail(Text.Length == 0 ? MeasurementError.EmptyCell : MeasurementError.TextForNumber, "a whole number");
 
     /// <summary>Reads the cell as a name.</summary>
     /// <exception cref="InputException">It is empty or a spreadsheet formula.</exception>

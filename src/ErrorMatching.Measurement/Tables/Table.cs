@@ -61,10 +61,10 @@ internal sealed class Table
 
     /// <summary>The index of a required column.</summary>
     /// <exception cref="InputException">The column is missing or occurs twice.</exception>
-    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, [name]) : FindAt(column.Position - 1);
+    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, column.Names) : FindAt(column.Position - 1);
 
     /// <summary>The index of an optional column, or -1.</summary>
-    public int FindOptional(ColumnSelector column) => column.Name is { } name && IndexesOf([name]).Count == 0 ? -1 : Find(column);
+    public int FindOptional(ColumnSelector column) => column.Name is not null && IndexesOf(column.Names).Count == 0 ? -1 : Find(column);
 
     /// <summary>The index of the only column that has one of several names.</summary>
     public int FindNamed(string shown, IReadOnlyList<string> names)
@@ -143,7 +143,9 @@ internal sealed class Table
                 throw row.PlaceOf(i).Fail(
                     MeasurementError.LongRow,
                     $"a line of {count} cells",
-                    $"{width} cells as in the first line: are there decimal commas or thousands separators that split a number?");
+                    $"{width} cells as in the first line: are there decimal commas or thousands separators that split a number? A file with "
+                        + "decimal commas needs semicolons or tabs between its cells, and \"decimalComma\": true in the \"format\" of "
+                        + "\"gauge\"");
             }
         }
     }

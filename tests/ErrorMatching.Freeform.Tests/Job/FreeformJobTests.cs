@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -45,6 +46,34 @@ public sealed class FreeformJobTests
         Assert.Equal((false, true, true), (job.Toolpath.AlongU, job.Toolpath.Zigzag, job.Toolpath.ProgramsTip));
         Assert.Equal(new JobFit(FitMethod.ThroughCurveMesh, false, 0.001), job.Fit);
         Assert.Equal(new JobMirror(false, 0.5, 0.2), job.Compensation);
+    }
+
+    [Fact]
+    public void The_files_of_a_gauge_are_described_as_in_mating()
+    {
+        var job = Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {",
+            """
+            "gauge": { "format": { "delimiter": ";", "decimalComma": true, "unit": "inch", "columns": { "label": "Nr" } } },
+            "measuring": {
+            """,
+            StringComparison.Ordinal));
+        var format = job.Measuring.Format;
+        Assert.Equal((';', true, LengthUnit.Inch), (format.Delimiter, format.DecimalComma, format.Unit));
+        Assert.Equal(MeasurementFormat.Recognized, Parse(FreeformTemplate.Text).Measuring.Format);
+    }
+
+    [Theory]
+    [InlineData("\"format\": \"table\"", "bad-format", "$.gauge.format")]
+    [InlineData("\"format\": { \"delimiter\": \"#\" }", "bad-format", "$.gauge.format.delimiter")]
+    [InlineData("\"format\": { \"columns\": { \"label\": true } }", "bad-format", "$.gauge.format.columns.label")]
+    [InlineData("\"formt\": \"points\"", "unknown-key", "$.gauge.formt")]
+    public void A_wrong_description_of_a_gauge_s_files_is_named_by_its_path(string gauge, string code, string path)
+    {
+        var error = Assert.Throws<InputException>(() => Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {", "\"gauge\": { " + gauge + " }, \"measuring\": {", StringComparison.Ordinal)));
+        Assert.Equal((code, path), (error.Code, error.Place.Path));
+        Assert.True(error.Place.Line > 0 && error.Place.Column > 0);
     }
 
     // Speeds, feeds and lengths that no machine has: written, they would round to 0 or be words of hundreds of digits.
