@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
@@ -14,37 +13,40 @@ namespace ErrorMatching.Freeform;
 /// exact wherever the ball touched, also on a slope.</remarks>
 public static class MeasuredSurfaceReader
 {
-    /// <summary>Maximum file size in bytes.</summary>
+    /// <summary>Maximum size of a log in bytes.</summary>
     public const int MaxBytes = 1 << 26;
 
     private const double RoundingMm = 0.005;
 
-    /// <summary>Reads the measured points of a plan.</summary>
+    /// <summary>Reads the measured points of a plan from the bytes of one file, as in the other overload.</summary>
     /// <param name="bytes">The file's bytes.</param>
     /// <param name="file">The file name, for messages.</param>
     /// <param name="plan">The measured plan.</param>
-    /// <param name="measuring">The content of the file (<see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel,
-    /// which limit the distance from the expected surface.</param>
+    /// <param name="measuring">The format and content of the file.</param>
+    /// <exception cref="InputException">The file cannot be used.</exception>
+    public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring) =>
+        Read(new MeasurementBytes(file, bytes.ToArray()), plan, measuring);
+
+    /// <summary>Reads the measured points of a plan.</summary>
+    /// <param name="source">The file.</param>
+    /// <param name="plan">The measured plan.</param>
+    /// <param name="measuring">The format and content of the file (<see cref="JobMeasuring.Format"/>,
+    /// <see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel, which limit the distance from the expected
+    /// surface.</param>
     /// <exception cref="InputException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
     /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it
     /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The file does not follow its format
     /// (a code of <see cref="MeasurementError"/>).</exception>
-    public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring)
+    public static MeasuredPoints Read(MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring)
     {
+        ArgumentNullException.ThrowIfNull(source);
         ArgumentNullException.ThrowIfNull(plan);
         ArgumentNullException.ThrowIfNull(measuring);
-        if (bytes.Length > MaxBytes)
-        {
-            throw InputException.At(
-                "file-too-large",
-                file,
-                FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
-        }
-
+        var (file, bytes) = (source.File, source.Bytes);
         string? cutBy = null;
-        var raw = IsLog(bytes, file)
-            ? Log(bytes, file, plan, out cutBy)
-            : new MeasuredPointNames(MeasurementReader.Read(bytes.ToArray(), file, measuring.Format), measuring.ReportsStylusCenter).Read();
+        var raw = IsLog(bytes.Span, file)
+            ? Log(bytes.Span, file, plan, out cutBy)
+            : new MeasuredPointNames(MeasurementReader.Read(source, measuring.Format), measuring.ReportsStylusCenter).Read();
         var found = new RawPoint?[plan.Points.Count];
         var warnings = new List<string>();
         var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
@@ -78,7 +80,7 @@ public static class MeasuredSurfaceReader
         Missing(found, file);
         var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!, plan, file), found[k]!.Line)).ToArray();
         FarOff(points, plan, measuring, found, file);
-        return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings) { CutByMeasurement = cutBy };
+        return new(file, source.Sha256, points, warnings) { CutByMeasurement = cutBy };
     }
 
     // Controls put lines of their own around a log, which begin with a percent sign or a semicolon.
@@ -102,6 +104,14 @@ public static class MeasuredSurfaceReader
 
     private static IReadOnlyList<RawPoint> Log(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, out string? cutBy)
     {
+        if (bytes.Length > MaxBytes)
+        {
+            throw InputException.At(
+                MeasurementError.FileTooLarge,
+                file,
+                FormattableString.Invariant($"found a log of {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
+        }
+
         var log = new ProbingLogReader(file, plan);
         var points = log.Read(TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n'));
         cutBy = log.CutByMeasurement;

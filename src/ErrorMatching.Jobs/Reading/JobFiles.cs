@@ -87,7 +87,8 @@ public sealed class JobFiles
             return MeasurementReader.Read(bytes, file.File, format);
         }
 
-        _read.Add(file.File);
-        return MeasurementReader.Read(file.File, format);
+        var source = MeasurementBytes.Read(file.File, MeasurementReader.LimitOf(format));
+        _read.AddRange(source.Files);
+        return MeasurementReader.Read(source, format);
     }
 }

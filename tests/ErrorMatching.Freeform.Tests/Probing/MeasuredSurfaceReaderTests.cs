@@ -151,6 +151,21 @@ public sealed class MeasuredSurfaceReaderTests
         Assert.Equal(head.Count(c => c == '\n') + 1, measured.Points[0].Line);
     }
 
+    [Theory]
+    [InlineData("measured.qif")]
+    [InlineData("measured.dfq")]
+    [InlineData("measured.dmo")]
+    [InlineData("measured_chr.txt")]
+    [InlineData("measured.txt")]
+    public void A_file_that_shows_its_format_needs_no_description(string name)
+    {
+        var bytes = Encoding.UTF8.GetBytes(GaugeFiles.Of(name, [.. Plan.Points.Select(p => ($"P{p.Number}", Plan.ContactOf(p)))]));
+        var measured = MeasuredSurfaceReader.Read(bytes, name, Plan, Plan.Measuring);
+        Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-4));
+        var random = new Random(3);
+        Assert.InRange(Enumerable.Range(0, 200).Count(_ => Survives(Damaged.Of(bytes, random))), 0, 195);
+    }
+
     [Fact]
     public void A_log_is_read_whatever_format_the_gauge_has() =>
         Assert.Equal(20, Read(Log(), Plan.Measuring with { Format = MeasurementFormat.FeatureTable }).Points.Count);

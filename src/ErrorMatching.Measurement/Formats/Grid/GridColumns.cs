@@ -47,10 +47,10 @@ internal sealed record GridColumns(ColumnSelector I, ColumnSelector J, ColumnSel
             }
 
             var position = new Point3(
-                Coordinate.Read(table.Cell(row, x), format),
-                Coordinate.Read(table.Cell(row, y), format),
-                Coordinate.Read(table.Cell(row, z), format));
-            Coordinate.ThrowIfTooMany(points.Count + 1, first, format);
+                Coordinate.Read(table.Cell(row, x), format.Unit),
+                Coordinate.Read(table.Cell(row, y), format.Unit),
+                Coordinate.Read(table.Cell(row, z), format.Unit));
+            Coordinate.ThrowIfTooMany(points.Count + 1, first, format.MaxPoints);
             points.Add(new(label, position, true, first.Place.Line));
         }
 
