@@ -95,6 +95,9 @@ public static class MeasurementError
     /// <summary>A file of a format that describes itself (QIF, AQDEF, DMIS, CALYPSO, PC-DMIS) is cut off or violates the format.</summary>
     public const string BadStructure = "bad-structure";
 
+    /// <summary>The file is something else, such as a surface, a mesh, a job or a program.</summary>
+    public const string NotAMeasurement = "not-a-measurement";
+
     /// <summary>The file contains measurements of several pieces.</summary>
     public const string SeveralMeasurements = "several-measurements";
 

@@ -13,7 +13,8 @@ public class OwnFormatTests
     [MemberData(nameof(Files))]
     public void A_file_is_read_as_what_it_shows_itself_to_be(string name)
     {
-        foreach (var format in (MeasurementFormat[])[MeasurementFormat.Points, MeasurementFormat.FeatureTable, MeasurementFormat.Recognized])
+        MeasurementFormat[] formats = [MeasurementFormat.Points, MeasurementFormat.FeatureTable, MeasurementFormat.Recognized];
+        foreach (var format in formats)
         {
             var file = Text.Read(OwnFormats.All[name], format, name);
             Assert.Equal(["P1", "P2"], file.Points.Select(p => p.Label));
@@ -94,7 +95,11 @@ public class OwnFormatTests
     [InlineData("part.qif", "<FeatureItemId>6", "<FeatureItemId>66", MeasurementError.BadStructure)]
     [InlineData("part.qif", "<FeatureName>P2", "<FeatureName>P1", MeasurementError.DuplicatePoint)]
     [InlineData("part.qif", "<FeatureName>P2", "<FeatureName>", MeasurementError.EmptyCell)]
-    [InlineData("part.qif", "</MeasurementResultsSet>", "<MeasurementResults id=\"20\"/></MeasurementResultsSet>", MeasurementError.SeveralMeasurements)]
+    [InlineData(
+        "part.qif",
+        "</MeasurementResultsSet>",
+        "<MeasurementResults id=\"20\"/></MeasurementResultsSet>",
+        MeasurementError.SeveralMeasurements)]
     [InlineData("part.dfq", "K0100 7", "K0100 0", MeasurementError.BadStructure)]
     [InlineData("part.dfq", "K0100 7", "K0100 6", MeasurementError.BadStructure)]
     [InlineData("part.dfq", "K0100 7", "K0100 8", MeasurementError.BadStructure)]
@@ -110,9 +115,9 @@ public class OwnFormatTests
     [InlineData("part.dmo", "UNITS/MM", "UNITS/CM", MeasurementError.UnknownUnit)]
     [InlineData("part.dmo", "PN(PART)=PARTID/'4711'", "UNITS/INCH", MeasurementError.UnknownUnit)]
     [InlineData("part.dmo", "FA(P2) = FEAT/POINT,CART,-1.5", "FA(P2) = FEAT/POINT,POL,-1.5", MeasurementError.BadStructure)]
-    [InlineData("part.dmo", "FA(P2) = FEAT/POINT,CART,-1.5,20.25,-3.0,0.0,1.0,0.0", "FA(P2) = FEAT/POINT,CART,-1.5,20", MeasurementError.BadStructure)]
+    [InlineData("part.dmo", "CART,-1.5,20.25,-3.0,0.0,1.0,0.0", "CART,-1.5,20", MeasurementError.BadStructure)]
     [InlineData("part.dmo", "-1.5,20.25", "-1.5,", MeasurementError.EmptyCell)]
-    [InlineData("part.dmo", "FA(P1)=FEAT/POINT,CART,32.012,5.998,0.001", "FA(P1)=FEAT/POINT,CART,32.013,5.998,0.001", MeasurementError.DuplicatePoint)]
+    [InlineData("part.dmo", "CART,32.012,5.998,0.001", "CART,32.013,5.998,0.001", MeasurementError.DuplicatePoint)]
     [InlineData("part.dmo", "ENDFIL", "ENDFIL$", MeasurementError.BadStructure)]
     [InlineData("part_chr.txt", "COVER\t17\tP2_Z", "COVER\t18\tP2_Z", MeasurementError.SeveralMeasurements)]
     [InlineData("part_chr.txt", "END", "END\r\nplanid", MeasurementError.SeveralMeasurements)]
@@ -162,7 +167,7 @@ public class OwnFormatTests
     }
 
     [Theory]
-    [InlineData("part.qif", "<MeasuredFeatures n=\"3\">", "<MeasuredFeatures n=\"0\"/><Nothing n=\"3\">", "</MeasuredFeatures>", "</Nothing>")]
+    [InlineData("part.qif", "<MeasuredFeatures n=\"3\">", "<MeasuredFeatures/><Nothing>", "</MeasuredFeatures>", "</Nothing>")]
     [InlineData("part.dmo", "FA(P1)", "FX(P1)", "FA(P2)", "FX(P2)")]
     [InlineData("part.txt", "LOCATION OF", "POSITION OF", "?", "?")]
     [InlineData("part_chr.txt", "xValue", "radius", "yValue", "radius")]
@@ -190,7 +195,7 @@ public class OwnFormatTests
         Assert.Equal(
             MeasurementError.BadStructure,
             Assert.Throws<InputException>(() => Text.Read(
-                OwnFormats.Qif.Replace("<QPId>", string.Concat(Enumerable.Repeat("<a>", 1000)), StringComparison.Ordinal), null, "q")).Code);
+                OwnFormats.Qif.Replace("<QPId>", string.Concat(Enumerable.Repeat("<a>", 1000)), StringComparison.Ordinal))).Code);
 
     [Fact]
     public void A_file_that_describes_itself_is_limited_too()
@@ -254,7 +259,8 @@ public class OwnFormatTests
         var path = Rewrite(
             folder,
             Split().Description,
-            "K0001/1 32.012\nK0002/1 0\nK0004/1 26.11.2026/10:00:00\nK0001/2 5,998\nK0001/3 8.01\nK0001/4 0.001\nK0001/5 -1.5\nK0001/6 20.25\nK0001/7 -3\n");
+            "K0001/1 32.012\nK0002/1 0\nK0004/1 26.11.2026/10:00:00\nK0001/2 5,998\nK0001/3 8.01\nK0001/4 0.001\n"
+                + "K0001/5 -1.5\nK0001/6 20.25\nK0001/7 -3\n");
         Assert.Equal(
             [new(32.012, 5.998, 0.001), new Point3(-1.5, 20.25, -3)],
             MeasurementReader.Read(path, MeasurementFormat.Points).Points.Select(p => p.Position));

@@ -2,8 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Measurement.Tests;
 
-/// <summary>One measurement of two points in every format that describes itself: P1 (32.012, 5.998, 0.001) and P2 (-1.5, 20.25, -3), nominal
-/// (32, 6, 0) and (-1.5, 20, -3). Between the points are characteristics that are no points.</summary>
+/// <summary>One measurement of two points in every format that describes itself: P1 (32.012, 5.998, 0.001) and P2 (-1.5, 20.25, -3),
+/// nominal (32, 6, 0) and (-1.5, 20, -3). Between the points are characteristics that are no points.</summary>
 internal static class OwnFormats
 {
     public const string Qif = """

@@ -14,6 +14,18 @@ public class RecognizedTableTests
     public void The_header_shows_delimiter_and_columns(string text) =>
         Assert.Equal(new Point3(1, 2, 3), Assert.Single(Text.Read(text, MeasurementFormat.Recognized).Points).Position);
 
+    [Theory]
+    [InlineData(true, 0, '\0', "point;x;y;z\nA;1,5;2;3\n")]
+    [InlineData(true, 0, '\0', "point\tx_mm\ty_mm\tz_mm\nA\t1,5\t2\t3\n")]
+    [InlineData(false, 2, '\0', "Shop: a;b\n\ni;j;x;y;z\n0;1;1.5;2;3\n")]
+    [InlineData(false, 0, ',', "point,x,y,z,a;b\nA,1.5,2,3,;\n")]
+    public void What_a_description_states_holds_and_the_header_shows_the_rest(bool comma, int skip, char delimiter, string text) =>
+        Assert.Equal(
+            new Point3(1.5, 2, 3),
+            Assert.Single(Text.Read(
+                text,
+                MeasurementFormat.Recognized with { DecimalComma = comma, SkipLines = skip, Delimiter = delimiter }).Points).Position);
+
     [Fact]
     public void A_grid_names_its_points_by_their_places()
     {

@@ -106,7 +106,7 @@ internal sealed class FreeformJobReader(JsonItem root)
             CutBy = item.Find("cutBy")?.Text,
             ReportsStylusCenter = item.Find("reports")?.Text == "stylus-center",
             Format = root.Find("gauge")?.Find("format") is { } format
-                ? MeasurementFormat.Read(format, Problems) ?? MeasurementFormat.Recognized
+                ? MeasurementFormat.Read(format, Problems, MeasurementFormat.Recognized) ?? MeasurementFormat.Recognized
                 : MeasurementFormat.Recognized,
             After = item.Find("measuredAfter")?.Text == "finishing" ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             UncertaintyMm = item.Find("uncertaintyMm")?.Number ?? 0.000125,

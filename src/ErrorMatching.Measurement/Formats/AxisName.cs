@@ -1,6 +1,6 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Names of coordinates that consist of the point's name and the axis: <c>P1.X</c>, <c>P1_X</c>, <c>P1 X</c>, <c>P1(X)</c>.</summary>
+/// <summary>Names of coordinates: the point's name and the axis, <c>P1.X</c>, <c>P1_X</c>, <c>P1 X</c>, <c>P1(X)</c>.</summary>
 internal static class AxisName
 {
     private const string Separators = "._- :/";

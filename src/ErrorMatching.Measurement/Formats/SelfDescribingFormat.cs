@@ -19,6 +19,7 @@ internal abstract class SelfDescribingFormat
         [new QifFormat(), new AqdefFormat(), new DmisFormat(), new CalypsoFormat(), new PcDmisFormat()];
 
     /// <summary>The format that a file shows; null if it is a table that a job must describe.</summary>
+    /// <exception cref="InputException">It is evidently no measurement.</exception>
     public static SelfDescribingFormat? Of(MeasurementBytes source)
     {
         var bytes = source.Bytes.Span[..Math.Min(source.Bytes.Length, HeadBytes)];
@@ -29,7 +30,13 @@ internal abstract class SelfDescribingFormat
             [0xEF, 0xBB, 0xBF, ..] => Encoding.Latin1.GetString(bytes[3..]),
             _ => Encoding.Latin1.GetString(bytes),
         };
-        return Array.Find(All, f => f.Recognizes(source, head));
+        var format = Array.Find(All, f => f.Recognizes(source, head));
+        if (format is null)
+        {
+            NoMeasurement.ThrowIf(source, head);
+        }
+
+        return format;
     }
 
     /// <summary>True if a file has this format.</summary>

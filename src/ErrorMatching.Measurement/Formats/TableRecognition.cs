@@ -7,15 +7,21 @@ internal static class TableRecognition
     private static readonly ColumnSelector Y = ColumnSelector.Either("y", "y_mm");
     private static readonly ColumnSelector Z = ColumnSelector.Either("z", "z_mm");
 
-    /// <summary>The format of the table that a text begins with: its delimiter and columns, with decimal points and millimeters.</summary>
+    /// <summary>The format of the table in a text: its columns, and its delimiter unless it is stated.</summary>
     public static MeasurementFormat FormatOf(string text, MeasurementFormat format)
     {
-        var start = text.AsSpan().TrimStart();
+        var at = 0;
+        for (var line = 0; line < format.SkipLines; line++)
+        {
+            at = LineBreaks.NextLine(text, at);
+        }
+
+        var start = text.AsSpan(at).TrimStart();
         var end = start.IndexOfAny('\n', '\r');
         var header = (end < 0 ? start : start[..end]).ToString();
 
         // Names of columns contain none of these characters, so the first one in the header separates the cells.
-        var delimiter = header.FirstOrDefault(c => c is ';' or '\t' or '|', ',');
+        var delimiter = format.Delimiter != '\0' ? format.Delimiter : header.FirstOrDefault(c => c is ';' or '\t' or '|', ',');
         var names = header.Split(delimiter).Select(n => n.Trim().Trim('"').Trim().ToLowerInvariant()).ToHashSet(StringComparer.Ordinal);
         return format with { Delimiter = delimiter, Columns = Columns(names) };
     }

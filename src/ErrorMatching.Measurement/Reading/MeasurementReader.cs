@@ -7,7 +7,7 @@ namespace ErrorMatching.Measurement;
 public static class MeasurementReader
 {
     /// <summary>Reads a file.</summary>
-    /// <param name="path">The file, as named in errors. With a file of values (<c>.dfx</c>), its description (<c>.dfd</c>) is read, too.</param>
+    /// <param name="path">The file, as named in errors. With values (<c>.dfx</c>), their description (<c>.dfd</c>) is read, too.</param>
     /// <param name="format">The format of the file.</param>
     /// <exception cref="InputException">The file cannot be opened, or its content violates the format.</exception>
     public static MeasurementFile Read(string path, MeasurementFormat format)

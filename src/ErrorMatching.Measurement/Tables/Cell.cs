@@ -6,13 +6,16 @@ namespace ErrorMatching.Measurement;
 /// <summary>A cell of a table with its location and column name, both used in messages.</summary>
 internal readonly record struct Cell(string Text, Place Place, string Column, bool DecimalComma)
 {
+    /// <summary>True if no job can describe the layout of the table.</summary>
+    public bool IsFixed { get; init; }
+
     /// <summary>Parses the cell as a number.</summary>
     /// <exception cref="InputException">It is not a plain decimal number.</exception>
     public DecimalNumber Number()
     {
         if (DecimalNumber.TryRead(Text, DecimalComma) is not { } number)
         {
-            var (code, expected) = NumberDefect.Of(Text, DecimalComma);
+            var (code, expected) = NumberDefect.Of(Text, DecimalComma, IsFixed);
             throw Fail(code, expected);
         }
 

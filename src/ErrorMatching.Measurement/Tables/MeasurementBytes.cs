@@ -35,7 +35,7 @@ public sealed class MeasurementBytes
     /// <summary>The files that were read.</summary>
     public IReadOnlyList<string> Files => Description is null ? [File] : [File, Description.File];
 
-    /// <summary>SHA-256 of the bytes, with the description's bytes before those of the values, as 64 lowercase hexadecimal digits.</summary>
+    /// <summary>SHA-256 of the bytes, the description's before those of the values, as 64 lowercase hexadecimal digits.</summary>
     public string Sha256 => Convert.ToHexStringLower(SHA256.HashData(Description is null ? Bytes.Span : _both));
 
     /// <summary>Reads a measurement. With a file of values (<c>.dfx</c>), the file that describes them is read from the same folder: the

@@ -32,7 +32,7 @@ internal static class SourceText
         {
             return Decode(bytes, file, marked, '\t', controls);
         }
-        catch (InputException e) when (e.Code == MeasurementError.InvalidEncoding && marked == "utf-8" && bytes is not [0xEF, 0xBB, 0xBF, ..])
+        catch (InputException e) when (e.Code == MeasurementError.InvalidEncoding && marked == "utf-8")
         {
             return Decode(bytes, file, "windows-1252", '\t', controls);
         }

@@ -49,6 +49,14 @@ public sealed class FreeformJobTests
     }
 
     [Fact]
+    public void A_mating_job_is_one_problem_that_says_which_verb_it_belongs_to()
+    {
+        var error = Assert.Throws<InputException>(() => Parse("""{ "name": "n", "kind": "mating", "part": {} }"""));
+        Assert.Equal((FreeformJob.OtherKind, "$.kind", 1, 24), (error.Code, error.Place.Path, error.Place.Line, error.Place.Column));
+        Assert.Contains("errormatch match and verify", Assert.Single(error.Refusals).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void The_files_of_a_gauge_are_described_as_in_mating()
     {
         var job = Parse(FreeformTemplate.Text.Replace(
@@ -60,6 +68,9 @@ public sealed class FreeformJobTests
             StringComparison.Ordinal));
         var format = job.Measuring.Format;
         Assert.Equal((';', true, LengthUnit.Inch), (format.Delimiter, format.DecimalComma, format.Unit));
+        var onlyCommas = Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {", "\"gauge\": { \"format\": { \"decimalComma\": true } }, \"measuring\": {", StringComparison.Ordinal));
+        Assert.Equal(MeasurementFormat.Recognized with { DecimalComma = true }, onlyCommas.Measuring.Format);
         Assert.Equal(MeasurementFormat.Recognized, Parse(FreeformTemplate.Text).Measuring.Format);
     }
 

@@ -201,7 +201,11 @@ public sealed class MeasuredSurfaceReaderTests
 
     [Fact]
     public void A_decimal_comma_between_commas_is_no_other_number() =>
-        Refused("point,x,y,z\n1,0,5000,0,2500,30,1000\n", "long-row", 2, "needs semicolons or tabs between its cells, and \"decimalComma\": true");
+        Refused(
+            "point,x,y,z\n1,0,5000,0,2500,30,1000\n",
+            "long-row",
+            2,
+            "needs semicolons or tabs between its cells, and \"decimalComma\": true");
 
     [Fact]
     public void A_missing_point_is_named() => Refused(Without(3), "missing-point", null, "missing: 3.");
@@ -227,7 +231,8 @@ public sealed class MeasuredSurfaceReaderTests
             Log().Split('\n')[0] + "\n"
                 + string.Concat(Plan.Points.Select(p => string.Create(
                     CultureInfo.InvariantCulture,
-                    $"P{p.Number} S X{Plan.ContactOf(p).X:R} Y{Plan.ContactOf(p).Y:R} Z{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))),
+                    $"P{p.Number} S X{Plan.ContactOf(p).X:R} Y{Plan.ContactOf(p).Y:R} "
+                        + $"Z{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))),
             "far-off-point",
             7,
             "point 6 is more than 1E+150 mm from where it is expected");

@@ -51,7 +51,8 @@ public sealed class MatingRunTests
             ["job.json", "theoretical.csv", "part.dfx", "part.dfd", "counterpart.nc"], files.Read.Select(f => Path.GetFileName(f)));
 
         // The marker names the measurement, which has another hash.
-        static string[] Blocks(MatchedProgram p) => [.. System.Text.Encoding.Latin1.GetString(p.Program.Span).Split('\n').Where(l => l.StartsWith('N'))];
+        static string[] Blocks(MatchedProgram p) =>
+            [.. System.Text.Encoding.Latin1.GetString(p.Program.Span).Split('\n').Where(l => l.StartsWith('N'))];
         Assert.Equal(Blocks(Matched(new())), Blocks(matched));
     }
 

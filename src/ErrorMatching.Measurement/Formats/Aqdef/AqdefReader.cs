@@ -246,7 +246,9 @@ internal sealed class AqdefReader(string file)
         var index = number == 100 || number >= 3000 || suffix.IsEmpty ? 1
             : suffix[0] == '/' && int.TryParse(suffix[1..], NumberStyles.None, CultureInfo.InvariantCulture, out var read) ? read
             : throw line.Fail(
-                MeasurementError.BadStructure, MeasurementRefusal.Quote(line.Text), "a field such as K2002/1 with its value behind a space");
+                MeasurementError.BadStructure,
+                MeasurementRefusal.Quote(line.Text),
+                "a field such as K2002/1 with its value behind a space");
         return new(line, number, index, end < 0 ? "" : text[end..].Trim().ToString());
     }
 

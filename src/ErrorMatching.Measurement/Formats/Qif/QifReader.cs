@@ -227,7 +227,9 @@ internal sealed class QifReader(MeasurementBytes source)
                 MeasurementError.BadStructure, MeasurementRefusal.Quote(feature.Location) + " as a location", "three numbers");
         }
 
-        var numbers = words.Select((w, i) => Coordinate.Read(new Cell(w, feature.LocationPlace, "XYZ"[i].ToString(), false), unit)).ToArray();
+        var numbers = words.Select((w, i) => new Cell(w, feature.LocationPlace, "XYZ"[i].ToString(), false))
+            .Select(c => Coordinate.Read(c, unit))
+            .ToArray();
         return new(numbers[0], numbers[1], numbers[2]);
     }
 
