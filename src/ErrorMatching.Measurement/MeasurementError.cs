@@ -92,6 +92,24 @@ public static class MeasurementError
     /// <summary>A deviation is not actual - nominal.</summary>
     public const string InconsistentDeviation = "inconsistent-deviation";
 
+    /// <summary>A file of a format that describes itself (QIF, AQDEF, DMIS, CALYPSO, PC-DMIS) is cut off or violates the format.</summary>
+    public const string BadStructure = "bad-structure";
+
+    /// <summary>The file is something else, such as a surface, a mesh, a job or a program.</summary>
+    public const string NotAMeasurement = "not-a-measurement";
+
+    /// <summary>The file contains measurements of several pieces.</summary>
+    public const string SeveralMeasurements = "several-measurements";
+
+    /// <summary>The file's unit is neither millimeters nor inches, or it does not name one that it must name.</summary>
+    public const string UnknownUnit = "unknown-unit";
+
+    /// <summary>Values (.dfx) without the file that describes them (.dfd).</summary>
+    public const string MissingDescription = "missing-description";
+
+    /// <summary>A document of another version than the supported one.</summary>
+    public const string UnsupportedVersion = "unsupported-version";
+
     /// <summary>The description of a format is wrong, or its name is unknown.</summary>
     public const string BadFormat = "bad-format";
 

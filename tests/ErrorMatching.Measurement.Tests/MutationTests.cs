@@ -63,7 +63,7 @@ public class MutationTests
         }
     }
 
-    private static byte[] Mutate(byte[] bytes, Random random)
+    internal static byte[] Mutate(byte[] bytes, Random random)
     {
         var list = bytes.ToList();
         ReadOnlySpan<byte> favorites = "\",;.\n\r-+=eE0 9\0\t:@X"u8;

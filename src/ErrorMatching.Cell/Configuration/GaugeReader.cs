@@ -122,6 +122,9 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
 
         // A cell also reads the log of a probing program, which is no table.
         Refusal NameOfFormat(Refusal problem) => JsonRefusal.At(
-            item, problem.Code, problem.Found, "\"points\", \"feature-table\", \"probing-log\", or an object that describes a table");
+            item,
+            problem.Code,
+            problem.Found,
+            "\"points\", \"feature-table\", \"grid\", \"probing-log\", or an object that describes a table");
     }
 }

@@ -31,6 +31,7 @@ public static partial class SurfaceReader
                 "too-large", file, $"{bytes.Length} bytes; at most {ExchangeLimits.MaxBytes} are read. Export the one surface alone");
         }
 
+        NoSurface.ThrowIf(bytes, file, IsGrid(file));
         try
         {
             var read = IsGrid(file)

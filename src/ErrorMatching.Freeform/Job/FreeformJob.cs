@@ -9,6 +9,9 @@ namespace ErrorMatching.Freeform;
 /// <remarks>The schema describes every key (<see cref="FreeformTemplate.Schema"/>). Lengths in millimeters, angles in degrees.</remarks>
 public sealed record FreeformJob
 {
+    /// <summary>The code of a job of another kind than the expected one.</summary>
+    public const string OtherKind = "other-kind";
+
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
         Encoding.UTF8.GetBytes(FreeformTemplate.Schema), "freeform.schema.json"));
 
@@ -68,6 +71,19 @@ public sealed record FreeformJob
     public static FreeformJob Parse(ReadOnlySpan<byte> bytes, string file)
     {
         var document = JsonInput.Read(bytes, file);
+        if (document.Kind == JsonItemKind.Object && document.Find("kind") is { Kind: JsonItemKind.Text, Text: "mating" } kind)
+        {
+            throw new InputException(
+                file,
+                [
+                    JsonRefusal.At(
+                        kind,
+                        OtherKind,
+                        "a mating job",
+                        "a free-form job: for two pieces that must fit use errormatch match and verify, or name the job of the surface"),
+                ]);
+        }
+
         var problems = Schema.Value.Check(document);
         if (problems.Count > 0)
         {

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
@@ -111,6 +112,9 @@ internal sealed class FreeformJobReader(JsonItem root)
             Tool = ReadToolCall(item.Find("tool")),
             CutBy = item.Find("cutBy")?.Text,
             ReportsStylusCenter = item.Find("reports")?.Text == "stylus-center",
+            Format = root.Find("gauge")?.Find("format") is { } format
+                ? MeasurementFormat.Read(format, Problems, MeasurementFormat.Recognized) ?? MeasurementFormat.Recognized
+                : MeasurementFormat.Recognized,
             After = item.Find("measuredAfter")?.Text == "finishing" ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             UncertaintyMm = item.Find("uncertaintyMm")?.Number ?? 0.000125,
             BestFit = item.Find("alignment")?.Text == "best-fit",

@@ -1,3 +1,5 @@
+using ErrorMatching.Measurement;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>How a surface is probed on the machine, and the content of the measured files.</summary>
@@ -46,6 +48,9 @@ public sealed record JobMeasuring
 
     /// <summary>True if files contain centers of the stylus ball, false if they contain points of contact.</summary>
     public required bool ReportsStylusCenter { get; init; }
+
+    /// <summary>The format of files with measured points.</summary>
+    public MeasurementFormat Format { get; init; } = MeasurementFormat.Recognized;
 
     /// <summary>The stage after which the surface is measured. Its stock is on the surface.</summary>
     public required CuttingStage After { get; init; }

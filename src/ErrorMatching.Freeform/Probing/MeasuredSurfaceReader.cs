@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
@@ -7,43 +6,47 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>Reads the measured points of a surface: a probing program's log, a table of points, or a gauge's feature table.</summary>
-/// <remarks>A log starts with the word ERRORMATCH. A table has a header with <c>point</c> (as in plan.csv) or <c>i,j</c>, and <c>x,y,z</c>
-/// in millimeters, separated by commas, semicolons or tabs, with decimal points. A gauge's table of features
-/// (<see cref="MeasurementFormat.FeatureTable"/>, same separators) names points by their numbers (12, P12). Centers of the ball are
-/// converted to contacts: the center minus the ball's radius along the normal at the foot of the center on the nominal surface. This is
+/// <summary>Reads the measured points of a surface: a probing program's log, or a gauge's file.</summary>
+/// <remarks>A log starts with the word ERRORMATCH. A gauge's file has the format of the job (<see cref="JobMeasuring.Format"/>), as in
+/// mating. It names points by their numbers (12, P12) or by their places in the plan (<c>i,j</c>). Centers of the ball are converted to
+/// contacts: the center minus the ball's radius along the normal at the foot of the center on the nominal surface. This is
 /// exact wherever the ball touched, also on a slope.</remarks>
 public static class MeasuredSurfaceReader
 {
-    /// <summary>Maximum file size in bytes.</summary>
+    /// <summary>Maximum size of a log in bytes.</summary>
     public const int MaxBytes = 1 << 26;
 
     private const double RoundingMm = 0.005;
 
-    /// <summary>Reads the measured points of a plan.</summary>
+    /// <summary>Reads the measured points of a plan from the bytes of one file, as in the other overload.</summary>
     /// <param name="bytes">The file's bytes.</param>
     /// <param name="file">The file name, for messages.</param>
     /// <param name="plan">The measured plan.</param>
-    /// <param name="measuring">The content of the file (<see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel,
-    /// which limit the distance from the expected surface.</param>
+    /// <param name="measuring">The format and content of the file.</param>
+    /// <exception cref="InputException">The file cannot be used.</exception>
+    public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring) =>
+        Read(new MeasurementBytes(file, bytes.ToArray()), plan, measuring);
+
+    /// <summary>Reads the measured points of a plan.</summary>
+    /// <param name="source">The file.</param>
+    /// <param name="plan">The measured plan.</param>
+    /// <param name="measuring">The format and content of the file (<see cref="JobMeasuring.Format"/>,
+    /// <see cref="JobMeasuring.ReportsStylusCenter"/>), and approach and overtravel, which limit the distance from the expected
+    /// surface.</param>
     /// <exception cref="InputException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
     /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it
-    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). A table of features cannot be
-    /// read.</exception>
-    public static MeasuredPoints Read(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, JobMeasuring measuring)
+    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The file does not follow its format
+    /// (a code of <see cref="MeasurementError"/>).</exception>
+    public static MeasuredPoints Read(MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring)
     {
+        ArgumentNullException.ThrowIfNull(source);
         ArgumentNullException.ThrowIfNull(plan);
         ArgumentNullException.ThrowIfNull(measuring);
-        if (bytes.Length > MaxBytes)
-        {
-            throw InputException.At(
-                "file-too-large",
-                file,
-                FormattableString.Invariant($"found {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
-        }
-
-        var lines = TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n');
-        var raw = Lines(bytes, lines, file, plan, measuring, out var cutBy);
+        var (file, bytes) = (source.File, source.Bytes);
+        string? cutBy = null;
+        var raw = IsLog(bytes.Span, file)
+            ? Log(bytes.Span, file, plan, out cutBy)
+            : new MeasuredPointNames(MeasurementReader.Read(source, measuring.Format), measuring.ReportsStylusCenter).Read();
         var found = new RawPoint?[plan.Points.Count];
         var warnings = new List<string>();
         var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
@@ -77,52 +80,42 @@ public static class MeasuredSurfaceReader
         Missing(found, file);
         var points = plan.Points.Select((p, k) => new MeasuredPoint(p, Contact(p, found[k]!, plan, file), found[k]!.Line)).ToArray();
         FarOff(points, plan, measuring, found, file);
-        return new(file, Convert.ToHexStringLower(SHA256.HashData(bytes)), points, warnings) { CutByMeasurement = cutBy };
+        return new(file, source.Sha256, points, warnings) { CutByMeasurement = cutBy };
     }
 
-    private static IReadOnlyList<RawPoint> Lines(
-        ReadOnlySpan<byte> bytes, string[] lines, string file, MeasuringPlan plan, JobMeasuring measuring, out string? cutBy)
+    // Controls put lines of their own around a log, which begin with a percent sign or a semicolon.
+    private static bool IsLog(ReadOnlySpan<byte> bytes, string file)
     {
-        cutBy = null;
-        var first = lines.FirstOrDefault(l => l.Trim().Length > 0 && l.TrimStart()[0] is not ('%' or ';'))?.Trim()
-            ?? throw InputException.At("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
-        if (first.StartsWith(ProbingLogReader.FirstWord, StringComparison.Ordinal))
+        bytes = bytes.StartsWith("\uFEFF"u8) ? bytes["\uFEFF"u8.Length..] : bytes;
+        while (bytes.Length > 0)
         {
-            var log = new ProbingLogReader(file, plan);
-            var points = log.Read(lines);
-            cutBy = log.CutByMeasurement;
-            return points;
+            var end = bytes.IndexOfAny((byte)'\n', (byte)'\r');
+            var line = (end < 0 ? bytes : bytes[..end]).Trim(" \t"u8);
+            if (line.Length > 0 && line[0] is not ((byte)'%' or (byte)';'))
+            {
+                return line.StartsWith("ERRORMATCH"u8);
+            }
+
+            bytes = end < 0 ? [] : bytes[(end + 1)..];
         }
 
-        if (!first.Contains("feature", StringComparison.OrdinalIgnoreCase) || !first.Contains("item", StringComparison.OrdinalIgnoreCase))
-        {
-            return new MeasuredTableReader(file, measuring.ReportsStylusCenter).Read(lines);
-        }
+        throw InputException.At("empty-file", file, "the file is empty; a log, or a table with a header, is expected.");
+    }
 
-        return [
-            .. MeasurementReader.Read(
-                bytes.ToArray(),
+    private static IReadOnlyList<RawPoint> Log(ReadOnlySpan<byte> bytes, string file, MeasuringPlan plan, out string? cutBy)
+    {
+        if (bytes.Length > MaxBytes)
+        {
+            throw InputException.At(
+                MeasurementError.FileTooLarge,
                 file,
-                MeasurementFormat.FeatureTable with { Delimiter = MeasuredTableReader.DelimiterOf(first) })
-                .Points.Select(p => new RawPoint(
-            MeasuredTableReader.NumberOf(p.Label) is >= 0 and var number
-                ? number
-                : throw InputException.At(
-                    "bad-number",
-                    file,
-                    $"found the feature {ProbingLogReader.Shown(p.Label)}; expected the number of a point of the plan.",
-                    p.Line),
-            null,
-            null,
-            p.HasZ
-                ? p.Position
-                : throw InputException.At(
-                    "missing-coordinate",
-                    file,
-                    $"found no Z of the feature {ProbingLogReader.Shown(p.Label)}; expected X, Y and Z.",
-                    p.Line),
-            measuring.ReportsStylusCenter,
-            p.Line))];
+                FormattableString.Invariant($"found a log of {bytes.Length} bytes; at most {MaxBytes} are read. Is this the right file?"));
+        }
+
+        var log = new ProbingLogReader(file, plan);
+        var points = log.Read(TextOf(bytes, file).ReplaceLineEndings("\n").Split('\n'));
+        cutBy = log.CutByMeasurement;
+        return points;
     }
 
     private static int NumberOf(RawPoint point, Dictionary<(int I, int J), int> places, MeasuringPlan plan, string file)

@@ -8,6 +8,8 @@ namespace ErrorMatching.Jobs;
 /// <summary>Says which file of the user a refusal of the libraries concerns.</summary>
 public static class InputRefusals
 {
+    private const string WrongPieceCode = "wrong-piece";
+
     /// <summary>Points of a file without a usable solution, such as a line through coincident points.</summary>
     /// <param name="e">The geometry error.</param>
     /// <param name="file">The file as the user named it.</param>
@@ -21,11 +23,42 @@ public static class InputRefusals
     {
         var (found, wanted) = expected == SourceSide.Part ? ("counterpart", "part") : ("part", "counterpart");
         return new(Refusal.Of(
-            "wrong-piece",
+            WrongPieceCode,
             $"a measurement of the {found} by the job's rules of recognition",
             $"one of the {wanted}",
             new() { File = file }));
     }
+
+    /// <summary>A measurement of the other piece, because its content is that of the other piece's file.</summary>
+    /// <param name="file">The file as the user or the job named it.</param>
+    /// <param name="expected">The piece whose measurement is expected.</param>
+    /// <param name="other">The file with the same content.</param>
+    public static InputException SameContent(string file, SourceSide expected, string other)
+    {
+        var (found, wanted) = expected == SourceSide.Part ? ("counterpart", "part") : ("part", "counterpart");
+        return new(Refusal.Of(
+            WrongPieceCode,
+            $"the content of {other}, which is the measured {found}",
+            $"a measurement of the {wanted}: name its file",
+            new() { File = file, Line = 1, Column = 1 }));
+    }
+
+    /// <summary>Points that are where the counterpart's program has them, not where the part has them.</summary>
+    /// <param name="file">The file as the user or the job named it.</param>
+    public static InputException CounterpartFrame(string file) => new(Refusal.Of(
+        WrongPieceCode,
+        "points that are where the program of the counterpart has them, by the job's counterpart.frame",
+        "the measured part in its own frame: name the part's file, or measure in the frame of the part",
+        new() { File = file, Line = 1, Column = 1 }));
+
+    /// <summary>One measurement where two are needed.</summary>
+    /// <param name="file">The second file.</param>
+    /// <param name="other">The file with the same content.</param>
+    public static InputException SameMeasurement(string file, string other) => new(Refusal.Of(
+        "same-measurement",
+        $"the content of {other} again",
+        "another measurement: name that of the counterpart that was cut with compensation",
+        new() { File = file, Line = 1, Column = 1 }));
 
     /// <summary>A file that cannot be opened, reported where a job names it, because the job is the file to correct.</summary>
     /// <param name="job">The job's file.</param>

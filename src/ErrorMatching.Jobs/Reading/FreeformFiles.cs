@@ -66,11 +66,15 @@ public sealed class FreeformFiles
     public MeasuredPoints Measured(string role, GivenFile file, MeasuringPlan plan)
     {
         ArgumentNullException.ThrowIfNull(file);
-        return MeasuredSurfaceReader.Read(
-            (file.Bytes is { } given ? Note(role, file.File, given) : Bytes(role, file.File, MeasuredSurfaceReader.MaxBytes)).Span,
-            file.File,
-            plan,
-            Job.Measuring);
+        if (file.Bytes is { } given)
+        {
+            return MeasuredSurfaceReader.Read(Note(role, file.File, given).Span, file.File, plan, Job.Measuring);
+        }
+
+        var source = MeasurementBytes.Read(file.File, MeasurementReader.LimitOf(Job.Measuring.Format));
+        _read.AddRange(source.Files);
+        _inputs.Add(new(role, file.File, source.Sha256));
+        return MeasuredSurfaceReader.Read(source, plan, Job.Measuring);
     }
 
     /// <summary>An existing program.</summary>

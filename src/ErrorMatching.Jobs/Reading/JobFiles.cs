@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -9,6 +10,7 @@ namespace ErrorMatching.Jobs;
 public sealed class JobFiles
 {
     private readonly List<string> _read;
+    private MeasurementFile? _part;
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
@@ -37,12 +39,62 @@ public sealed class JobFiles
         Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
 
     /// <summary>A measurement of the part: the given one, or the job's.</summary>
-    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the counterpart.</exception>
-    public MeasurementFile Part(GivenFile? given) => Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
+    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the counterpart, or its content is that
+    /// of the job's measured counterpart.</exception>
+    public MeasurementFile Part(GivenFile? given)
+    {
+        _part = Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
+        return Job.Counterpart.Measured is { } measured && HasContent(Job.PathOf(measured), _part.Sha256)
+            ? throw InputRefusals.SameContent(_part.File, SourceSide.Part, measured)
+            : _part;
+    }
 
     /// <summary>A measurement of a counterpart.</summary>
-    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the part.</exception>
-    public MeasurementFile Counterpart(GivenFile file) => Recognized(file, SourceSide.Counterpart);
+    /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the part, or its content is that of the
+    /// part's file.</exception>
+    public MeasurementFile Counterpart(GivenFile file)
+    {
+        var counterpart = Recognized(file, SourceSide.Counterpart);
+        return _part is { } part && part.Sha256 == counterpart.Sha256
+            ? throw InputRefusals.SameContent(counterpart.File, SourceSide.Counterpart, part.File)
+            : counterpart;
+    }
+
+    /// <summary>Checks that a measured part is not where the counterpart's program has it.</summary>
+    /// <param name="theoretical">The nominal key points.</param>
+    /// <param name="part">The measured part.</param>
+    /// <exception cref="InputException">Without an alignment, a key point is further than the job's limit from its nominal place, while all
+    /// of them are within the limit of their places in the program.</exception>
+    public void CheckFrame(MeasurementFile theoretical, MeasurementFile part)
+    {
+        ArgumentNullException.ThrowIfNull(theoretical);
+        ArgumentNullException.ThrowIfNull(part);
+        var (frame, limit) = (Job.Counterpart.Frame, Job.Compensation.LimitMm);
+        if (Job.Alignment.Kind != JobAlignmentKind.None
+            || frame == RigidTransform2.Identity
+            || Job.Features.Any(f => f.Plane != CoordinatePlane.XY))
+        {
+            return;
+        }
+
+        var (off, offInProgram) = (0.0, 0.0);
+        foreach (var label in Job.KeyPoints)
+        {
+            if (!theoretical.TryGet(label, out var nominal) || !part.TryGet(label, out var actual))
+            {
+                return;
+            }
+
+            var (wanted, found) = (new Point2(nominal.Position.X, nominal.Position.Y), new Point2(actual.Position.X, actual.Position.Y));
+            off = Math.Max(off, (found - wanted).Length);
+            offInProgram = Math.Max(offInProgram, (found - frame.Apply(wanted)).Length);
+        }
+
+        if (off > limit && offInProgram <= limit)
+        {
+            throw InputRefusals.CounterpartFrame(part.File);
+        }
+    }
 
     /// <summary>The counterpart's program: the given one, or the job's.</summary>
     /// <exception cref="InputException">The file cannot be opened.</exception>
@@ -72,6 +124,19 @@ public sealed class JobFiles
         return dialect;
     }
 
+    // A counterpart that is not there, or cannot be read, is refused where it is needed.
+    private bool HasContent(string path, string sha256)
+    {
+        try
+        {
+            return File.Exists(path) && MeasurementBytes.Read(path, MeasurementReader.LimitOf(Job.Gauge.Format)).Sha256 == sha256;
+        }
+        catch (InputException)
+        {
+            return false;
+        }
+    }
+
     private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
         var measurement = Measured(file, Job.Gauge.Format);
@@ -87,7 +152,8 @@ public sealed class JobFiles
             return MeasurementReader.Read(bytes, file.File, format);
         }
 
-        _read.Add(file.File);
-        return MeasurementReader.Read(file.File, format);
+        var source = MeasurementBytes.Read(file.File, MeasurementReader.LimitOf(format));
+        _read.AddRange(source.Files);
+        return MeasurementReader.Read(source, format);
     }
 }

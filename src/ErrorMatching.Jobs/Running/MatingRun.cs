@@ -24,6 +24,7 @@ public static class MatingRun
         ArgumentNullException.ThrowIfNull(request);
         var job = WithGain(files.Job, request.Gain);
         var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));
+        files.CheckFrame(theoretical, part);
         var counterpart = request.Counterpart is { } given ? files.Counterpart(given) : NamedCounterpart(files);
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();

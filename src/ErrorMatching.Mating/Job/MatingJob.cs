@@ -13,6 +13,9 @@ namespace ErrorMatching.Mating;
 /// <remarks>The schema (<see cref="JobTemplate.Schema"/>) describes every key. Lengths are in millimeters, angles in degrees.</remarks>
 public sealed record MatingJob
 {
+    /// <summary>The code of a job of another kind than the expected one.</summary>
+    public const string OtherKind = "other-kind";
+
     private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
         Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
 
@@ -109,6 +112,19 @@ public sealed record MatingJob
     private static MatingJob Checked(ReadOnlySpan<byte> bytes, string file, JsonSchema schema)
     {
         var document = JsonInput.Read(bytes, file);
+        if (document.Kind == JsonItemKind.Object && document.Find("kind") is { Kind: JsonItemKind.Text, Text: "freeform" } kind)
+        {
+            throw new InputException(
+                file,
+                [
+                    JsonRefusal.At(
+                        kind,
+                        OtherKind,
+                        "a free-form job",
+                        "a mating job: for a surface use errormatch surface, or name the job of the two pieces that must fit"),
+                ]);
+        }
+
         var problems = schema.Check(document);
         if (problems.Count > 0)
         {

@@ -6,10 +6,10 @@ internal static class Coordinate
     /// <summary>No machine tool is a kilometer long. A larger coordinate has lost its decimal point or has another unit.</summary>
     private const double LargestMm = 1e6;
 
-    public static double Read(Cell cell, MeasurementFormat format)
+    public static double Read(Cell cell, LengthUnit unit)
     {
         var number = cell.Number();
-        var millimeters = format.Unit == LengthUnit.Inch ? number.InchesInMillimeters : number.Value;
+        var millimeters = unit == LengthUnit.Inch ? number.InchesInMillimeters : number.Value;
         return Math.Abs(millimeters) <= LargestMm
             ? millimeters
             : throw cell.Fail(
@@ -17,13 +17,13 @@ internal static class Coordinate
                 "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
     }
 
-    public static void ThrowIfTooMany(int count, Cell label, MeasurementFormat format)
+    public static void ThrowIfTooMany(int count, Cell label, int maxPoints)
     {
-        if (count > format.MaxPoints)
+        if (count > maxPoints)
         {
             throw label.Fail(
                 MeasurementError.TooManyPoints,
-                $"at most {format.MaxPoints} points: is this the right file? If so, raise maxPoints of its format");
+                $"at most {maxPoints} points: is this the right file? If so, raise maxPoints of its format");
         }
     }
 }

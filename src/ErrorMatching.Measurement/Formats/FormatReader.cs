@@ -11,7 +11,8 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
 
     // The kinds of point arrangement. Their default columns are data, in a file of the same name.
     private static readonly MeasurementColumns[] Kinds = [
-        new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null)];
+        new PointColumns(default, default, default, null), new FeatureTableColumns(default, default, default, default, null),
+        new GridColumns(default, default, default, default, default)];
 
     public static MeasurementFormat Embedded(string kind)
     {
@@ -28,11 +29,13 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
             MaxBytes = 0,
             MaxPoints = 0,
         });
-        return problems.Count == 0 ? format : throw new InputException(file, problems);
+        return problems.Count == 0 ? format with { Origin = FormatOrigin.Named } : throw new InputException(file, problems);
     }
 
     /// <summary>The format; null if something is wrong.</summary>
-    public MeasurementFormat? Read(JsonItem format)
+    /// <param name="format">Its name or description.</param>
+    /// <param name="basis">The format of the members that a description without a kind omits.</param>
+    public MeasurementFormat? Read(JsonItem format, MeasurementFormat basis)
     {
         var before = problems.Count;
         foreach (var problem in Schema.Value.Check(format))
@@ -48,7 +51,7 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
         }
 
         var named = MeasurementFormat.All.FirstOrDefault(f => f.Kind == (format.Find("kind") ?? format).Text);
-        var read = format.Kind == JsonItemKind.Text ? named : Apply(format, named ?? MeasurementFormat.All[0]);
+        var read = format.Kind == JsonItemKind.Text ? named : Apply(format, named ?? basis);
         return problems.Count == before ? read : null;
     }
 
@@ -63,7 +66,12 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
                 "decimalComma" => format with { DecimalComma = value.Flag },
                 "skipLines" => format with { SkipLines = (int)value.Number },
                 "unit" => format with { Unit = value.Text == "mm" ? LengthUnit.Millimeter : LengthUnit.Inch },
-                "columns" => format with { Columns = Columns(value, format.Columns) },
+                "columns" => format with
+                {
+                    Columns = Columns(value, format.Columns),
+                    Delimiter = format.Delimiter == '\0' ? MeasurementFormat.Points.Delimiter : format.Delimiter,
+                    Origin = FormatOrigin.Described,
+                },
                 "maxBytes" => format with { MaxBytes = (int)value.Number },
                 "maxPoints" => format with { MaxPoints = (int)value.Number },
                 _ => format,

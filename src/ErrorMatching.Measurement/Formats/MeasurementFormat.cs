@@ -5,7 +5,7 @@ namespace ErrorMatching.Measurement;
 
 /// <summary>The format of a gauge's or a shop's result files.</summary>
 /// <remarks>
-/// The built-in formats are <c>points</c> and <c>feature-table</c>. They are data, read in the same way as a shop's own description:
+/// The built-in formats are <c>points</c>, <c>feature-table</c> and <c>grid</c>. They are data, read as a shop's own description is:
 /// <code>
 /// { "kind": "points", "encoding": "windows-1252", "delimiter": ";", "decimalComma": true, "skipLines": 4, "unit": "inch",
 ///   "columns": { "label": "Nr", "x": "X", "y": 3, "z": null } }
@@ -26,15 +26,29 @@ public sealed record MeasurementFormat
     /// tolerance, are ignored.</summary>
     public static MeasurementFormat FeatureTable { get; } = FormatReader.Embedded("feature-table");
 
+    /// <summary>One line per point of a grid under the header <c>i,j,x_mm,y_mm,z_mm</c>. The label of a point is <c>i,j</c>.</summary>
+    public static MeasurementFormat Grid { get; } = FormatReader.Embedded("grid");
+
+    /// <summary>No format is described: the header shows the delimiter (comma, semicolon, tab or vertical bar) and the columns of one of
+    /// the built-in formats. Names of coordinates may lack <c>_mm</c>, and <c>label</c> may replace <c>point</c>. Decimal points,
+    /// millimeters, UTF-8.</summary>
+    public static MeasurementFormat Recognized { get; } = Points with
+    {
+        Origin = FormatOrigin.Recognized,
+        Delimiter = '\0',
+        MaxBytes = Grid.MaxBytes,
+        MaxPoints = Grid.MaxPoints,
+    };
+
     internal TableLayout Layout => new(SkipLines, Delimiter, DecimalComma, Columns.NeedHeader);
 
     /// <summary>The built-in formats. A description without a kind uses the first one for omitted members.</summary>
-    internal static IReadOnlyList<MeasurementFormat> All { get; } = [Points, FeatureTable];
+    internal static IReadOnlyList<MeasurementFormat> All { get; } = [Points, FeatureTable, Grid];
 
     /// <summary>Name of one of <see cref="EncodingNames"/>.</summary>
     public required string Encoding { get; init; }
 
-    /// <summary>The cell separator: comma, semicolon, tab or vertical bar.</summary>
+    /// <summary>The cell separator: comma, semicolon, tab or vertical bar. NUL if the header shows it.</summary>
     public required char Delimiter { get; init; }
 
     /// <summary>True if numbers are written 32,067 instead of 32.067.</summary>
@@ -55,6 +69,8 @@ public sealed record MeasurementFormat
     /// <summary>Maximum number of points.</summary>
     public required int MaxPoints { get; init; }
 
+    internal FormatOrigin Origin { get; init; }
+
     /// <summary>The kind of point arrangement: the name of a built-in format.</summary>
     public string Kind => Columns.Kind;
 
@@ -64,12 +80,13 @@ public sealed record MeasurementFormat
     /// <summary>Reads a format by name or description, as part of a document.</summary>
     /// <param name="format">The name of a format, or an object that describes one.</param>
     /// <param name="problems">Receives what is wrong, with code <see cref="MeasurementError.BadFormat"/>.</param>
+    /// <param name="basis">The format of the members that a description without a kind omits; null for <see cref="Points"/>.</param>
     /// <returns>The format; null if something is wrong.</returns>
-    public static MeasurementFormat? Read(JsonItem format, ICollection<Refusal> problems)
+    public static MeasurementFormat? Read(JsonItem format, ICollection<Refusal> problems, MeasurementFormat? basis = null)
     {
         ArgumentNullException.ThrowIfNull(format);
         ArgumentNullException.ThrowIfNull(problems);
-        return new FormatReader(problems).Read(format);
+        return new FormatReader(problems).Read(format, basis ?? Points);
     }
 
     /// <summary>Reads a format by name or description, from JSON text with comments and trailing commas.</summary>

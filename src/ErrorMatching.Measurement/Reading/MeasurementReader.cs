@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -8,24 +7,63 @@ namespace ErrorMatching.Measurement;
 public static class MeasurementReader
 {
     /// <summary>Reads a file.</summary>
-    /// <param name="path">The file, as named in errors.</param>
+    /// <param name="path">The file, as named in errors. With values (<c>.dfx</c>), their description (<c>.dfd</c>) is read, too.</param>
     /// <param name="format">The format of the file.</param>
     /// <exception cref="InputException">The file cannot be opened, or its content violates the format.</exception>
-    public static MeasurementFile Read(string path, MeasurementFormat format) => Read(FileBytes.Read(path, format.MaxBytes), path, format);
+    public static MeasurementFile Read(string path, MeasurementFormat format)
+    {
+        ArgumentNullException.ThrowIfNull(format);
+        return Read(MeasurementBytes.Read(path, LimitOf(format)), format);
+    }
 
     /// <summary>Reads a file from its bytes.</summary>
     /// <param name="bytes">The bytes.</param>
     /// <param name="fileName">The file name in errors and source rules.</param>
     /// <param name="format">The format of the file.</param>
     /// <exception cref="InputException">The content violates the format.</exception>
-    public static MeasurementFile Read(ReadOnlyMemory<byte> bytes, string fileName, MeasurementFormat format)
+    public static MeasurementFile Read(ReadOnlyMemory<byte> bytes, string fileName, MeasurementFormat format) =>
+        Read(new MeasurementBytes(fileName, bytes), format);
+
+    /// <summary>Reads a measurement from its bytes.</summary>
+    /// <param name="source">The bytes.</param>
+    /// <param name="format">The format of tables. A file that shows another format itself (QIF, AQDEF, DMIS, tables of CALYPSO and
+    /// PC-DMIS) is read as that, unless the description of the format names columns.</param>
+    /// <exception cref="InputException">The content violates the format.</exception>
+    public static MeasurementFile Read(MeasurementBytes source, MeasurementFormat format)
     {
-        FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
-        var text = SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter);
-        var table = Table.Read(text, fileName, format.Layout);
+        ArgumentNullException.ThrowIfNull(source);
+        ArgumentNullException.ThrowIfNull(format);
+        var own = format.Origin == FormatOrigin.Described ? null : SelfDescribingFormat.Of(source);
+        FileBytes.ThrowIfTooLarge(source.File, source.Bytes.Length, own is null ? format.MaxBytes : SelfDescribingFormat.MaxBytes);
+        var content = own?.Read(source) ?? ReadTable(source, format);
+        return content switch
+        {
+            { Points.Count: > 0 } => new(source, content),
+            { Incomplete: [var (label, axis, place), ..] } => throw place.Fail(
+                MeasurementError.MissingCoordinate,
+                $"the point {MeasurementRefusal.Quote(label)} without {axis}",
+                "X and Y of each point: measure and export them"),
+            _ => throw content.Labels.Fail(
+                MeasurementError.NoPoints,
+                own is null ? "a table without points" : "a file without points",
+                "at least one point: export the measurement again"),
+        };
+    }
+
+    /// <summary>The largest file that may be read before its content shows its format.</summary>
+    /// <param name="format">The format of tables.</param>
+    public static int LimitOf(MeasurementFormat format)
+    {
+        ArgumentNullException.ThrowIfNull(format);
+        return format.Origin == FormatOrigin.Described ? format.MaxBytes : Math.Max(format.MaxBytes, SelfDescribingFormat.MaxBytes);
+    }
+
+    private static MeasuredContent ReadTable(MeasurementBytes source, MeasurementFormat format)
+    {
+        var text = SourceText.Decode(source.Bytes.Span, source.File, format.Encoding, format.Delimiter);
+        format = format.Origin == FormatOrigin.Recognized ? TableRecognition.FormatOf(text, format) : format;
+        var table = Table.Read(text, source.File, format.Layout);
         var (points, nominals, labels) = format.Columns.Read(table, format);
-        return points.Count > 0
-            ? new(Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), format.Unit, table, labels, points, nominals)
-            : throw labels.Fail(MeasurementError.NoPoints, "a table without points", "at least one point: export the measurement again");
+        return new(format.Unit, points, nominals, labels) { Fields = table.Fields, Texts = table.TextsOf };
     }
 }

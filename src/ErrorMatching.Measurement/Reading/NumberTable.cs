@@ -54,7 +54,11 @@ public sealed class NumberTable
     {
         var format = MeasurementFormat.Points with { Delimiter = DelimiterOf(bytes.Span) };
         FileBytes.ThrowIfTooLarge(fileName, bytes.Length, format.MaxBytes);
-        var table = Table.Read(SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter), fileName, format.Layout);
+        var table = Table.Read(
+            SourceText.Decode(bytes.Span, fileName, format.Encoding, format.Delimiter), fileName, format.Layout with
+            {
+                IsFixed = true,
+            });
         var indexes = columns.Select(c => table.FindNamed(c, [c, c + "_mm"])).ToArray();
         var texts = columns.ToDictionary(c => c, _ => new List<string>(table.Rows.Count), StringComparer.Ordinal);
         foreach (var row in table.Rows)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -5,13 +6,16 @@ namespace ErrorMatching.Measurement;
 /// <summary>A cell of a table with its location and column name, both used in messages.</summary>
 internal readonly record struct Cell(string Text, Place Place, string Column, bool DecimalComma)
 {
+    /// <summary>True if no job can describe the layout of the table.</summary>
+    public bool IsFixed { get; init; }
+
     /// <summary>Parses the cell as a number.</summary>
     /// <exception cref="InputException">It is not a plain decimal number.</exception>
     public DecimalNumber Number()
     {
         if (DecimalNumber.TryRead(Text, DecimalComma) is not { } number)
         {
-            var (code, expected) = NumberDefect.Of(Text, DecimalComma);
+            var (code, expected) = NumberDefect.Of(Text, DecimalComma, IsFixed);
             throw Fail(code, expected);
         }
 
@@ -19,6 +23,12 @@ internal readonly record struct Cell(string Text, Place Place, string Column, bo
             ? number
             : throw Fail(MeasurementError.NumberOutOfRange, "a number within double precision");
     }
+
+    /// <summary>Parses the cell as a whole number.</summary>
+    /// <exception cref="InputException">It is not a whole number within 32 bits.</exception>
+    public int Whole() => int.TryParse(Text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var number)
+        ? number
+        : throw Fail(Text.Length == 0 ? MeasurementError.EmptyCell : MeasurementError.TextForNumber, "a whole number");
 
     /// <summary>Reads the cell as a name.</summary>
     /// <exception cref="InputException">It is empty or a spreadsheet formula.</exception>

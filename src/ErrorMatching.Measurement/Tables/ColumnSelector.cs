@@ -5,7 +5,9 @@ namespace ErrorMatching.Measurement;
 /// <summary>Selects a column of a table by name or position.</summary>
 public readonly record struct ColumnSelector
 {
-    private ColumnSelector(string? name, int position) => (Name, Position) = (name, position);
+    private readonly string? _other;
+
+    private ColumnSelector(string? name, int position, string? other = null) => (Name, Position, _other) = (name, position, other);
 
     /// <summary>Name in the header line, case ignored; null if the column is given by position.</summary>
     public string? Name { get; }
@@ -13,8 +15,14 @@ public readonly record struct ColumnSelector
     /// <summary>Position from 1; 0 if the column is given by name.</summary>
     public int Position { get; }
 
+    /// <summary>The accepted names, if the column is given by name.</summary>
+    internal IReadOnlyList<string> Names => Name is null ? [] : _other is null ? [Name] : [Name, _other];
+
     /// <summary>Selects a column by name.</summary>
     public static ColumnSelector Named(string name) => new(name, 0);
+
+    /// <summary>Selects a column that has one of two names.</summary>
+    internal static ColumnSelector Either(string name, string other) => new(name, 0, other);
 
     /// <summary>Selects a column by position.</summary>
     /// <param name="position">Position from 1.</param>

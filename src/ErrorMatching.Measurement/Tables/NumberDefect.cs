@@ -6,7 +6,7 @@ namespace ErrorMatching.Measurement;
 internal static partial class NumberDefect
 {
     /// <summary>Returns the code and expectation for a text that is not a plain decimal number.</summary>
-    public static (string Code, string Expected) Of(string text, bool decimalComma)
+    public static (string Code, string Expected) Of(string text, bool decimalComma, bool isFixed)
     {
         var example = decimalComma ? "a number such as 12,345 or -5e-3" : "a number such as 12.345 or -5e-3";
         var (code, advice) = text switch
@@ -16,8 +16,16 @@ internal static partial class NumberDefect
             _ when Infinite().IsMatch(text) => (MeasurementError.InfiniteNumber, ": measure the point again, or leave its line out"),
             _ when Grouped().IsMatch(text) => (MeasurementError.ThousandsSeparator, " without separators between the thousands"),
             _ when DecimalNumber.TryRead(text, !decimalComma) is not null => decimalComma
-                ? (MeasurementError.DecimalPoint, ", for the format says decimal comma: set decimalComma to false if the file has points")
-                : (MeasurementError.DecimalComma, ", for the format says decimal point: set decimalComma to true if the file has commas"),
+                ? (
+                    MeasurementError.DecimalPoint,
+                    ", for the format says decimal comma: if the file has points, set \"decimalComma\": false in the \"format\" of "
+                        + "\"gauge\"")
+                : (
+                    MeasurementError.DecimalComma,
+                    isFixed
+                        ? " with a decimal point"
+                        : ", for the format says decimal point: if the file has commas, set \"decimalComma\": true in the \"format\" of "
+                            + "\"gauge\""),
             _ when IsFormula(text) => (MeasurementError.Formula, ": export values, not formulas"),
             _ => (MeasurementError.TextForNumber, ""),
         };

@@ -20,9 +20,27 @@ internal static class SourceText
 
     public static IReadOnlyList<string> EncodingNames { get; } = [.. Encodings.Select(e => e.Name)];
 
+    /// <summary>Decodes a file whose format names no encoding: as its byte order mark says, or in UTF-8, or else in
+    /// windows-1252.</summary>
+    /// <param name="bytes">The bytes.</param>
+    /// <param name="file">The file name, for messages.</param>
+    /// <param name="controls">Control characters that belong to the format.</param>
+    public static string DecodeOwn(ReadOnlySpan<byte> bytes, string file, string controls = "")
+    {
+        var marked = bytes is [0xFF, 0xFE, ..] ? "utf-16" : bytes is [0xFE, 0xFF, ..] ? "utf-16be" : "utf-8";
+        try
+        {
+            return Decode(bytes, file, marked, '\t', controls);
+        }
+        catch (InputException e) when (e.Code == MeasurementError.InvalidEncoding && marked == "utf-8")
+        {
+            return Decode(bytes, file, "windows-1252", '\t', controls);
+        }
+    }
+
     /// <summary>Decodes a file without its byte order mark.</summary>
     /// <exception cref="InputException">The file is empty, is not text, or is text of another encoding.</exception>
-    public static string Decode(ReadOnlySpan<byte> bytes, string file, string encodingName, char delimiter)
+    public static string Decode(ReadOnlySpan<byte> bytes, string file, string encodingName, char delimiter, string controls = "")
     {
         bytes = WithoutByteOrderMark(bytes, file, ref encodingName);
         if (encodingName is not ("utf-16" or "utf-16be") && bytes.IndexOf((byte)0) is var nul and >= 0)
@@ -48,10 +66,23 @@ internal static class SourceText
                 e);
         }
 
-        var control = text.AsSpan().IndexOfAnyInRange('\0', '\b') is var low and >= 0
-            ? low
-            : text.AsSpan().IndexOfAnyInRange('\u000e', '\u001f');
+        var control = text.AsSpan().IndexOfAnyInRange('\0', '\b') is var low and >= 0 ? low : HighControl(text, controls);
         return control < 0 ? text : throw Binary(PlaceAfter(text[..control], file, delimiter), text[control]);
+    }
+
+    // After tab, line breaks and form feed.
+    private static int HighControl(string text, string allowed)
+    {
+        for (var at = 0; ;)
+        {
+            var next = text.AsSpan(at).IndexOfAnyInRange('\u000e', '\u001f');
+            if (next < 0 || !allowed.Contains(text[at + next], StringComparison.Ordinal))
+            {
+                return next < 0 ? -1 : at + next;
+            }
+
+            at += next + 1;
+        }
     }
 
     private static InputException Binary(Place place, char control) => place.Fail(

@@ -7,15 +7,10 @@ namespace ErrorMatching.Measurement;
 internal sealed class Table
 {
     private readonly CsvRow? _header;
-    private readonly bool _decimalComma;
-    private readonly char _delimiter;
+    private readonly TableLayout _layout;
 
-    private Table(
-        string file, IReadOnlyList<HeaderField> fields, CsvRow? header, IReadOnlyList<CsvRow> rows, char delimiter, bool decimalComma)
-    {
-        (File, Fields, _header, Rows) = (file, fields, header, rows);
-        (_delimiter, _decimalComma) = (delimiter, decimalComma);
-    }
+    private Table(string file, IReadOnlyList<HeaderField> fields, CsvRow? header, IReadOnlyList<CsvRow> rows, TableLayout layout) =>
+        (File, Fields, _header, Rows, _layout) = (file, fields, header, rows, layout);
 
     public string File { get; }
 
@@ -52,19 +47,18 @@ internal sealed class Table
 
         foreach (var row in rows)
         {
-            CheckWidth(row, rows[0]);
+            CheckWidth(row, rows[0], layout.IsFixed);
         }
 
-        return new(
-            file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout.Delimiter, layout.DecimalComma);
+        return new(file, fields, layout.HasHeader ? rows[0] : null, layout.HasHeader ? rows[1..] : rows, layout);
     }
 
     /// <summary>The index of a required column.</summary>
     /// <exception cref="InputException">The column is missing or occurs twice.</exception>
-    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, [name]) : FindAt(column.Position - 1);
+    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, column.Names) : FindAt(column.Position - 1);
 
     /// <summary>The index of an optional column, or -1.</summary>
-    public int FindOptional(ColumnSelector column) => column.Name is { } name && IndexesOf([name]).Count == 0 ? -1 : Find(column);
+    public int FindOptional(ColumnSelector column) => column.Name is not null && IndexesOf(column.Names).Count == 0 ? -1 : Find(column);
 
     /// <summary>The index of the only column that has one of several names.</summary>
     public int FindNamed(string shown, IReadOnlyList<string> names)
@@ -86,7 +80,10 @@ internal sealed class Table
             row.Texts[index].Trim(),
             row.PlaceOf(index),
             _header is null ? "number " + (index + 1).ToString(CultureInfo.InvariantCulture) : _header.Texts[index].Trim(),
-            _decimalComma);
+            _layout.DecimalComma)
+        {
+            IsFixed = _layout.IsFixed,
+        };
 
     /// <summary>The location of a column's heading, or of its first cell.</summary>
     public Place Top(int index) => (_header ?? Rows[0]).PlaceOf(index);
@@ -111,13 +108,13 @@ internal sealed class Table
     private InputException MissingColumn(string name)
     {
         var cells = _header!.Texts;
-        if (cells.Count > 1 && cells.Count(c => DecimalNumber.TryRead(c.Trim(), _decimalComma) is not null) * 2 > cells.Count)
+        if (cells.Count > 1 && cells.Count(c => DecimalNumber.TryRead(c.Trim(), _layout.DecimalComma) is not null) * 2 > cells.Count)
         {
             return Top(0).Fail(
                 MeasurementError.MissingHeader, "numbers in the first line", $"a header with the names of the columns, among them {name}");
         }
 
-        var other = cells.Count == 1 ? ",;\t|".FirstOrDefault(d => d != _delimiter && cells[0].Contains(d)) : '\0';
+        var other = cells.Count == 1 ? ",;\t|".FirstOrDefault(d => d != _layout.Delimiter && cells[0].Contains(d)) : '\0';
         return Top(0).Fail(
             MeasurementError.MissingColumn,
             "a header with the columns " + string.Join(", ", cells.Take(20).Select(c => MeasurementRefusal.Quote(c.Trim()))),
@@ -125,7 +122,7 @@ internal sealed class Table
                 + (other == '\0' ? "" : $": set the delimiter of the format to {MeasurementRefusal.Quote(other.ToString())}"));
     }
 
-    private static void CheckWidth(CsvRow row, CsvRow first)
+    private static void CheckWidth(CsvRow row, CsvRow first, bool isFixed)
     {
         var (count, width) = (row.Texts.Count, first.Texts.Count);
         if (count < width)
@@ -143,7 +140,11 @@ internal sealed class Table
                 throw row.PlaceOf(i).Fail(
                     MeasurementError.LongRow,
                     $"a line of {count} cells",
-                    $"{width} cells as in the first line: are there decimal commas or thousands separators that split a number?");
+                    $"{width} cells as in the first line: are there decimal commas or thousands separators that split a number? "
+                        + (isFixed
+                            ? "Write numbers with decimal points"
+                            : "A file with decimal commas needs semicolons or tabs between its cells, and \"decimalComma\": true in the "
+                                + "\"format\" of \"gauge\""));
             }
         }
     }
@@ -165,7 +166,11 @@ internal sealed class Table
 /// <param name="Delimiter">The cell separator.</param>
 /// <param name="DecimalComma">True if numbers are written 32,067 instead of 32.067.</param>
 /// <param name="HasHeader">True if the first line names the columns.</param>
-internal readonly record struct TableLayout(int SkipLines, char Delimiter, bool DecimalComma, bool HasHeader);
+internal readonly record struct TableLayout(int SkipLines, char Delimiter, bool DecimalComma, bool HasHeader)
+{
+    /// <summary>True if no job can describe the layout, so that messages do not say how.</summary>
+    public bool IsFixed { get; init; }
+}
 
 /// <summary>A name and value from the lines above the table, such as <c>Serial number: 4711</c>.</summary>
 /// <param name="Name">The text before the first colon, equals sign or delimiter.</param>

@@ -89,6 +89,33 @@ public sealed class BadInputTests
         await Refused(shop, 1, "undecided-source", "match", Job, "--part", "samples/complex-mating/theoretical.csv", "--out", "out");
     }
 
+    [Fact]
+    public async Task Common_mistakes_are_named()
+    {
+        using var shop = new Workshop();
+        const string before = "samples/complex-mating/counterpart.csv", surface = "samples/surface-one/job.json";
+        const string measured = "samples/surface-one/measured.csv";
+        await Refused(shop, 1, "wrong-piece", "match", Job, "--part", before, "--out", "out");
+        await Refused(shop, 1, "wrong-piece", "verify", Job, "--before", Part, "--after", before);
+        await Refused(shop, 1, "same-measurement", "verify", Job, "--before", before, "--after", before);
+        await Refused(shop, 1, "not-a-measurement", "match", Job, "--part", Program, "--out", "out");
+        await Refused(shop, 1, "other-kind", "match", surface, "--out", "out");
+        await Refused(shop, 1, "other-kind", "surface", "evaluate", Job, "--measured", measured);
+        await Refused(shop, 1, "not-a-measurement", "surface", "evaluate", surface, "--measured", "samples/surface-one/surface.igs");
+        File.WriteAllText(shop["commas.csv"], File.ReadAllText(shop[measured]).Replace(',', ';').Replace('.', ','));
+        var comma = await Refused(shop, 1, "decimal-comma", "surface", "evaluate", surface, "--measured", "commas.csv");
+        Assert.Contains(
+            "set \"decimalComma\": true in the \"format\" of \"gauge\"",
+            comma.GetProperty("message").GetString(),
+            StringComparison.Ordinal);
+        shop.Edit(surface, "\"measuring\": {", "\"gauge\": { \"format\": { \"decimalComma\": true } }, \"measuring\": {");
+        Assert.Equal(0, (await shop.Run(["surface", "evaluate", surface, "--measured", "commas.csv"])).Exit);
+        shop.Edit(surface, "\"surface.igs\"", "\"measured.csv\"");
+        await Refused(shop, 1, "cloud-as-surface", "surface", "evaluate", surface, "--measured", "commas.csv");
+        File.WriteAllText(shop["samples/surface-one/measured.csv"], "solid s\nfacet normal 0 0 1\n");
+        await Refused(shop, 1, "mesh-as-surface", "surface", "evaluate", surface, "--measured", "commas.csv");
+    }
+
     [Theory]
     [InlineData("\"kind\": \"mating\"", "\"kind\": \"matting\"", "not-one-of|wrong-type|no-alternative", "$.kind")]
     [InlineData("\"gain\": 1.0", "\"gian\": 1.0", "unknown-key", "$.compensation.gian")]

@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -90,6 +91,43 @@ public sealed class FreeformJobTests
     private static string WithProfile(string tolerance, string measuring) => FreeformTemplate.Text
         .Replace("\"fit\":", $"\"profileToleranceMm\": {tolerance}, \"fit\":", StringComparison.Ordinal)
         .Replace("\"approachMm\": 2", measuring + "\"approachMm\": 2", StringComparison.Ordinal);
+    public void A_mating_job_is_one_problem_that_says_which_verb_it_belongs_to()
+    {
+        var error = Assert.Throws<InputException>(() => Parse("""{ "name": "n", "kind": "mating", "part": {} }"""));
+        Assert.Equal((FreeformJob.OtherKind, "$.kind", 1, 24), (error.Code, error.Place.Path, error.Place.Line, error.Place.Column));
+        Assert.Contains("errormatch match and verify", Assert.Single(error.Refusals).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_files_of_a_gauge_are_described_as_in_mating()
+    {
+        var job = Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {",
+            """
+            "gauge": { "format": { "delimiter": ";", "decimalComma": true, "unit": "inch", "columns": { "label": "Nr" } } },
+            "measuring": {
+            """,
+            StringComparison.Ordinal));
+        var format = job.Measuring.Format;
+        Assert.Equal((';', true, LengthUnit.Inch), (format.Delimiter, format.DecimalComma, format.Unit));
+        var onlyCommas = Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {", "\"gauge\": { \"format\": { \"decimalComma\": true } }, \"measuring\": {", StringComparison.Ordinal));
+        Assert.Equal(MeasurementFormat.Recognized with { DecimalComma = true }, onlyCommas.Measuring.Format);
+        Assert.Equal(MeasurementFormat.Recognized, Parse(FreeformTemplate.Text).Measuring.Format);
+    }
+
+    [Theory]
+    [InlineData("\"format\": \"table\"", "bad-format", "$.gauge.format")]
+    [InlineData("\"format\": { \"delimiter\": \"#\" }", "bad-format", "$.gauge.format.delimiter")]
+    [InlineData("\"format\": { \"columns\": { \"label\": true } }", "bad-format", "$.gauge.format.columns.label")]
+    [InlineData("\"formt\": \"points\"", "unknown-key", "$.gauge.formt")]
+    public void A_wrong_description_of_a_gauge_s_files_is_named_by_its_path(string gauge, string code, string path)
+    {
+        var error = Assert.Throws<InputException>(() => Parse(FreeformTemplate.Text.Replace(
+            "\"measuring\": {", "\"gauge\": { " + gauge + " }, \"measuring\": {", StringComparison.Ordinal)));
+        Assert.Equal((code, path), (error.Code, error.Place.Path));
+        Assert.True(error.Place.Line > 0 && error.Place.Column > 0);
+    }
 
     // Speeds, feeds and lengths that no machine has: written, they would round to 0 or be words of hundreds of digits.
     [Theory]

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using FsCheck;
 using FsCheck.Fluent;
@@ -123,6 +124,52 @@ public sealed class MeasuredSurfaceReaderTests
         Assert.Contains("stylus-center", Assert.Throws<InputException>(() => Read(text)).Message, StringComparison.Ordinal);
     }
 
+    // One surface in three spellings: the gauge of a shop with decimal commas, in inches, or with names of its own.
+    [Theory]
+    [InlineData("""{ "delimiter": ";", "decimalComma": true, "skipLines": 2, "columns": { "label": "Nr", "x": "X-Ist", "y": "Y-Ist", "z": "Z-Ist" } }""")]
+    [InlineData("""{ "delimiter": "\t", "unit": "inch", "encoding": "utf-16", "columns": { "label": 1, "x": 2, "y": 3, "z": 4 } }""")]
+    [InlineData("""{ "kind": "grid", "delimiter": "|", "columns": { "i": "u", "j": "v", "x": "x", "y": "y", "z": "z" } }""")]
+    public void A_gauge_s_file_is_read_as_the_job_describes_it(string description)
+    {
+        var format = MeasurementFormat.FromJson(description);
+        var scale = format.Unit == LengthUnit.Inch ? 1 / 25.4 : 1;
+        var isGrid = format.Kind == "grid";
+        var head = format.SkipLines > 0 ? "Teil: 4711\nPrüfer: Wang\nNr|X-Ist|Y-Ist|Z-Ist\n" : isGrid ? "x|y|z|v|u\n" : "";
+        var text = head + string.Concat(Plan.Points.Select(p =>
+        {
+            var at = Plan.ContactOf(p);
+            var place = string.Create(CultureInfo.InvariantCulture, $"{at.X * scale:R}|{at.Y * scale:R}|{at.Z * scale:R}");
+            place = format.DecimalComma ? place.Replace('.', ',') : place;
+            return isGrid
+                ? string.Create(CultureInfo.InvariantCulture, $"{place}|{p.J}|{p.I}\n")
+                : string.Create(CultureInfo.InvariantCulture, $"P{p.Number}|{place}\n");
+        }));
+        text = text.Replace('|', format.Delimiter);
+        var bytes = format.Encoding == "utf-16" ? Encoding.Unicode.GetBytes(text) : Encoding.UTF8.GetBytes(text);
+        var measured = MeasuredSurfaceReader.Read(bytes, "measured.csv", Plan, Plan.Measuring with { Format = format });
+        Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-9));
+        Assert.Equal(head.Count(c => c == '\n') + 1, measured.Points[0].Line);
+    }
+
+    [Theory]
+    [InlineData("measured.qif")]
+    [InlineData("measured.dfq")]
+    [InlineData("measured.dmo")]
+    [InlineData("measured_chr.txt")]
+    [InlineData("measured.txt")]
+    public void A_file_that_shows_its_format_needs_no_description(string name)
+    {
+        var bytes = Encoding.UTF8.GetBytes(GaugeFiles.Of(name, [.. Plan.Points.Select(p => ($"P{p.Number}", Plan.ContactOf(p)))]));
+        var measured = MeasuredSurfaceReader.Read(bytes, name, Plan, Plan.Measuring);
+        Assert.All(measured.Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 1e-4));
+        var random = new Random(3);
+        Assert.InRange(Enumerable.Range(0, 200).Count(_ => Survives(Damaged.Of(bytes, random))), 0, 195);
+    }
+
+    [Fact]
+    public void A_log_is_read_whatever_format_the_gauge_has() =>
+        Assert.Equal(20, Read(Log(), Plan.Measuring with { Format = MeasurementFormat.FeatureTable }).Points.Count);
+
     // The fourth point of the plan, by its number, and where it is not in the grid.
     [Fact]
     public void Columns_that_contradict_each_other_are_refused()
@@ -154,7 +201,11 @@ public sealed class MeasuredSurfaceReaderTests
 
     [Fact]
     public void A_decimal_comma_between_commas_is_no_other_number() =>
-        Refused("point,x,y,z\n1,0,5000,0,2500,30,1000\n", "long-row", 2, "found a line of 7 cells; expected 4");
+        Refused(
+            "point,x,y,z\n1,0,5000,0,2500,30,1000\n",
+            "long-row",
+            2,
+            "needs semicolons or tabs between its cells, and \"decimalComma\": true");
 
     [Fact]
     public void A_missing_point_is_named() => Refused(Without(3), "missing-point", null, "missing: 3.");
@@ -177,10 +228,11 @@ public sealed class MeasuredSurfaceReaderTests
     [Fact]
     public void A_point_beyond_all_machines_is_named_in_few_digits() =>
         Refused(
-            "point,x,y,z\n"
+            Log().Split('\n')[0] + "\n"
                 + string.Concat(Plan.Points.Select(p => string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{p.Number},{Plan.ContactOf(p).X:R},{Plan.ContactOf(p).Y:R},{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))),
+                    $"P{p.Number} S X{Plan.ContactOf(p).X:R} Y{Plan.ContactOf(p).Y:R} "
+                        + $"Z{(p.Number == 6 ? 1e200 : Plan.ContactOf(p).Z):R}\n"))),
             "far-off-point",
             7,
             "point 6 is more than 1E+150 mm from where it is expected");
@@ -228,34 +280,32 @@ public sealed class MeasuredSurfaceReaderTests
     [Theory]
     [InlineData("", "empty-file", null, null, "the file is empty", "a log, or a table with a header, is expected")]
     [InlineData("\n% \n", "empty-file", null, null, "the file is empty", "a log, or a table with a header, is expected")]
-    [InlineData("hello", "missing-column", 1, null, "the columns \"hello\"", "expected x among them")]
-    [InlineData("x,y,z\n1,2,3\n", "missing-column", 1, null, "the columns \"x\", \"y\", \"z\"", "expected point, or i and j")]
-    [InlineData("point,x,y\n1,2,3\n", "missing-column", 1, null, "the columns \"point\", \"x\", \"y\"", "expected z among them")]
-    [InlineData("point,x,y,z\n1,2,3\n", "short-row", 2, null, "a line of 3 cells", "expected 4 as in the header")]
-    [InlineData(
-        "point,x,y,z\n1,2,3,4,5\n",
-        "long-row",
-        2,
-        null,
-        "a line of 5 cells",
-        "expected 4 as in the header, and numbers with a decimal point")]
-    [InlineData("point,x,y,z\n1,2,3,NaN\n", "bad-number", 2, 4, "found \"NaN\"", "expected a coordinate in millimetres")]
-    [InlineData("point,x,y,z\none,2,3,4\n", "bad-number", 2, 1, "found \"one\"", "expected the number of a point of the plan")]
-    [InlineData("i,j,x,y,z\n0,0.5,2,3,4\n", "bad-number", 2, 2, "found \"0.5\"", "expected a whole number as in plan.csv")]
-    [InlineData("point,x,x,y,z\n1,2,3,4,5\n", "duplicate-column", 1, null, "two columns for x", "expected it once")]
+    [InlineData("hello", "missing-column", 1, 1, "the columns \"hello\"", "expected a column point")]
+    [InlineData("x,y,z\n1,2,3\n", "missing-column", 1, 1, "the columns \"x\", \"y\", \"z\"", "expected a column point")]
+    [InlineData("point,x,y\n1,2,3\n", "missing-coordinate", 2, null, "no Z of the point \"1\"", "expected X, Y and Z")]
+    [InlineData("point,x,y,z\n1,2,3\n", "short-row", 2, 4, "a line of 3 cells", "expected 4 cells as in the first line")]
+    [InlineData("point,x,y,z\n1,2,3,4,5\n", "long-row", 2, 5, "a line of 5 cells", "expected 4 cells as in the first line")]
+    [InlineData("point,x,y,z\n1,2,3,NaN\n", "not-a-number", 2, 4, "found \"NaN\"", "measure the point again")]
+    [InlineData("point;x;y;z\n1;2;3;4,5\n", "decimal-comma", 2, 4, "found \"4,5\"", "set \"decimalComma\": true in the \"format\"")]
+    [InlineData("point,x,y,z\n1,2,3,1e200\n", "implausible-number", 2, 4, "found \"1e200\"", "within a kilometer")]
+    [InlineData("point,x,y,z\none,2,3,4\n", "bad-number", 2, null, "found the point \"one\"", "the number of a point of the plan")]
+    [InlineData("i,j,x,y,z\n0,0.5,2,3,4\n", "text-for-number", 2, 2, "found \"0.5\"", "expected a whole number")]
+    [InlineData("i,j,x,y,z\n0,0,2,3,4\n0,0,2,3,4\n", "duplicate-point", 3, 1, "found \"0\"", "line 2 has 0,0 already")]
+    [InlineData("point,i,j,x,y,z\n1,a,0,2,3,4\n", "text-for-number", 2, null, "found \"a\"", "expected a whole number as in plan.csv")]
+    [InlineData("point,x,x_mm,y,z\n1,2,3,4,5\n", "duplicate-column", 1, 3, "a second column for x", "each needed column once")]
     [InlineData(
         "feature,item,nominal,actual,deviation\nA,X,1,1,0\nA,Y,1,1,0\nA,Z,1,1,0\n",
         "bad-number",
         2,
         null,
-        "the feature \"A\"",
+        "the point \"A\"",
         "expected the number of a point of the plan")]
     [InlineData(
         "feature,item,nominal,actual,deviation\nP1,X,1,1,0\nP1,Y,1,1,0\n",
         "missing-coordinate",
         2,
         null,
-        "no Z of the feature \"P1\"",
+        "no Z of the point \"P1\"",
         "expected X, Y and Z")]
     [InlineData(
         "ERRORMATCH PROBE\n",
@@ -266,8 +316,10 @@ public sealed class MeasuredSurfaceReaderTests
         "expected ERRORMATCH PROBE PLAN, the plan's number, and MM")]
     [InlineData("ERRORMATCH PROBE PLAN 0 INCH\n", "bad-log", 1, null, "the unit \"INCH\"", "expected MM")]
     [InlineData("i,j,x,y,z\n99,0,2,3,4\n", "unknown-point", 2, null, "the point i 99, j 0", "the plan has i from 0 to 4 and j from 0 to 3")]
-    [InlineData("point,x,y,z\n\0", "binary-file", null, null, "a NUL character", "expected text")]
-    [InlineData("point,x,y,z\n\u00ff", "invalid-encoding", null, null, "bytes that are no UTF-8 text", "expected UTF-8")]
+    [InlineData("point,x,y,z\n\0", "binary-file", 2, 1, "the control character 0x00", "expected text")]
+    [InlineData("point,x,y,z\n\u00ff", "invalid-encoding", 2, 1, "byte 0xFF", "expected text in utf-8")]
+    [InlineData("ERRORMATCH \0", "binary-file", null, null, "a NUL character", "expected text")]
+    [InlineData("ERRORMATCH \u00ff", "invalid-encoding", null, null, "bytes that are no UTF-8 text", "expected UTF-8")]
     public void What_is_no_measurement_is_refused(string text, string code, int? line, int? column, string found, string expected)
     {
         var error = Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(

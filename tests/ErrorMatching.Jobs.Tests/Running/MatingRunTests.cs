@@ -33,6 +33,29 @@ public sealed class MatingRunTests
         Assert.Equal(["job.json", "theoretical.csv", "counterpart.nc"], files.Read.Select(Path.GetFileName));
     }
 
+    // The part's file of the sample as Q-DAS writes it: what it is in part.dfd, what was measured in part.dfx.
+    [Fact]
+    public void A_measurement_in_two_files_gives_what_one_gives_and_neither_is_written_to()
+    {
+        using var folder = new TemporaryFolder();
+        var rows = File.ReadLines(Repository.PathTo("samples", "complex-mating", "part.csv")).Skip(1).Select(l => l.Split(',')).ToArray();
+        var values = rows.SelectMany(r => new[] { (Name: r[0] + ".X", Value: r[1]), (Name: r[0] + ".Y", Value: r[2]) }).ToArray();
+        File.WriteAllText(
+            folder["part.dfd"],
+            FormattableString.Invariant($"K0100 {values.Length}\n")
+                + string.Concat(values.Select((v, i) => FormattableString.Invariant($"K2002/{i + 1} {v.Name}\nK2142/{i + 1} mm\n"))));
+        File.WriteAllText(folder["part.dfx"], string.Join('\u000f', values.Select(v => v.Value + "\u00140")));
+        var files = new JobFiles(Job);
+        var matched = MatingRun.Of(files, new() { Part = new(folder["part.dfx"]) }, TestContext.Current.CancellationToken).Result!;
+        Assert.Equal(
+            ["job.json", "theoretical.csv", "part.dfx", "part.dfd", "counterpart.nc"], files.Read.Select(f => Path.GetFileName(f)));
+
+        // The marker names the measurement, which has another hash.
+        static string[] Blocks(MatchedProgram p) =>
+            [.. System.Text.Encoding.Latin1.GetString(p.Program.Span).Split('\n').Where(l => l.StartsWith('N'))];
+        Assert.Equal(Blocks(Matched(new())), Blocks(matched));
+    }
+
     [Fact]
     public void A_gain_takes_the_place_of_the_job_s_and_the_report_says_so()
     {

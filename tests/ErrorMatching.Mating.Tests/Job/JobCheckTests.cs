@@ -8,8 +8,16 @@ public sealed class JobCheckTests
 {
     private const string Compensation = "\"compensation\": { \"from\": \"part\" }";
 
+    [Fact]
+    public void A_free_form_job_is_one_problem_that_says_which_verb_it_belongs_to()
+    {
+        var error = Assert.Throws<InputException>(() => MatingJob.Parse("""{ "kind": "freeform", "surface": "s.stp" }"""u8, "job.json"));
+        Assert.Equal((MatingJob.OtherKind, "$.kind", 1, 11), (error.Code, error.Place.Path, error.Place.Line, error.Place.Column));
+        Assert.Contains("errormatch surface", Assert.Single(error.Refusals).Message, StringComparison.Ordinal);
+    }
+
     [Theory]
-    [InlineData("\"kind\": \"mating\"", "\"kind\": \"freeform\"", "not-one-of", "$.kind")]
+    [InlineData("\"kind\": \"mating\"", "\"kind\": \"matting\"", "not-one-of", "$.kind")]
     [InlineData("\"name\": \"Complex mating\"", "\"name\": \"\"", "too-short", "$.name")]
     [InlineData("\"workOrder\": \"WO-1\"", "\"workOrder\": 1", "wrong-type", "$.workOrder")]
     [InlineData("\"theoretical\": \"theoretical.csv\", ", "", "missing-key", "$.part")]

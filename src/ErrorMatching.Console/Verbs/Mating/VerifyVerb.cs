@@ -38,8 +38,14 @@ internal sealed class VerifyVerb : Verb
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var (theoretical, part) = (files.Theoretical(), files.Part(GivenFile.At(arguments.GetValue(_part))));
+        files.CheckFrame(theoretical, part);
         var (before, after) = (
             files.Counterpart(new(arguments.GetRequiredValue(_before))), files.Counterpart(new(arguments.GetRequiredValue(_after))));
+        if (before.Sha256 == after.Sha256)
+        {
+            throw InputRefusals.SameMeasurement(after.File, before.File);
+        }
+
         var (program, bytes) = files.Program(null);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();

@@ -20,10 +20,10 @@ internal static class PointRows
             }
 
             var position = new Point3(
-                Coordinate.Read(table.Cell(row, x), format),
-                Coordinate.Read(table.Cell(row, y), format),
-                z < 0 ? 0 : Coordinate.Read(table.Cell(row, z), format));
-            Coordinate.ThrowIfTooMany(points.Count + 1, name, format);
+                Coordinate.Read(table.Cell(row, x), format.Unit),
+                Coordinate.Read(table.Cell(row, y), format.Unit),
+                z < 0 ? 0 : Coordinate.Read(table.Cell(row, z), format.Unit));
+            Coordinate.ThrowIfTooMany(points.Count + 1, name, format.MaxPoints);
             points.Add(new(name.Text, position, z >= 0, name.Place.Line));
         }
 

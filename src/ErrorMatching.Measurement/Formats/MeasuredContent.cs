@@ -1,0 +1,19 @@
+namespace ErrorMatching.Measurement;
+
+/// <summary>What a file of any format says.</summary>
+/// <param name="Unit">The unit in the file.</param>
+/// <param name="Points">The measured points, in millimeters.</param>
+/// <param name="Nominals">The nominal points in the same order; empty if the file has none.</param>
+/// <param name="Labels">The location of the labels, for messages about points that are not there.</param>
+internal sealed record MeasuredContent(
+    LengthUnit Unit, IReadOnlyList<LabelledPoint> Points, IReadOnlyList<LabelledPoint> Nominals, Place Labels)
+{
+    /// <summary>What the file says about itself, by name.</summary>
+    public IReadOnlyList<HeaderField> Fields { get; init; } = [];
+
+    /// <summary>The texts of a column by its name; null if there is no such column.</summary>
+    public Func<string, IReadOnlyList<string>?> Texts { get; init; } = _ => null;
+
+    /// <summary>Points that lack a coordinate: the first one they lack, and where they are.</summary>
+    public IReadOnlyList<(string Label, char Axis, Place Place)> Incomplete { get; init; } = [];
+}
