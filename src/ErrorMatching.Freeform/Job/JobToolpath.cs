@@ -15,7 +15,7 @@ public sealed record JobToolpath
     /// <summary>Largest distance between the polyline and the exact curve.</summary>
     public required double ChordMm { get; init; }
 
-    /// <summary>Travel height of the tool above the highest point of the surface.</summary>
+    /// <summary>Travel height of the ball above the highest point of the surface with the stock that the stage leaves.</summary>
     public required double ClearanceMm { get; init; }
 
     /// <summary>True if the program moves the lowest point of the ball, false if its center.</summary>

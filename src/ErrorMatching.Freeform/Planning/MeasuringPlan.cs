@@ -76,6 +76,9 @@ public sealed record MeasuringPlan
     /// <summary>The point on the expected surface: the nominal one plus stock.</summary>
     public Geometry.Point3 ContactOf(PlanPoint point) => Along(point, StockMm);
 
+    /// <summary>What may lie over the nominal surface during measurement; null if only the stock does.</summary>
+    internal StageMaterial? Material { get; init; }
+
     /// <summary>Why there are no points; null if there are points.</summary>
     internal Refusal? Refusal { get; init; }
 

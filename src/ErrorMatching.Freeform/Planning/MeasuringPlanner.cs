@@ -16,6 +16,22 @@ public static class MeasuringPlanner
     /// <summary>Number of points and curves with which the search for a required error starts.</summary>
     private const int FirstCount = 4;
 
+    /// <summary>Returns the plan for a job's surface. Travel and approach are also checked against what the stage before measuring may
+    /// leave over its stock, and against the error that the job holds for plausible: too low ones are in
+    /// <see cref="MeasuringPlan.Refusals"/> (<c>clearance-too-low</c>, <c>approach-too-short</c>).</summary>
+    /// <param name="surface">The nominal finished surface.</param>
+    /// <param name="job">The job.</param>
+    public static MeasuringPlan Plan(PartSurface surface, FreeformJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        var after = job.Measuring.After;
+        return Plan(surface, job.Measuring, job.Stock.Of(after)) with
+        {
+            Material = StageMaterial.After(job, after).And(
+                job.Compensation.LimitMm, "by which the piece may be off (compensation.limitMm)"),
+        };
+    }
+
     /// <summary>Returns the plan for a surface.</summary>
     /// <remarks>Points get equal shares of a curve's turning angle, blended with its length (Lee 2019, section 2.3). If
     /// <see cref="JobMeasuring.ReconstructionErrorMm"/> is given, points are added along the parameter that needs them until

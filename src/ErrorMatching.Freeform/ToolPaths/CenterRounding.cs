@@ -35,6 +35,10 @@ internal sealed class CenterRounding
         Math.Round(p.Y * _scale) / _scale,
         (Math.Round((p.Z - _tipBelow) * _scale) / _scale) + _tipBelow);
 
+    /// <summary>The lowest height of a center in the program that is not below a given one.</summary>
+    // A billionth of an increment is the error of the sum, not a height.
+    public double Up(double z) => (Math.Ceiling(((z - _tipBelow) * _scale) - 1e-9) / _scale) + _tipBelow;
+
     /// <summary>Rounds a point, allowing a shift along the curve.</summary>
     /// <param name="p">The exact place.</param>
     /// <param name="along">Unit direction of the curve.</param>

@@ -21,9 +21,10 @@ internal sealed class ChainBuilder(PlanningContext context, PieceBuilder pieces,
     /// <summary>Number of passes with pieces.</summary>
     public int Passes { get; private set; }
 
-    /// <summary>Z of the ball's center on the way from chain to chain.</summary>
-    public double TravelCenterZ => context.Rounding.Nearest(
-        new(0, 0, gouges.HighestMm + context.Offset.DistanceMm + context.Toolpath.ClearanceMm)).Z;
+    /// <summary>Z of the ball's center on the way from chain to chain. Rounding never takes it into the material.</summary>
+    public double TravelCenterZ { get; } = Math.Max(
+        context.Rounding.Nearest(new(0, 0, gouges.HighestMm + context.Offset.DistanceMm + context.Toolpath.ClearanceMm)).Z,
+        context.Rounding.Up(gouges.HighestMm + context.FreeMm));
 
     /// <summary>Adds a pass to the open chain, or starts another.</summary>
     public void Add(CutPass pass)
@@ -114,18 +115,18 @@ internal sealed class ChainBuilder(PlanningContext context, PieceBuilder pieces,
         return pieces.Make([from, to], _link);
     }
 
-    /// <summary>From an end of a piece to a place off the surface: along the normal, or straight up if that is blocked. From there the
-    /// tool can retract straight up.</summary>
+    /// <summary>From an end of a piece to a place off the surface and its material, from which a rapid move goes straight up: along the
+    /// normal, or straight up if that is blocked.</summary>
     private Vector3? Lead(CutPiece piece, bool first)
     {
         var guide = first == piece.Backwards ? piece.Guide[^1] : piece.Guide[0];
         var at = context.Offset.At(guide.X, guide.Y);
-        var length = Math.Min(context.Offset.RadiusMm, context.Toolpath.ClearanceMm);
-        foreach (var direction in (Vector3[])[at.Normal, new(0, 0, 1)])
+        var center = piece.Centers is not { } centers ? at.Center : first == piece.Backwards ? centers[^1] : centers[0];
+        foreach (var lead in Leads(at.Normal, TravelCenterZ - center.Z))
         {
-            var lead = direction * length;
-            if (IsFree(at.Center, at.Center + lead, at.Normal)
-                && IsFree(at.Center + lead, (at.Center + lead) with { Z = TravelCenterZ }, at.Normal))
+            var end = center + lead;
+            if (!gouges.Blocks(center, end, at.Normal)
+                && (end.Z >= TravelCenterZ || !gouges.MeetsMaterial(end, end with { Z = TravelCenterZ }, at.Normal)))
             {
                 return lead;
             }
@@ -137,19 +138,18 @@ internal sealed class ChainBuilder(PlanningContext context, PieceBuilder pieces,
         return null;
     }
 
-    // After its start, a straight move keeps the ball off the surface. Checked every quarter of a radius.
-    private bool IsFree(Point3 from, Point3 to, Vector3 normal)
+    // One radius is enough where no more material lies around. In a hollow, the ball is clear of its walls only higher up. At the height
+    // of travel it always is.
+    private IEnumerable<Vector3> Leads(Vector3 normal, double upMm)
     {
-        var way = to - from;
-        var steps = (int)Math.Ceiling(4 * way.Length / context.Offset.RadiusMm);
-        for (var i = 1; i <= steps; i++)
+        var length = Math.Min(
+            Math.Max(context.Offset.RadiusMm, context.LeastClearanceMm + (3 * context.Rounding.IncrementMm)), context.Toolpath.ClearanceMm);
+        yield return normal * length;
+        for (; length < upMm; length *= 2)
         {
-            if (gouges.Blocks(from + (way * ((double)i / steps)), normal))
-            {
-                return false;
-            }
+            yield return new(0, 0, length);
         }
 
-        return true;
+        yield return new(0, 0, upMm);
     }
 }

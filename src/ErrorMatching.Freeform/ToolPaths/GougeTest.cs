@@ -13,6 +13,9 @@ internal sealed class GougeTest(PlanningContext context)
     /// <summary>Greatest Z of the surface.</summary>
     public double HighestMm => _tree.HighestMm;
 
+    /// <summary>Where that is.</summary>
+    public Point3 HighestPlace => _tree.HighestPlace;
+
     /// <summary>Tests a line that has not been raised.</summary>
     // It is within the chordal error of the exact offset. If the ball rolls freely on the exact offset, nothing is nearer than that.
     public bool Gouges(CenterLine line)
@@ -41,8 +44,14 @@ internal sealed class GougeTest(PlanningContext context)
     /// <summary>Tests one center.</summary>
     public bool Gouges(Point3 center, Vector3 normal) => _tree.IsNearer(center, normal, context.NearestMm);
 
-    /// <summary>True if a center is nearer than even a raised one may be.</summary>
-    public bool Blocks(Point3 center, Vector3 normal) => _tree.IsNearer(center, normal, context.NearestMm - context.MostRaisedMm);
+    /// <summary>True if a center on a straight way at the feed is nearer than even a raised one may be.</summary>
+    public bool Blocks(Point3 from, Point3 to, Vector3 normal) =>
+        _tree.PlaceNearer(from, to, normal, context.NearestMm - context.MostRaisedMm) is not null;
+
+    /// <summary>True if the ball may meet the material before the stage on a rapid way between two places, which are rounded to the
+    /// program's increment afterwards.</summary>
+    public bool MeetsMaterial(Point3 from, Point3 to, Vector3 normal) =>
+        _tree.PlaceNearer(from, to, normal, context.FreeMm + (2 * context.Rounding.IncrementMm)) is not null;
 
     /// <summary>By how much the ball cuts too deep at a center.</summary>
     public double DepthMm(Point3 center, Vector3 normal) =>

@@ -1,3 +1,6 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Plans one path: the passes along edges, the passes between them, and the chains that they form.</summary>
@@ -15,6 +18,11 @@ internal sealed class PathPlanning(PlanningContext context, int decimals)
         }
 
         var (gouges, totals) = (new GougeTest(context), new PathTotals(context));
+        if (context.Toolpath.ClearanceMm < context.LeastClearanceMm - 1e-9)
+        {
+            return TooLow(gouges.HighestPlace);
+        }
+
         var pieces = new PieceBuilder(context, gouges);
         var chains = new ChainBuilder(context, pieces, gouges, totals);
         MakeEdges(pieces);
@@ -39,6 +47,18 @@ internal sealed class PathPlanning(PlanningContext context, int decimals)
             context.Rounding,
             chains.Chains,
             new(chains.Passes, totals.Points, totals.LengthMm, chains.TravelCenterZ, totals.Certificate, decimals));
+    }
+
+    private Refusal TooLow(Point3 highest)
+    {
+        var (clearance, least) = (context.Toolpath.ClearanceMm, StageMaterial.Text(context.LeastClearanceMm));
+        var from = context.Offset.StockMm > 0 ? $" over the {StageMaterial.Text(context.Offset.StockMm)} mm that this stage leaves" : "";
+        return new(
+            "clearance-too-low",
+            $"toolpath.clearanceMm is {PlaceText.Mm(clearance, 4)} mm. Up to {StageMaterial.Text(context.Material.Mm)} mm of material lie "
+                + $"over the surface before this stage: {context.Material.Words}. Over the highest place, {PlaceText.Words(highest)}, the "
+                + $"ball would travel {StageMaterial.Text(context.LeastClearanceMm - clearance)} mm too low. Write at least {least}{from}.",
+            new() { Path = "$.toolpath.clearanceMm" });
     }
 
     // A pass along the edge of a trimmed region. Where it is nearly parallel to the passes, the area between would otherwise have none.

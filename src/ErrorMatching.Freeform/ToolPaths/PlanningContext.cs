@@ -8,13 +8,16 @@ namespace ErrorMatching.Freeform;
 /// <param name="offset">The surface of exact centers.</param>
 /// <param name="rounding">Rounding of centers to the program's increment.</param>
 /// <param name="toolpath">Direction, tolerances and clearance.</param>
-internal sealed class PlanningContext(OffsetSurface offset, CenterRounding rounding, JobToolpath toolpath)
+/// <param name="material">What lies over the surface before it is cut.</param>
+internal sealed class PlanningContext(OffsetSurface offset, CenterRounding rounding, JobToolpath toolpath, StageMaterial material)
 {
     public OffsetSurface Offset { get; } = offset;
 
     public CenterRounding Rounding { get; } = rounding;
 
     public JobToolpath Toolpath { get; } = toolpath;
+
+    public StageMaterial Material { get; } = material;
 
     /// <summary>Why there is no path; null as long as nothing speaks against one.</summary>
     public Refusal? Refusal { get; set; }
@@ -29,8 +32,14 @@ internal sealed class PlanningContext(OffsetSurface offset, CenterRounding round
     /// larger.</summary>
     public double MostRaisedMm => Math.Max(Toolpath.ScallopMm, Offset.StockMm);
 
+    /// <summary>Distance of a center from the surface at which the ball is free of what lies there before the stage.</summary>
+    public double FreeMm => Offset.RadiusMm + Math.Max(Material.Mm, Offset.StockMm);
+
+    /// <summary>Least clearance over what the stage leaves with which the ball travels free of that.</summary>
+    public double LeastClearanceMm => FreeMm - Offset.DistanceMm;
+
     /// <summary>The same for a part of the planning that runs on another core.</summary>
-    public PlanningContext ForOtherCore() => new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath);
+    public PlanningContext ForOtherCore() => new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath, Material);
 
     /// <summary>A builder of pieces on this surface.</summary>
     public PassBuilder Builder() => new(Offset, Rounding, Toolpath.ChordMm, PassBuilder.LiftShare * Toolpath.ScallopMm);

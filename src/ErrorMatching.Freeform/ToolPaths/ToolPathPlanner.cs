@@ -13,7 +13,26 @@ namespace ErrorMatching.Freeform;
 /// convex.</remarks>
 public static class ToolPathPlanner
 {
-    /// <summary>Plans the path.</summary>
+    /// <summary>Plans the path of a job's stage. On the way to each cut, the ball stays clear of what the stage before it leaves.</summary>
+    /// <param name="surface">The surface to cut: the nominal one, or a compensated one.</param>
+    /// <param name="job">The job: ball, tolerances, clearance and stock.</param>
+    /// <param name="stage">The stage.</param>
+    /// <param name="dialect">The control for the path.</param>
+    /// <param name="moreMm">How much more material lies over the surface than the job says: for a compensated surface, by how much it was
+    /// moved, and by how much the measured piece was too high.</param>
+    /// <returns>As for the other overload, or a refusal because the ball would travel through the material that lies over the surface
+    /// before the stage (<c>clearance-too-low</c>).</returns>
+    /// <exception cref="ArgumentOutOfRangeException">As for the other overload.</exception>
+    public static ToolPathResult Plan(
+        PartSurface surface, FreeformJob job, CuttingStage stage, NcDialect dialect, double moreMm = 0)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentOutOfRangeException.ThrowIfNegative(moreMm);
+        var material = StageMaterial.Before(job, stage).And(moreMm, "by which the piece was too high and the surface was moved");
+        return Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect, material);
+    }
+
+    /// <summary>Plans a path over a surface on which nothing lies but the stock that is left.</summary>
     /// <param name="surface">The surface to cut.</param>
     /// <param name="tool">The ball end mill.</param>
     /// <param name="toolpath">Direction, tolerances and clearance.</param>
@@ -25,7 +44,11 @@ public static class ToolPathPlanner
     /// (<c>no-way-out</c>), a tolerance cannot be met (<c>tolerance-not-reached</c>), or the path would be too long
     /// (<c>path-too-long</c>).</returns>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive, the stock is negative, or a value is not finite.</exception>
-    public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect)
+    public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect) =>
+        Plan(surface, tool, toolpath, stockMm, dialect, new(stockMm, "the stock that is left"));
+
+    private static ToolPathResult Plan(
+        PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect, StageMaterial material)
     {
         ArgumentNullException.ThrowIfNull(surface);
         ArgumentNullException.ThrowIfNull(tool);
@@ -62,7 +85,7 @@ public static class ToolPathPlanner
 
         var sheet = toolpath.AlongU ? surface : Turned(surface);
         var rounding = new CenterRounding(dialect.MetricDecimals, toolpath.ProgramsTip ? tool.RadiusMm : 0, finest);
-        return new PathPlanning(new(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath), dialect.MetricDecimals).Run();
+        return new PathPlanning(new(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, material), dialect.MetricDecimals).Run();
     }
 
     // With u and v swapped, passes always run along u.

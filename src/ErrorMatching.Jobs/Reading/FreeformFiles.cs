@@ -56,7 +56,7 @@ public sealed class FreeformFiles
     public byte[] SurfaceBytes() => AtPlace("$.surface", () => Bytes(SurfaceRole, Job.PathOf(Job.Surface.File), SurfaceReader.MaxBytes));
 
     /// <summary>The measuring plan of the surface, at the stage after which it is measured.</summary>
-    public MeasuringPlan Plan(PartSurface surface) => MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
+    public MeasuringPlan Plan(PartSurface surface) => MeasuringPlanner.Plan(surface, Job);
 
     /// <summary>The points of a file.</summary>
     /// <param name="role">Its role in the report.</param>

@@ -41,7 +41,9 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var planned = ToolPathPlanner.Plan(result.Surface, job.Tool, job.Toolpath, 0, dialect);
+            var tooHighMm = Math.Max(0, result.Samples.Max(s => s.ErrorMm));
+            var planned = ToolPathPlanner.Plan(
+                result.Surface, job, CuttingStage.Finishing, dialect, tooHighMm + result.LargestMoveMm);
             if (!planned.IsUsable)
             {
                 return planned.Refusal.In(job.File);

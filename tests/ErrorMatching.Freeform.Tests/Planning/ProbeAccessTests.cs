@@ -1,4 +1,6 @@
+using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -73,7 +75,85 @@ public sealed class ProbeAccessTests
     {
         var plan = MeasuringPlanner.Plan(Surfaces.One, Surfaces.Measuring(7, 10), 0.2);
 
-        // The top of the parabola is z = 3.125 at x = 12.5.
-        Assert.Equal(3.125 + 0.2 + 10 + 3, plan.ClearanceZ, 1e-3);
+        // The top of the parabola is z = 3.125 at x = 12.5. Bounds are at most 0.01 mm too high, and never too low.
+        Assert.InRange(plan.ClearanceZ, 3.125 + 0.2 + 10 + 3, 3.125 + 0.2 + 10 + 3 + 0.01);
     }
+
+    // After semi-finishing lies its stock, as much again where its ball did not fit, and the error that is plausible: 0.2, 0.2 and 0.1 mm.
+    // After finishing only ridges and that error. Heights count from the stock.
+    [Theory]
+    [InlineData("semi-finishing", 0.2 + 0.1)]
+    [InlineData("finishing", 0.03 + 0.1)]
+    public void Exactly_enough_clearance_and_approach_pass_and_an_increment_less_is_refused(string after, double least)
+    {
+        Assert.Empty(Plan(after, least, least).Refusals);
+        Assert.Equal(["clearance-too-low"], Plan(after, least - 0.001, least).Refusals.Select(r => r.Code));
+        Assert.Equal(["approach-too-short"], Plan(after, least, least - 0.001).Refusals.Select(r => r.Code));
+    }
+
+    [Fact]
+    public void A_refused_height_is_named_with_its_place_what_is_missing_and_what_to_write()
+    {
+        var refusals = Plan("semi-finishing", 0.05, 0.12).Refusals;
+        Assert.Equal(["$.measuring.clearanceMm", "$.measuring.approachMm"], refusals.Select(r => r.Place.Path));
+        Assert.Equal(
+            "measuring.clearanceMm is 0.05 mm. Up to 0.5 mm of material may lie over the surface: 0.2 mm of stock (stockMm.semiFinishing), "
+                + "and as much again where the ball of that stage did not fit, and 0.1 mm by which the piece may be off "
+                + "(compensation.limitMm). Over the highest place, X0 Y0 Z0, the ball would be 0.25 mm too low. Write at least 0.3 over "
+                + "the 0.2 mm of stock.",
+            refusals[0].Message);
+        Assert.Contains(
+            "On the fast way down, at point 1 at X0 Y0 Z0 as at all others, the ball would be 0.18 mm too low.",
+            refusals[1].Message,
+            StringComparison.Ordinal);
+    }
+
+    // The referee reads the program back, and measures all moves but those that touch against places of the surface with its stock.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void No_move_of_the_program_but_touching_meets_surface_and_stock(int shape)
+    {
+        const int N = 60;
+        var surface = shape switch
+        {
+            1 => Surfaces.One,
+            2 => Surfaces.Two,
+            3 => Surfaces.Three,
+            _ => Surfaces.Quadratic((x, _) => (x - 37.5) * (x - 37.5) / 40),
+        };
+        var plan = MeasuringPlanner.Plan(surface, Surfaces.Measuring(4, 6) with { ApproachMm = 0.2, ClearanceMm = 0.01 }, 0.2);
+        Assert.Empty(plan.Refusals);
+        var run = Programs.Path(Programs.Of("linuxcnc", plan).Bytes, NcDialects.LinuxCnc);
+        Point3[] places = [
+            .. from i in Enumerable.Range(0, N + 1)
+               from j in Enumerable.Range(0, N + 1)
+               select surface.Spline.PointAt((double)i / N, (double)j / N)];
+        var moves = run.Motions.Where(m => m.Kind != MotionKind.Probe && m.UnknownStart == AxisSet.None).ToArray();
+
+        // For each point across, down and up. Where the first move and those back from a touch begin, only the machine knows.
+        Assert.Equal((3 * 24) - 1, moves.Length);
+        foreach (var move in moves)
+        {
+            var way = move.End - move.Start;
+            var square = Math.Max(way.Dot(way), 1e-12);
+            var nearest = places.Min(p => (p - move.Start - (way * Math.Clamp((p - move.Start).Dot(way) / square, 0, 1))).Length);
+            Assert.True(nearest >= 3 + 0.2 - 0.0015, $"{nearest} mm on the way from {move.Start} to {move.End}");
+        }
+    }
+
+    private static MeasuringPlan Plan(string after, double clearance, double approach) => MeasuringPlanner.Plan(
+        Surfaces.Flat,
+        FreeformJob.Parse(
+            Encoding.UTF8.GetBytes(FormattableString.Invariant(
+                $$"""
+                { "kind": "freeform", "name": "Heights", "surface": "surface.igs", "stockMm": { "roughing": 0.4, "semiFinishing": 0.2 },
+                  "tool": { "kind": "ball", "diameterMm": 6 }, "spindleRpm": 10000, "feedMmPerMin": 1200,
+                  "measuring": { "curves": 2, "pointsPerCurve": 3, "stylusDiameterMm": 6, "dialect": "siemens-840d",
+                    "measuredAfter": "{{after}}", "clearanceMm": {{clearance}}, "approachMm": {{approach}} },
+                  "toolpath": { "dialect": "linuxcnc", "scallopMm": 0.03 }, "compensation": { "limitMm": 0.1 } }
+                """)),
+            "job.json"));
 }

@@ -47,7 +47,7 @@ internal static class Rehearsal
         var points = plan.Points.Zip(Errors(), (p, e) => new MeasuredPoint(p, p.Position + (p.Normal * (stock + e)), p.Number)).ToArray();
         var result = Compensator.Compensate(new(job, surface, plan, [new("rehearsal.csv", "", points, [])])).Result!;
         var dialect = NcDialects.Named(job.Toolpath.Dialect);
-        var path = ToolPathPlanner.Plan(result.Surface, job.Tool, job.Toolpath, 0, dialect).Path!;
+        var path = ToolPathPlanner.Plan(result.Surface, job, CuttingStage.Finishing, dialect).Path!;
         _ = FinishingProgram.Write(path, job, dialect);
         var none = new ReportInput("", "", new('0', 64));
         var report = new CompensationReport(new("", null, "", none.Sha256), [none], result, path, none, null);

@@ -43,7 +43,7 @@ internal sealed class SurfaceToolpath : Verb
         var dialect = files.ToolpathDialect();
         var template = files.FinishingTemplate(dialect);
         cancellation.ThrowIfCancellationRequested();
-        var planned = ToolPathPlanner.Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect);
+        var planned = ToolPathPlanner.Plan(surface, job, stage, dialect);
         if (!planned.IsUsable)
         {
             return FailureOf.Refused(job.File, [planned.Refusal]);

@@ -27,8 +27,15 @@ internal abstract class Covariance
     /// <summary>The solution x of K x = b.</summary>
     public abstract double[] Solve(double[] b);
 
-    /// <summary>The kernel between a place and each value.</summary>
-    public abstract double[] Row(double u, double v);
+    /// <summary>Converts one number per value to the orthonormal basis in which systems with many places are solved fastest. Products of
+    /// two converted lists are those of the lists.</summary>
+    public abstract double[] ToBasis(double[] b);
+
+    /// <summary>The kernel between a place and each value, in that basis.</summary>
+    public abstract double[] RowInBasis(double u, double v);
+
+    /// <summary>The solution x of K x = b, both in that basis.</summary>
+    public abstract double[] SolveInBasis(double[] b);
 
     /// <summary>The weighted sum of the kernel between a place and each value.</summary>
     public abstract double Sum(double u, double v, double[] weights);

@@ -31,14 +31,7 @@ internal sealed class GridCovariance : Covariance
     public override double[] Solve(double[] b)
     {
         var (n, m) = (_grid.U.Length, _grid.V.Length);
-        var x = new double[b.Length];
-        for (var k = 0; k < x.Length; k++)
-        {
-            x[k] = b[_grid.Index[k]];
-        }
-
-        x = Apply(_u.Vectors, x, m, transposed: false);
-        x = ApplyAcross(_v.Vectors, x, n, transposed: false);
+        var x = ToBasis(b);
         for (var k = 0; k < x.Length; k++)
         {
             x[k] /= _values[k];
@@ -55,16 +48,42 @@ internal sealed class GridCovariance : Covariance
         return result;
     }
 
-    public override double[] Row(double u, double v)
+    /// <inheritdoc/>
+    /// <remarks>The basis is that of the eigenvectors.</remarks>
+    public override double[] ToBasis(double[] b)
     {
-        var (a, b) = Rows(u, v);
-        var row = new double[_values.Length];
-        for (var k = 0; k < row.Length; k++)
+        var x = new double[b.Length];
+        for (var k = 0; k < x.Length; k++)
         {
-            row[_grid.Index[k]] = a[k / b.Length] * b[k % b.Length];
+            x[k] = b[_grid.Index[k]];
+        }
+
+        return ApplyAcross(_v.Vectors, Apply(_u.Vectors, x, _grid.V.Length, transposed: false), _grid.U.Length, transposed: false);
+    }
+
+    public override double[] RowInBasis(double u, double v)
+    {
+        // The row is the product of a row along u and one along v. So is its image.
+        var (a, b) = Rows(u, v);
+        var (x, y) = (ApplyAcross(_u.Vectors, a, 1, transposed: false), ApplyAcross(_v.Vectors, b, 1, transposed: false));
+        var row = new double[_values.Length];
+        for (var i = 0; i < x.Length; i++)
+        {
+            Vectors.Subtract(row.AsSpan(i * y.Length, y.Length), -x[i], y);
         }
 
         return row;
+    }
+
+    public override double[] SolveInBasis(double[] b)
+    {
+        var x = new double[b.Length];
+        for (var k = 0; k < x.Length; k++)
+        {
+            x[k] = b[k] / _values[k];
+        }
+
+        return x;
     }
 
     public override double Sum(double u, double v, double[] weights)

@@ -13,6 +13,7 @@ internal sealed class ProcessModel : FieldModel
     private readonly double[] _coefficients;
     private readonly double[] _weights;
     private readonly double _variance;
+    private Basis? _basis;
 
     private ProcessModel(ProcessTrend trend, Kernel kernel, Covariance covariance, double[][] solved, Cholesky factor)
         : base(trend.Data)
@@ -119,14 +120,17 @@ internal sealed class ProcessModel : FieldModel
         return sum;
     }
 
+    /// <inheritdoc/>
+    /// <remarks>In the basis of the covariance, a place takes little more than one look at each value: reports ask for thousands.</remarks>
     public override double VarianceAt(double u, double v, double noise)
     {
-        var row = _covariance.Row(u, v);
-        var solved = _covariance.Solve(row);
+        var basis = _basis ??= new(Array.ConvertAll(_columns, _covariance.ToBasis), Array.ConvertAll(_solved, _covariance.ToBasis));
+        var row = _covariance.RowInBasis(u, v);
+        var solved = _covariance.SolveInBasis(row);
         var missed = new double[_trend.Length];
         for (var k = 0; k < missed.Length; k++)
         {
-            missed[k] = _trend[k].At(u, v) - LeastSquares.Product(_columns[k], solved);
+            missed[k] = _trend[k].At(u, v) - LeastSquares.Product(basis.Columns[k], solved);
         }
 
         var share = _factor.Solve(missed);
@@ -139,10 +143,7 @@ internal sealed class ProcessModel : FieldModel
 
         for (var k = 0; k < share.Length; k++)
         {
-            for (var i = 0; i < solved.Length; i++)
-            {
-                solved[i] += share[k] * _solved[k][i];
-            }
+            Vectors.Subtract(solved, -share[k], basis.Solved[k]);
         }
 
         return variance + (more * LeastSquares.Product(solved, solved));
@@ -161,4 +162,7 @@ internal sealed class ProcessModel : FieldModel
             ? Fit(ProcessTrend.Of(other, _trend), _kernel, covariance, [])
             : ProcessSearch.WithBreakMoved(this, other, covariance);
     }
+
+    /// <summary>The polynomial's columns and their solutions in the basis of the covariance, made when they are first needed.</summary>
+    private sealed record Basis(double[][] Columns, double[][] Solved);
 }

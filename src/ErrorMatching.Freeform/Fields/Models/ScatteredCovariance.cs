@@ -48,7 +48,11 @@ internal sealed class ScatteredCovariance : Covariance
 
     public override double[] Solve(double[] b) => _factor.Solve(b);
 
-    public override double[] Row(double u, double v)
+    public override double[] ToBasis(double[] b) => b;
+
+    public override double[] SolveInBasis(double[] b) => _factor.Solve(b);
+
+    public override double[] RowInBasis(double u, double v)
     {
         var row = new double[_data.Count];
         for (var k = 0; k < row.Length; k++)
@@ -59,5 +63,5 @@ internal sealed class ScatteredCovariance : Covariance
         return row;
     }
 
-    public override double Sum(double u, double v, double[] weights) => LeastSquares.Product(Row(u, v), weights);
+    public override double Sum(double u, double v, double[] weights) => LeastSquares.Product(RowInBasis(u, v), weights);
 }

@@ -78,7 +78,7 @@ internal sealed class Cholesky
     /// <summary>The solution y of L y = b. Its squared length is b' A^-1 b.</summary>
     public double[] Forward(double[] b)
     {
-        var y = (double[])b.Clone();
+        var y = b.AsSpan().ToArray();
         for (var i = 0; i < y.Length; i++)
         {
             var row = _rows[i];

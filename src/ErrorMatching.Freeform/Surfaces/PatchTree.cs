@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>A surface divided into patches, to test whether the ball gouges any of it. Parts outside the region are excluded.</summary>
+/// <summary>A surface divided into patches, to find the ways on which a ball meets any of it. Parts outside the region are
+/// excluded.</summary>
 /// <remarks>Results are based on bounds for the whole surface, not on samples. Patches are halved on demand and stay halved.</remarks>
 internal sealed class PatchTree
 {
@@ -11,6 +12,9 @@ internal sealed class PatchTree
     /// <summary>Patches as small as this are decided by their corners, mm:
     /// what they hide is less than the hundredth of a micrometre.</summary>
     private const double Smallest = 0.01;
+
+    /// <summary>Distances are found to this length, mm.</summary>
+    private const double Exact = 1e-4;
 
     private readonly SurfaceRegion _region;
     private readonly Node? _root;
@@ -46,6 +50,9 @@ internal sealed class PatchTree
     /// <summary>An upper bound of the surface's height, at most 0.01 mm too high.</summary>
     public double HighestMm { get; }
 
+    /// <summary>A place of the surface as high as that, within 0.01 mm.</summary>
+    public Point3 HighestPlace { get; private set; } = new(double.NaN, double.NaN, double.NegativeInfinity);
+
     /// <summary>True if some place of the surface is nearer to a point than a distance.</summary>
     /// <param name="point">The point.</param>
     /// <param name="normal">Unit normal of the surface at the point's foot, if it has one. Tests are fastest in this direction.</param>
@@ -64,6 +71,68 @@ internal sealed class PatchTree
         }
 
         return high;
+    }
+
+    /// <summary>The place of the surface that is nearest to a straight way, within a tenth of a micrometer, if it is nearer than a
+    /// distance; otherwise null.</summary>
+    /// <param name="from">Start of the way.</param>
+    /// <param name="to">Its end.</param>
+    /// <param name="normal">Unit normal of the surface at the foot of an end. Tests are fastest in this direction.</param>
+    /// <param name="distanceMm">The distance.</param>
+    public Point3? PlaceNearer(Point3 from, Point3 to, Vector3 normal, double distanceMm)
+    {
+        var search = new WaySearch(from, to, normal, distanceMm);
+        if (_root is not null)
+        {
+            Search(_root, search);
+        }
+
+        return search.Place;
+    }
+
+    private void Search(Node node, WaySearch search)
+    {
+        if (search.DistanceOf(node.Middle) >= search.Nearest + node.Radius)
+        {
+            return;
+        }
+
+        if (node.Patch is { } patch)
+        {
+            if (patch.IsBeyond(search.From, search.To, search.Normal, search.Nearest))
+            {
+                return;
+            }
+
+            foreach (var corner in patch.Corners)
+            {
+                search.Try(corner);
+            }
+
+            // Once a place is found, only places that are nearer by more than the accuracy are sought.
+            var isExact = search.Place is not null && search.DistanceOf(node.Middle) - node.Radius >= search.Nearest - Exact;
+            if (isExact || patch.Radius < Smallest)
+            {
+                return;
+            }
+        }
+
+        Halve(node);
+        var (first, second) = (node.First, node.Second);
+        if (first is not null && second is not null && search.DistanceOf(second.Middle) < search.DistanceOf(first.Middle))
+        {
+            (first, second) = (second, first);
+        }
+
+        if (first is not null)
+        {
+            Search(first, search);
+        }
+
+        if (second is not null)
+        {
+            Search(second, search);
+        }
     }
 
     private bool IsNearer(Node node, Point3 point, Vector3 normal, double distance)
@@ -105,7 +174,12 @@ internal sealed class PatchTree
             return Math.Max(most, node.Highest);
         }
 
-        most = Math.Max(most, node.Patch?.HighestCorner ?? double.NegativeInfinity);
+        foreach (var corner in node.Patch?.Corners ?? [])
+        {
+            HighestPlace = corner.Z > HighestPlace.Z ? corner : HighestPlace;
+        }
+
+        most = Math.Max(most, HighestPlace.Z);
         if (node.Highest < most + Smallest)
         {
             return node.Highest;
@@ -169,6 +243,35 @@ internal sealed class PatchTree
         }
 
         return true;
+    }
+
+    /// <summary>What is nearest to a straight way so far.</summary>
+    private sealed class WaySearch(Point3 from, Point3 to, Vector3 normal, double distanceMm)
+    {
+        private readonly Vector3 _way = to - from;
+
+        public Point3 From => from;
+
+        public Point3 To => to;
+
+        public Vector3 Normal => normal;
+
+        public double Nearest { get; private set; } = distanceMm;
+
+        public Point3? Place { get; private set; }
+
+        public double DistanceOf(Point3 point)
+        {
+            var off = point - from;
+            var square = _way.Dot(_way);
+            return (off - (_way * (square > 0 ? Math.Clamp(off.Dot(_way) / square, 0, 1) : 0))).Length;
+        }
+
+        public void Try(Point3 place)
+        {
+            var distance = DistanceOf(place);
+            (Nearest, Place) = distance < Nearest ? (distance, place) : (Nearest, Place);
+        }
     }
 
     /// <summary>A patch, halved or not, or two combined nodes.</summary>

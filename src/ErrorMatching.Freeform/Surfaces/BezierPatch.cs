@@ -90,6 +90,10 @@ internal sealed class BezierPatch
         return (over * over) + (beside * beside) >= distance * distance;
     }
 
+    /// <summary>The same for all points of a straight way.</summary>
+    public bool IsBeyond(Point3 from, Point3 to, Vector3 direction, double distance) =>
+        Math.Min((from - Middle).Dot(direction), (to - Middle).Dot(direction)) - HighestAlong(direction) >= distance;
+
     public bool HasCornerNearer(Point3 point, double distance)
     {
         var (row, column) = (_rows - 1, _columns - 1);
@@ -97,8 +101,8 @@ internal sealed class BezierPatch
             || (point - At(0, column)).Length < distance || (point - At(row, 0)).Length < distance;
     }
 
-    public double HighestCorner =>
-        Math.Max(Math.Max(At(0, 0).Z, At(_rows - 1, _columns - 1).Z), Math.Max(At(0, _columns - 1).Z, At(_rows - 1, 0).Z));
+    /// <summary>The corners, which are on the surface.</summary>
+    public IEnumerable<Point3> Corners => [At(0, 0), At(_rows - 1, _columns - 1), At(0, _columns - 1), At(_rows - 1, 0)];
 
     /// <summary>Splits the patch across its longer side (de Casteljau).</summary>
     public (BezierPatch First, BezierPatch Second) TwoThreads()
