@@ -55,7 +55,7 @@ internal static class NoSurface
         var end = line.IndexOfAny((byte)'\n', (byte)'\r');
         var names = Encoding.Latin1.GetString(end < 0 ? line : line[..end]).ToLowerInvariant()
             .Split([',', ';', '\t']).Select(n => n.Trim().Trim('"').Trim()).ToHashSet(StringComparer.Ordinal);
-        return new[] { "x", "y", "z" }.All(a => names.Contains(a) || names.Contains(a + "_mm"))
+        return "xyz".All(a => names.Contains($"{a}") || names.Contains($"{a}_mm"))
             && !names.Contains("i")
             && !names.Contains("j");
     }

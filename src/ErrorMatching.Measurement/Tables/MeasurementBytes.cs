@@ -58,8 +58,7 @@ public sealed class MeasurementBytes
 
     private static string? DescriptionOf(string path) =>
         path.EndsWith(".dfx", StringComparison.OrdinalIgnoreCase)
-            ? new[] { "d", "D" }
-                .Select(last => string.Concat(path.AsSpan(0, path.Length - 1), last))
+            ? "dD".Select(last => path[..^1] + last)
                 .FirstOrDefault(p => new FileInfo(p) is { Exists: true, LinkTarget: null })
             : null;
 }

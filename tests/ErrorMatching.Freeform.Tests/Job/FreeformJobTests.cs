@@ -91,6 +91,8 @@ public sealed class FreeformJobTests
     private static string WithProfile(string tolerance, string measuring) => FreeformTemplate.Text
         .Replace("\"fit\":", $"\"profileToleranceMm\": {tolerance}, \"fit\":", StringComparison.Ordinal)
         .Replace("\"approachMm\": 2", measuring + "\"approachMm\": 2", StringComparison.Ordinal);
+
+    [Fact]
     public void A_mating_job_is_one_problem_that_says_which_verb_it_belongs_to()
     {
         var error = Assert.Throws<InputException>(() => Parse("""{ "name": "n", "kind": "mating", "part": {} }"""));

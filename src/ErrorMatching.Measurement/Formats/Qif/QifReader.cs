@@ -1,8 +1,6 @@
-using System.Globalization;
 using System.Text;
 using System.Xml;
 using ErrorMatching.Geometry;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
 
