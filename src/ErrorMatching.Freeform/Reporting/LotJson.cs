@@ -54,7 +54,9 @@ public static class LotJson
 
         var points = json.Counts("points");
         var pieces = json.List("pieces", p => new SurfacePiece(
-            p.Text("measuredSha256"), p.Micrometers("noiseUm"), new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))));
+            p.Text("measuredSha256"),
+            p.Micrometers("noiseUm"),
+            new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))));
         if (points.Count == 0 || pieces.Count == 0)
         {
             throw json.Refusal(points.Count == 0 ? "points" : "pieces", "too-few-items", "at least one");

@@ -37,5 +37,6 @@ public static class RuleWords
     }
 
     /// <summary>The probability that a point of a feature is outside its limits without compensation; null if it is not known.</summary>
-    internal static string? Risk(ReportFeature feature) => feature.ProbabilityBefore is { } probability ? ReportNumber.Probability(1 - probability) : null;
+    internal static string? Risk(ReportFeature feature) =>
+        feature.ProbabilityBefore is { } probability ? ReportNumber.Probability(1 - probability) : null;
 }

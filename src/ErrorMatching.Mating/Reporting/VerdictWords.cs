@@ -22,8 +22,8 @@ public static class VerdictWords
                 $"{Within(verdict)}, but the decision rule does not accept {Points(verdict.NotAccepted)}: too near the "
                     + $"{(verdict.NotAccepted.Count == 1 ? "limit" : "limits")}.{unchanged} Do not cut it unless you accept the risk.",
             VerdictCode.OutsideBetween =>
-                $"{Within(verdict)}, but {ReportNames.Of(verdict.OutsideBetween)} will be outside between them.{unchanged} Do not cut it unless "
-                    + "that is acceptable there.",
+                $"{Within(verdict)}, but {ReportNames.Of(verdict.OutsideBetween)} will be outside between them.{unchanged} "
+                    + "Do not cut it unless that is acceptable there.",
             VerdictCode.Outside =>
                 $"{ReportNumber.Count(verdict.Outside.Count)} of {ReportNumber.Count(verdict.Points)} points will be outside "
                     + $"{Limits(verdict, verdict.Outside.Count)}: {Points(verdict.Outside)}{Furthest(verdict)}."

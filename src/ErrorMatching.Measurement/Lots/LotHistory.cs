@@ -3,7 +3,8 @@ namespace ErrorMatching.Measurement;
 /// <summary>One possible history of a lot: at which pieces the process moved, and which pieces were outliers. Holds a Kalman filter of the
 /// error and its drift for each assumption, and how well each explains the pieces.</summary>
 /// <remarks>The bank of filters is that of D. T. Magill, Optimal adaptive estimation of sampled stochastic processes, IEEE Transactions on
-/// Automatic Control 10 (1965). All values of a piece share the variances of an assumption, so only the states differ between them.</remarks>
+/// Automatic Control 10 (1965). All values of a piece share the variances of an assumption, so only the states differ between
+/// them.</remarks>
 internal sealed class LotHistory
 {
     // An assumption that is less likely than the best by this much is dropped: e^-11 is a sixty thousandth.

@@ -166,7 +166,7 @@ public sealed class StepErrorTests
 
     [Theory]
     [InlineData("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "no-data", null, "no instance", "#1 = ...;")]
-    [InlineData("solid die\nfacet normal 0 0 1\n", "no-step", 1, "does not begin with ISO-10303-21", "a STEP file is expected")]
+    [InlineData("die\nfacet normal 0 0 1\n", "no-step", 1, "does not begin with ISO-10303-21", "a STEP file is expected")]
     [InlineData(
         "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=PLANE('',#2);\n#2 PLANE('',#3);\nENDSEC;\n",
         "bad-instance",

@@ -142,7 +142,9 @@ public sealed class StoredSurfaceTests
     private static LotFinding Found(Random r) => new(Mm(r), Mm(r), r.NextDouble(), r.NextDouble());
 
     private static SurfaceVerdict Verdict(Random r) => new(
-        new(0.02, r.Next(2) == 0 ? DecisionRule.Simple : DecisionRule.GuardBand(5), r.Next(2) == 0), Judgement(r, null), Judgement(r, Mm(r)));
+        new(0.02, r.Next(2) == 0 ? DecisionRule.Simple : DecisionRule.GuardBand(5), r.Next(2) == 0),
+        Judgement(r, null),
+        Judgement(r, Mm(r)));
 
     private static ProfileJudgement Judgement(Random r, double? anywhereMm) => new()
     {

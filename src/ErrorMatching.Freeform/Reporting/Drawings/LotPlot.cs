@@ -44,9 +44,10 @@ internal sealed class LotPlot(SurfaceLot pieces, Lot lot)
                     SvgShapes.Text(html, "legend", _plot.X(k) + 4, _plot.Top + 12, "start", LotSection.Word(piece.Event));
                 }
 
-                SvgShapes.Circle(html, "before marker", _plot.X(k), _plot.Y(1000 * piece.ShownMm), 4, Title(k, "without corrections", piece.ShownMm));
-                SvgShapes.Plus(html, "after marker", _plot.X(k), _plot.Y(1000 * piece.ExpectedMm), Title(k, "expected", piece.ExpectedMm));
-                SvgShapes.Diamond(html, "marker", _plot.X(k), _plot.Y(1000 * left), Title(k, "left", left));
+                var (x, shown, expected) = (_plot.X(k), piece.ShownMm, piece.ExpectedMm);
+                SvgShapes.Circle(html, "before marker", x, _plot.Y(1000 * shown), 4, Title(k, "without corrections", shown));
+                SvgShapes.Plus(html, "after marker", x, _plot.Y(1000 * expected), Title(k, "expected", expected));
+                SvgShapes.Diamond(html, "marker", x, _plot.Y(1000 * left), Title(k, "left", left));
             }
 
             SvgShapes.Circle(html, "before marker", _plot.Left + 8, 16, 4, null);
