@@ -10,4 +10,8 @@ public sealed record CompensationInput(FreeformJob Job, PartSurface Surface, Mea
     /// <summary>The lot with the pieces before this one, and with what the program that cut it had corrected; null for the first
     /// piece.</summary>
     public SurfaceLot? Previous { get; init; }
+
+    /// <summary>Earlier pieces that the same program cut, oldest first, each with its measurements. All of them compensate
+    /// together.</summary>
+    public IReadOnlyList<IReadOnlyList<MeasuredPoints>> Earlier { get; init; } = [];
 }

@@ -22,52 +22,44 @@ public static class Compensator
     public static Outcome<CompensationResult> Compensate(CompensationInput input)
     {
         ArgumentNullException.ThrowIfNull(input);
-        MeasuredPoints.ThrowIfTwice(input.Measured);
+        MeasuredPoints.ThrowIfTwice([.. input.Earlier.SelectMany(p => p), .. input.Measured]);
         var (job, nominal) = (input.Job, input.Surface);
         var stock = job.Stock.Of(job.Measuring.After);
-        var file = input.Measured[0].File;
-        var alignment = job.Measuring.BestFit
-            ? SurfaceAlignment.BestFit(
-                nominal, [.. input.Measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, file)
-            : null;
-        var repeats = input.Measured.Select(m => SurfaceErrors.Of(
-            nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
         var notes = new List<string>();
-        List<string> warnings = [.. input.Measured.SelectMany(m => m.Warnings)];
-        for (var k = 0; k < repeats.Length; k++)
+        List<string> warnings = [.. input.Earlier.Append(input.Measured).SelectMany(p => p).SelectMany(m => m.Warnings)];
+        var all = new List<PieceErrors>();
+        foreach (var measurements in input.Earlier.Append(input.Measured))
         {
-            if (OtherStage(repeats[k], input.Measured[k].File, job, stock) is { } other)
+            var errors = PieceErrors.Of(measurements, job, nominal, notes, warnings);
+            if (!errors.IsUsable)
             {
-                return other;
+                return errors.Refusal;
             }
+
+            all.Add(errors.Result);
         }
 
-        var samples = repeats.Length == 1 ? repeats[0] : Average(repeats, notes, warnings);
-        if (BeyondLimit(samples, job, stock) is { } refusal)
-        {
-            return refusal;
-        }
-
-        if (Outlying(samples, repeats, input.Measured) is { } outlying)
-        {
-            return outlying;
-        }
-
+        var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
         var measured = samples;
         var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         Lot? lot = null;
         SurfaceLot? pieces = null;
-        if (input.Previous is { } previous)
+        if (input.Previous is not null || all.Count > 1)
         {
-            if (previous.Refuse(samples, Sha256(input)) is { } others)
+            // The program of the lot has not cut a piece that still has its stock.
+            var corrections = stock > 0 ? null : input.Previous?.CorrectionsMm;
+            pieces = input.Previous ?? new([.. samples.Select(s => s.Point)], [], []);
+            foreach (var piece in all)
             {
-                return others;
+                if (pieces.Refuse(piece.Samples, piece.Sha256) is { } notOfLot)
+                {
+                    return notOfLot;
+                }
+
+                pieces = pieces.With(piece.Sha256, piece.Samples, corrections);
             }
 
-            // The program of the lot has not cut a piece that still has its stock.
-            pieces = previous.With(
-                SurfacePiece.Of(Sha256(input), samples, stock > 0 ? null : previous.CorrectionsMm, previous.Pieces[^1]));
-            lot = pieces.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(repeats.Length));
+            lot = pieces.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count));
             samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
             LotWords.Tell(pieces, lot, notes, warnings);
         }
@@ -89,7 +81,7 @@ public static class Compensator
         {
             return new Refusal("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
-                $"The compensated surface would lie up to {Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm "
+                $"The compensated surface would lie up to {PieceErrors.Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm "
                     + $"from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
                     + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
@@ -101,7 +93,7 @@ public static class Compensator
             Samples = measured,
             Expected = samples,
             Lot = lot,
-            Pieces = pieces ?? new([.. samples.Select(s => s.Point)], [SurfacePiece.Of(Sha256(input), samples, systematic)], []),
+            Pieces = pieces ?? new([.. samples.Select(s => s.Point)], [SurfacePiece.Of(all[^1].Sha256, samples, systematic)], []),
             Before = before,
             Structure = structure,
             Systematic = systematic,
@@ -139,8 +131,6 @@ public static class Compensator
         return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
     }
 
-    private static string Sha256(CompensationInput input) => MeasuredPoints.Sha256Of(input.Measured);
-
     // From one piece to the next a process moves little. A large step is a mixed-up report or measurement.
     private static Refusal? BeyondStep(CompensationResult result)
     {
@@ -153,7 +143,7 @@ public static class Compensator
             .MaxBy(p => Math.Abs(p.Second));
         return Math.Abs(mm) <= limit ? null : new("beyond-step", string.Create(
             CultureInfo.InvariantCulture,
-            $"At point {point} the compensation would change by {Beyond(mm, limit)} mm from the previous piece; "
+            $"At point {point} the compensation would change by {PieceErrors.Beyond(mm, limit)} mm from the previous piece; "
                 + $"compensation.stepLimitMm allows {limit:0.####} mm. Check that the previous report belongs to the program that cut "
                 + $"this piece, and measure again; raise the limit if the process moved that far."));
     }
@@ -186,78 +176,6 @@ public static class Compensator
         return SurfacePrediction.Of("mirror", samples, systematic, left, between, noise);
     }
 
-    // Mirroring missing or remaining stock as if it were an error would spoil the piece.
-    private static Refusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
-    {
-        var mean = samples.Sum(s => s.ErrorMm) / samples.Count;
-        var found = MeasuredStage.Of(job, mean + stock);
-        return found == job.Measuring.After ? null : new("other-stage", string.Create(
-            CultureInfo.InvariantCulture,
-            $"The points of {file} lie {mean:+0.0000;-0.0000} mm from the surface after {MeasuredStage.Name(job.Measuring.After)}, in "
-                + $"the mean, and so on the surface after {MeasuredStage.Name(found)}: the stock of {job.Stock.SemiFinishingMm:0.###} mm "
-                + $"would be taken for an error. Give what was measured after {MeasuredStage.Name(job.Measuring.After)}, or change "
-                + $"measuring.measuredAfter."));
-    }
-
-    private static Refusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
-    {
-        var beyond = samples.Where(s => Math.Abs(s.ErrorMm) > job.Compensation.LimitMm).ToArray();
-        if (beyond.Length == 0)
-        {
-            return null;
-        }
-
-        var worst = beyond.MaxBy(s => Math.Abs(s.ErrorMm))!;
-        var hint = beyond.Length > samples.Count / 2
-            ? $" Most points are off: check the work offset, measuring.reports, and measuring.measuredAfter, which says that "
-                + $"{(stock > 0 ? string.Create(CultureInfo.InvariantCulture, $"{stock:0.###} mm of stock lie") : "no stock lies")} on "
-                + $"the surface."
-            : " Touch it again, or look for a chip or a wrong probe.";
-        return new("beyond-limit", string.Create(
-            CultureInfo.InvariantCulture,
-            $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the "
-                + $"normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows "
-                + $"{job.Compensation.LimitMm:0.####} mm.{hint}"));
-    }
-
-    // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
-    private static Refusal? Outlying(
-        IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
-    {
-        var points = OutlyingPoints.Of(samples);
-        if (points.Count == 0)
-        {
-            return null;
-        }
-
-        var worst = OutlyingPoint.Furthest(points);
-        var off = Array.ConvertAll(repeats, r => Math.Abs(r.First(s => s.Point == worst.Sample.Point).ErrorMm - worst.SaidMm));
-        var (place, mean) = repeats.Length == 1
-            ? ("", "")
-            : ($" {measured[Array.IndexOf(off, off.Max())].File} is furthest off there.", ", in the mean of all measurements");
-        return new(
-            "outlying-point",
-            $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the "
-                + $"place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more "
-                + $"points.");
-    }
-
-    // Uses enough digits to show that a length exceeds its limit.
-    private static string Beyond(double mm, double limitMm)
-    {
-        var limit = limitMm.ToString("0.####", CultureInfo.InvariantCulture);
-        for (var digits = 4; digits < 10; digits++)
-        {
-            var format = "0." + new string('#', digits);
-            if (Math.Abs(mm).ToString(format, CultureInfo.InvariantCulture) is var text && text != limit)
-            {
-                return mm.ToString($"+{format};-{format}", CultureInfo.InvariantCulture);
-            }
-        }
-
-        return mm.ToString("R", CultureInfo.InvariantCulture);
-    }
-
     private static ErrorField Systematic(
         FreeformJob job,
         IReadOnlyList<ErrorSample> samples,
@@ -288,34 +206,5 @@ public static class Compensator
             $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {FieldWords.Probability(structure.P)}): what "
                 + $"differs from the mean looks like noise and is not mirrored. {decided}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
-    }
-
-    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<string> warnings)
-    {
-        var mean = RepeatedMeasurement.Of(repeats);
-        notes.Add(string.Create(
-            CultureInfo.InvariantCulture,
-            $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to "
-                + $"{mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} "
-                + $"um."));
-        foreach (var outlier in mean.Outliers)
-        {
-            warnings.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement "
-                    + $"{outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
-        }
-
-        // Mixed-up or reclamped pieces look like this.
-        var spread = DeviationStatistics.Of([.. mean.Means.Select(m => m.ErrorMm)]).StandardDeviationMm;
-        if (mean.RepeatabilityMm > spread)
-        {
-            warnings.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show "
-                    + $"differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
-        }
-
-        return mean.Means;
     }
 }

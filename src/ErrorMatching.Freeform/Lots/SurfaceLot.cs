@@ -49,8 +49,17 @@ public sealed record SurfaceLot(IReadOnlyList<int> Points, IReadOnlyList<Surface
     }
 
     /// <summary>The lot with a further piece, before it is known what the next program corrects.</summary>
-    /// <param name="piece">The piece.</param>
-    public SurfaceLot With(SurfacePiece piece) => this with { Pieces = [.. Pieces.Append(piece).TakeLast(MostPieces)] };
+    /// <param name="sha256">SHA-256 of its measurement.</param>
+    /// <param name="samples">Its errors, at the points of the lot.</param>
+    /// <param name="correctionsMm">What the program that cut it had corrected at each point; null for nothing.</param>
+    internal SurfaceLot With(string sha256, IReadOnlyList<ErrorSample> samples, IReadOnlyList<double>? correctionsMm)
+    {
+        var corrected = correctionsMm ?? [.. samples.Select(_ => 0.0)];
+        var piece = Pieces.Count == 0
+            ? SurfacePiece.First(sha256, samples, corrected)
+            : SurfacePiece.After(Pieces[^1], sha256, samples, corrected);
+        return this with { Pieces = [.. Pieces.Append(piece).TakeLast(MostPieces)] };
+    }
 
     /// <summary>What the pieces say about the next one.</summary>
     /// <param name="uncertaintyMm">Stated standard uncertainty of one measured point; the noise that the pieces show counts if it is
@@ -72,21 +81,30 @@ public sealed record SurfaceLot(IReadOnlyList<int> Points, IReadOnlyList<Surface
 public sealed record SurfacePiece(string MeasuredSha256, double NoiseMm, LotPiece Values)
 {
     /// <summary>A further piece.</summary>
+    /// <param name="before">The piece before it. What two pieces differ by, apart from a shift of all points, is noise.</param>
     /// <param name="sha256">SHA-256 of its measurement.</param>
     /// <param name="samples">Its errors.</param>
-    /// <param name="correctionsMm">What the program that cut it had corrected at each point; null for nothing.</param>
-    /// <param name="before">The piece before it. What two pieces differ by, apart from a shift of all points, is noise.</param>
-    internal static SurfacePiece Of(
-        string sha256, IReadOnlyList<ErrorSample> samples, IReadOnlyList<double>? correctionsMm, SurfacePiece before)
+    /// <param name="correctionsMm">What the program that cut it had corrected at each point.</param>
+    internal static SurfacePiece After(
+        SurfacePiece before, string sha256, IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> correctionsMm)
     {
-        var values = new LotPiece([.. samples.Select(s => s.ErrorMm)], correctionsMm ?? [.. samples.Select(_ => 0.0)]);
+        double[] errors = [.. samples.Select(s => s.ErrorMm)];
         double[] changes = [
-            .. values.ErrorsMm.Select((e, i) =>
-                e - values.CorrectionsMm[i] - before.Values.ErrorsMm[i] + before.Values.CorrectionsMm[i])];
-        return new(sha256, DeviationStatistics.Of(changes).StandardDeviationMm / Math.Sqrt(2), values);
+            .. errors.Select((e, i) => e - correctionsMm[i] - before.Values.ErrorsMm[i] + before.Values.CorrectionsMm[i])];
+        return new(sha256, DeviationStatistics.Of(changes).StandardDeviationMm / Math.Sqrt(2), new(errors, correctionsMm));
     }
 
-    /// <summary>The first piece, which a nominal program cut.</summary>
+    /// <summary>The first piece of several. Its noise is that about its fitted error.</summary>
+    /// <param name="sha256">SHA-256 of its measurement.</param>
+    /// <param name="samples">Its errors.</param>
+    /// <param name="correctionsMm">What the program that cut it had corrected at each point.</param>
+    internal static SurfacePiece First(string sha256, IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> correctionsMm)
+    {
+        ErrorSample[] uncorrected = [.. samples.Zip(correctionsMm, (s, c) => s with { ErrorMm = s.ErrorMm - c })];
+        return new(sha256, FieldFit.Fit(uncorrected).NoiseMm, new([.. samples.Select(s => s.ErrorMm)], correctionsMm));
+    }
+
+    /// <summary>The only piece so far, which a nominal program cut.</summary>
     /// <param name="sha256">SHA-256 of its measurement.</param>
     /// <param name="samples">Its errors.</param>
     /// <param name="systematic">Their systematic part.</param>

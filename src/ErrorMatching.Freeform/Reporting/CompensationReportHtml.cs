@@ -39,7 +39,7 @@ public static class CompensationReportHtml
                         "surface compensate",
                         ("--measured", "measured"),
                         ("--cut-by", "cut-by"),
-                        ("--previous", "previous"))),
+                        ("--previous", "previous"), ("--earlier", "earlier"))),
             ],
             html => ProfileLead.Write(html, report.Result, report.Verdict, report.CallsTool));
     }

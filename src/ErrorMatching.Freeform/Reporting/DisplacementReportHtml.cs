@@ -27,7 +27,7 @@ public static class DisplacementReportHtml
                     "surface displace",
                     ("--measured", "measured"),
                     ("--cut-by", "cut-by"),
-                    ("--previous", "previous"),
+                    ("--previous", "previous"), ("--earlier", "earlier"),
                     ("--program", "program"))),
         ],
         html => ProfileLead.Write(html, report.Compensation, report.Verdict, isReady: true));

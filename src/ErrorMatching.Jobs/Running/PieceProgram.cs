@@ -32,12 +32,15 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
 
     /// <summary>Why the measured piece must not be compensated; null if there is no reason.</summary>
     /// <param name="measured">The measurements.</param>
+    /// <param name="earlier">Those of earlier pieces that the same program cut.</param>
     /// <param name="made">The file to be written, which may contain a program of an earlier run; null if unknown.</param>
     /// <param name="baseSha256">Base hash in the markers of this job's programs.</param>
     /// <exception cref="InputException">A program cannot be opened.</exception>
-    public Refusal? Refusal(IReadOnlyList<MeasuredPoints> measured, string? made, string baseSha256)
+    public Refusal? Refusal(
+        IReadOnlyList<MeasuredPoints> measured, IReadOnlyList<MeasuredPoints> earlier, string? made, string baseSha256)
     {
-        _measurements.AddRange(measured.Select(m => m.Sha256));
+        MeasuredPoints[] all = [.. earlier, .. measured];
+        _measurements.AddRange(all.Select(m => m.Sha256));
         _measurements.Add(MeasuredPoints.Sha256Of(measured));
         if (Named() is { } refused)
         {
@@ -46,12 +49,12 @@ internal sealed class PieceProgram(FreeformFiles files, SurfaceRequest request, 
 
         if (Continues)
         {
-            return measured.FirstOrDefault(m => m.CutByMeasurement is not null && !previous!.Made(m.CutByMeasurement)) is { } other
+            return all.FirstOrDefault(m => m.CutByMeasurement is not null && !previous!.Made(m.CutByMeasurement)) is { } other
                 ? new Refusal(OtherProgram, "the log says that a program cut the piece that " + NotOfPrevious).In(other.File)
                 : null;
         }
 
-        return measured.FirstOrDefault(m => m.CutByMeasurement is not null) is { } log
+        return all.FirstOrDefault(m => m.CutByMeasurement is not null) is { } log
             ? Refuse(log.File, "the log says that the piece was cut just before by a program that follows a measurement already.", null, 0)
             : Found.File is null && made is not null ? Beside(made, baseSha256) : null;
     }

@@ -7,6 +7,9 @@ public sealed record SurfaceRequest
     /// of one piece.</summary>
     public required IReadOnlyList<GivenFile> Measured { get; init; }
 
+    /// <summary>Measurements of earlier pieces that the same program cut, one file for each, oldest first.</summary>
+    public IReadOnlyList<GivenFile> Earlier { get; init; } = [];
+
     /// <summary>The program that cut the measured piece, instead of the one that the job names; null for the job's.</summary>
     public GivenFile? CutBy { get; init; }
 

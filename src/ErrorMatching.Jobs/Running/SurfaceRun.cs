@@ -153,18 +153,19 @@ public static class SurfaceRun
             return null;
         }
 
+        var earlier = request.Earlier.Select(f => new[] { files.Measured("earlier", f, plan) }).ToArray();
         var points = request.Measured.Select(f => files.Measured("measured", f, plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
         var previous = PreviousReport.Of(files, request.Previous);
         var piece = new PieceProgram(files, request, syntax, previous);
-        if (piece.Refusal(points, made, baseSha256) is { } compensated)
+        if (piece.Refusal(points, [.. earlier.SelectMany(e => e)], made, baseSha256) is { } compensated)
         {
             refusals = [compensated];
             return null;
         }
 
         cutBy = piece.Found with { Previous = previous?.File };
-        var outcome = Compensator.Compensate(new(job, surface, plan, points) { Previous = previous?.Lot });
+        var outcome = Compensator.Compensate(new(job, surface, plan, points) { Previous = previous?.Lot, Earlier = earlier });
         refusals = InputRefusals.In(job.File, outcome.Refusals);
         return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
             ? result with { Notes = [.. result.Notes, note] }

@@ -111,15 +111,37 @@ public sealed class SurfaceLotTests
     [Fact]
     public void Only_the_latest_pieces_are_kept()
     {
-        var (lot, _) = Pair(NewLimit("0.2"));
+        var design = NewLimit("0.2");
+        var (first, measured) = Pair(design);
+        var lot = first with { Pieces = [.. Enumerable.Repeat(first.Pieces[0], SurfaceLot.MostPieces)] };
 
-        for (var k = 0; k < SurfaceLot.MostPieces + 5; k++)
+        var next = Next(design, lot, measured).Result!.Pieces;
+
+        Assert.Equal(SurfaceLot.MostPieces, next.Pieces.Count);
+        Assert.Equal(MeasuredPoints.Sha256Of([measured]), next.Pieces[^1].MeasuredSha256);
+    }
+
+    [Fact]
+    public void Several_pieces_of_one_program_compensate_together()
+    {
+        var design = new MeasuredDesign(PaperDesign.One);
+        var (alone, together) = (0.0, 0.0);
+        for (var seed = 0; seed < 2; seed++)
         {
-            lot = lot.With(lot.Pieces[0] with { MeasuredSha256 = k.ToString(CultureInfo.InvariantCulture) });
+            var noise = new Noise(20 + seed);
+            MeasuredPoints[] pieces = [
+                .. Enumerable.Range(0, 5).Select(k => design.With((u, v) => _bowl(u, v) + (NoiseMm * noise.Next()), $"piece{k}.csv"))];
+            var result = Compensator.Compensate(
+                new(design.Job, design.Surface, design.Plan, [pieces[4]]) { Earlier = [.. pieces[..4].Select(p => new[] { p })] }).Result!;
+            Assert.Equal(5, result.Pieces.Pieces.Count);
+            alone += Left(design.Compensate(pieces[4]).Result!, _bowl);
+            together += Left(result, _bowl);
         }
 
-        Assert.Equal(SurfaceLot.MostPieces, lot.Pieces.Count);
-        Assert.Equal((SurfaceLot.MostPieces + 4).ToString(CultureInfo.InvariantCulture), lot.Pieces[^1].MeasuredSha256);
+        Assert.InRange(together / alone, 0.2, 0.75);
+        var one = design.With(_bowl);
+        Assert.Equal("same-measurement", Assert.Throws<InputException>(() => Compensator.Compensate(
+            new(design.Job, design.Surface, design.Plan, [one]) { Earlier = [[one]] })).Code);
     }
 
     private static MeasuredDesign NewLimit(string mm) =>

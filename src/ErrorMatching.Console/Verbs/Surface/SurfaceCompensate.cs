@@ -13,6 +13,7 @@ internal sealed class SurfaceCompensate : Verb
             + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _previous = SurfaceOptions.Previous();
+    private readonly Option<string[]> _earlier = SurfaceOptions.Earlier();
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is "
             + "written.");
@@ -27,6 +28,7 @@ internal sealed class SurfaceCompensate : Verb
         Options.Add(_measured);
         Options.Add(_cutBy);
         Options.Add(_previous);
+        Options.Add(_earlier);
         Options.Add(_out);
     }
 
@@ -42,6 +44,7 @@ internal sealed class SurfaceCompensate : Verb
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
+                Earlier = [.. (arguments.GetValue(_earlier) ?? []).Select(f => new GivenFile(f))],
                 Folder = folder,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },

@@ -12,6 +12,7 @@ internal sealed class SurfaceDisplace : Verb
             + "mean is used.");
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _previous = SurfaceOptions.Previous();
+    private readonly Option<string[]> _earlier = SurfaceOptions.Earlier();
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the displaced program to, by the same name. Without it nothing is written.");
@@ -28,6 +29,7 @@ internal sealed class SurfaceDisplace : Verb
         Options.Add(_measured);
         Options.Add(_cutBy);
         Options.Add(_previous);
+        Options.Add(_earlier);
         Options.Add(_program);
         Options.Add(_out);
     }
@@ -43,6 +45,7 @@ internal sealed class SurfaceDisplace : Verb
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
+                Earlier = [.. (arguments.GetValue(_earlier) ?? []).Select(f => new GivenFile(f))],
                 Folder = folder,
             },
             new(arguments.GetRequiredValue(_program)),

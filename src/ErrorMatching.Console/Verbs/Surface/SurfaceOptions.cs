@@ -32,6 +32,16 @@ internal static class SurfaceOptions
         HelpName = "REPORT",
     };
 
+    /// <summary>Measurements of earlier pieces.</summary>
+    public static Option<string[]> Earlier() => new("--earlier")
+    {
+        Description = "Measurements of earlier pieces that the same program cut, one file for each, oldest first. All pieces compensate "
+            + "together.",
+        HelpName = "FILE",
+        AllowMultipleArgumentsPerToken = true,
+        Arity = ArgumentArity.OneOrMore
+    };
+
     /// <summary>The folder to write to.</summary>
     public static Option<string> Out(string description) => new("--out") { Description = description, HelpName = "DIR" };
 }

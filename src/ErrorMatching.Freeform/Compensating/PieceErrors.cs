@@ -1,0 +1,148 @@
+using System.Globalization;
+using ErrorMatching.Refusals;
+
+namespace ErrorMatching.Freeform;
+
+/// <summary>The errors of one measured piece.</summary>
+/// <param name="Sha256">SHA-256 of its measurement.</param>
+/// <param name="Alignment">The alignment of the points to the surface; null if they were not moved.</param>
+/// <param name="Samples">The error at each point; the mean if it was measured several times.</param>
+internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, IReadOnlyList<ErrorSample> Samples)
+{
+    /// <summary>Finds the errors, or the reason why the measurement must not be compensated.</summary>
+    /// <param name="measured">The measurements of the piece, at least one.</param>
+    /// <param name="job">The job.</param>
+    /// <param name="nominal">The nominal surface.</param>
+    /// <param name="notes">Gets notes.</param>
+    /// <param name="warnings">Gets warnings.</param>
+    /// <exception cref="InputException">A point has no foot, or there are too few for the alignment.</exception>
+    public static Outcome<PieceErrors> Of(
+        IReadOnlyList<MeasuredPoints> measured, FreeformJob job, PartSurface nominal, List<string> notes, List<string> warnings)
+    {
+        var stock = job.Stock.Of(job.Measuring.After);
+        var alignment = job.Measuring.BestFit
+            ? SurfaceAlignment.BestFit(
+                nominal, [.. measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, measured[0].File)
+            : null;
+        var repeats = measured.Select(m => SurfaceErrors.Of(
+            nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
+        for (var k = 0; k < repeats.Length; k++)
+        {
+            if (OtherStage(repeats[k], measured[k].File, job, stock) is { } other)
+            {
+                return other;
+            }
+        }
+
+        var samples = repeats.Length == 1 ? repeats[0] : Average(repeats, notes, warnings);
+        if (BeyondLimit(samples, job, stock) is { } refusal)
+        {
+            return refusal;
+        }
+
+        return Outlying(samples, repeats, measured) is { } outlying
+            ? outlying
+            : new PieceErrors(MeasuredPoints.Sha256Of(measured), alignment, samples);
+    }
+
+    /// <summary>A length with enough digits to show that it exceeds its limit.</summary>
+    public static string Beyond(double mm, double limitMm)
+    {
+        var limit = limitMm.ToString("0.####", CultureInfo.InvariantCulture);
+        for (var digits = 4; digits < 10; digits++)
+        {
+            var format = "0." + new string('#', digits);
+            if (Math.Abs(mm).ToString(format, CultureInfo.InvariantCulture) is var text && text != limit)
+            {
+                return mm.ToString($"+{format};-{format}", CultureInfo.InvariantCulture);
+            }
+        }
+
+        return mm.ToString("R", CultureInfo.InvariantCulture);
+    }
+
+    // Mirroring missing or remaining stock as if it were an error would spoil the piece.
+    private static Refusal? OtherStage(IReadOnlyList<ErrorSample> samples, string file, FreeformJob job, double stock)
+    {
+        var mean = samples.Sum(s => s.ErrorMm) / samples.Count;
+        var found = MeasuredStage.Of(job, mean + stock);
+        return found == job.Measuring.After ? null : new("other-stage", string.Create(
+            CultureInfo.InvariantCulture,
+            $"The points of {file} lie {mean:+0.0000;-0.0000} mm from the surface after {MeasuredStage.Name(job.Measuring.After)}, in "
+                + $"the mean, and so on the surface after {MeasuredStage.Name(found)}: the stock of {job.Stock.SemiFinishingMm:0.###} mm "
+                + $"would be taken for an error. Give what was measured after {MeasuredStage.Name(job.Measuring.After)}, or change "
+                + $"measuring.measuredAfter."));
+    }
+
+    private static Refusal? BeyondLimit(IReadOnlyList<ErrorSample> samples, FreeformJob job, double stock)
+    {
+        var beyond = samples.Where(s => Math.Abs(s.ErrorMm) > job.Compensation.LimitMm).ToArray();
+        if (beyond.Length == 0)
+        {
+            return null;
+        }
+
+        var worst = beyond.MaxBy(s => Math.Abs(s.ErrorMm))!;
+        var hint = beyond.Length > samples.Count / 2
+            ? $" Most points are off: check the work offset, measuring.reports, and measuring.measuredAfter, which says that "
+                + $"{(stock > 0 ? string.Create(CultureInfo.InvariantCulture, $"{stock:0.###} mm of stock lie") : "no stock lies")} on "
+                + $"the surface."
+            : " Touch it again, or look for a chip or a wrong probe.";
+        return new("beyond-limit", string.Create(
+            CultureInfo.InvariantCulture,
+            $"Point {worst.Point} is {Beyond(worst.ErrorMm, job.Compensation.LimitMm)} mm off along the "
+                + $"normal{(beyond.Length > 1 ? $", and {beyond.Length - 1} more points are too" : "")}; compensation.limitMm allows "
+                + $"{job.Compensation.LimitMm:0.####} mm.{hint}"));
+    }
+
+    // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
+    private static Refusal? Outlying(
+        IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
+    {
+        var points = OutlyingPoints.Of(samples);
+        if (points.Count == 0)
+        {
+            return null;
+        }
+
+        var worst = OutlyingPoint.Furthest(points);
+        var off = Array.ConvertAll(repeats, r => Math.Abs(r.First(s => s.Point == worst.Sample.Point).ErrorMm - worst.SaidMm));
+        var (place, mean) = repeats.Length == 1
+            ? ("", "")
+            : ($" {measured[Array.IndexOf(off, off.Max())].File} is furthest off there.", ", in the mean of all measurements");
+        return new(
+            "outlying-point",
+            $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the "
+                + $"place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more "
+                + $"points.");
+    }
+
+    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<string> warnings)
+    {
+        var mean = RepeatedMeasurement.Of(repeats);
+        notes.Add(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to "
+                + $"{mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} "
+                + $"um."));
+        foreach (var outlier in mean.Outliers)
+        {
+            warnings.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement "
+                    + $"{outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
+        }
+
+        // Mixed-up or reclamped pieces look like this.
+        var spread = DeviationStatistics.Of([.. mean.Means.Select(m => m.ErrorMm)]).StandardDeviationMm;
+        if (mean.RepeatabilityMm > spread)
+        {
+            warnings.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show "
+                    + $"differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
+        }
+
+        return mean.Means;
+    }
+}
