@@ -34,12 +34,12 @@ public sealed class CorrectionComputer(PolicySettings policy)
     private Computation Guarded(CorrectionRequest request, bool isAll, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
-        if (!request.Job.Accumulates && (request.Base is not null || request.Sums.Points.Count > 0))
+        if (!request.Job.Accumulates && (request.Base is not null || request.Previous is not null || request.Sums.Points.Count > 0))
         {
             throw new ArgumentException("Only a job that accumulates starts from another program than its original one.", nameof(request));
         }
 
-        if (request.Base is null && request.Sums.Points.Count > 0)
+        if (request.Base is null && request.Previous is null && request.Sums.Points.Count > 0)
         {
             throw new ArgumentException("The original program is not corrected yet, so it has no sums.", nameof(request));
         }

@@ -14,7 +14,8 @@ internal static class CorrectionIdentity
     private const int Digits = 64;
 
     /// <summary>The identity as 64 lower-case hexadecimal digits.</summary>
-    /// <param name="measurements">SHA-256 of each measurement, the compensated one first.</param>
+    /// <param name="measurements">SHA-256 of each measurement, the compensated one first, and of the report before for a surface that
+    /// accumulates.</param>
     /// <param name="jobSha256">SHA-256 of the job (<see cref="OfJob"/>).</param>
     /// <param name="baseSha256">SHA-256 of the base program; null if the program is generated.</param>
     /// <param name="gain">The gain that replaces the job's; null for the job's own.</param>
@@ -42,12 +43,12 @@ internal static class CorrectionIdentity
     /// <summary>SHA-256 over a job's file and the files that it names, so that a change to any of them gives another correction: lines
     /// <c>job HASH</c> and <c>ROLE HASH</c>.</summary>
     /// <param name="jobSha256">SHA-256 of the job's file.</param>
-    /// <param name="inputs">The files that were read; measurements and programs are excluded because the identity covers them
-    /// separately.</param>
+    /// <param name="inputs">The files that were read; measurements, programs and the report before are excluded because the
+    /// identity covers them separately.</param>
     internal static string OfJob(string jobSha256, IEnumerable<ReportInput> inputs)
     {
         var text = new StringBuilder("job ").Append(Hash(jobSha256)).Append('\n');
-        foreach (var input in inputs.Where(i => i.Role is not ("part" or "counterpart" or "measured" or "program" or "cut-by")))
+        foreach (var input in inputs.Where(i => i.Role is not ("part" or "counterpart" or "measured" or "program" or "cut-by" or "previous")))
         {
             text.Append(input.Role).Append(' ').Append(Hash(input.Sha256)).Append('\n');
         }

@@ -25,11 +25,6 @@ internal sealed class SurfaceCorrection
     /// <summary>Determines the correction's inputs.</summary>
     public Computation Identify()
     {
-        if (Refusal() is { } refusal)
-        {
-            return refusal;
-        }
-
         var dialect = _files.ToolpathDialect();
         if (_request.Job.Program is null)
         {
@@ -43,11 +38,6 @@ internal sealed class SurfaceCorrection
     /// <summary>Computes it.</summary>
     public Computation Compute(CancellationToken cancellation)
     {
-        if (Refusal() is { } refusal)
-        {
-            return refusal;
-        }
-
         // A piece that still has stock has not been cut by a finishing program.
         var job = _files.Job;
         var cutBy = job.Stock.Of(job.Measuring.After) > 0 || _request.LastSent is not { } sent
@@ -57,14 +47,11 @@ internal sealed class SurfaceCorrection
         {
             Measured = [new(_request.Measurement.Name, _request.Measurement.Bytes)],
             CutBy = cutBy,
+            Previous = _request.Previous is { } previous ? new(previous.Name, previous.Bytes) : null,
             Gain = _policy.Gain
         };
         return _request.Job.Program is { } program ? Displace(measured, program, cancellation) : Compensate(measured, cancellation);
     }
-
-    private RefusedComputation? Refusal() => _request.Job.Accumulates
-        ? new(CorrectionCodes.NotFeedback, Recorded.NotFeedbackSurface.With(_request.Job.Name))
-        : null;
 
     private Computation Compensate(SurfaceRequest measured, CancellationToken cancellation)
     {
@@ -75,17 +62,17 @@ internal sealed class SurfaceCorrection
         }
 
         var result = finished.Report.Result;
-        return Within(result, Steps(result), result.LargestMoveMm, (steps, at) => new()
+        return Within(result, result.LargestMoveMm, (steps, largest, at) => new()
         {
             Basis = Basis(null),
             ProgramName = FinishedSurface.Name,
             Program = finished.Program,
             Report = finished.ReportJson(),
             Page = finished.ReportHtml(),
-            LargestMm = result.LargestMoveMm,
+            LargestMm = largest,
             LargestAt = at,
             Corrections = steps,
-            Sums = CorrectionSums.None.Plus(steps),
+            Sums = _request.Sums.Plus(steps),
             SumMm = result.LargestMoveMm,
             ChangedBlocks = null,
             ChangedWords = null,
@@ -105,8 +92,8 @@ internal sealed class SurfaceCorrection
         }
 
         var (report, compensation) = (displaced.Report, displaced.Report.Compensation);
-        var (rewrite, largest) = (report.Displaced.Rewrite, report.Displaced.LargestMoveMm);
-        return Within(compensation, Steps(compensation), largest, (steps, at) => new()
+        var (rewrite, sum) = (report.Displaced.Rewrite, report.Displaced.LargestMoveMm);
+        return Within(compensation, sum, (steps, largest, at) => new()
         {
             Basis = Basis(bytes),
             ProgramName = report.Name,
@@ -116,21 +103,39 @@ internal sealed class SurfaceCorrection
             LargestMm = largest,
             LargestAt = at,
             Corrections = steps,
-            Sums = CorrectionSums.None.Plus(steps),
-            SumMm = largest,
+            Sums = _request.Sums.Plus(steps),
+            SumMm = sum,
             ChangedBlocks = rewrite.ChangedBlocks.Count,
             ChangedWords = rewrite.ChangedWords,
             Warnings = [.. compensation.Warnings.Select(w => (Statement)w)],
         });
     }
 
+    // A program starts from the nominal surface. The step is the change since the program that cut the piece: without one, the whole.
     private Computation Within(
-        CompensationResult result, PointCorrection[] steps, double largestMm, Func<PointCorrection[], Statement, ComputedProgram> computed)
+        CompensationResult result, double sumMm, Func<PointCorrection[], double, Statement, ComputedProgram> computed)
     {
-        var worst = steps.MaxBy(s => s.LengthMm)!;
-        Statement at = largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
-        return new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm).OfStep(largestMm, at, block: null)
-            ?? (Computation)computed(steps, at);
+        var limits = new DisplacementLimits(_policy, result.Input.Job.Compensation.LimitMm);
+        var sums = Moves(result);
+        var accumulates = _request.Previous is not null;
+        var before = _request.Sums.Points.ToDictionary(p => p.Point, StringComparer.Ordinal);
+        PointCorrection[] steps = accumulates
+            ? [
+                .. sums.Select(s => before.TryGetValue(s.Point, out var was)
+                    ? s with { X = s.X - was.X, Y = s.Y - was.Y, Z = s.Z - was.Z }
+                    : s)]
+            : sums;
+        var largest = accumulates ? steps.Max(s => s.LengthMm) : sumMm;
+        var at = At(steps, largest);
+        return limits.OfStep(largest, at, block: null)
+            ?? (accumulates ? limits.OfSum(sumMm, At(sums, sumMm), block: null) : null)
+            ?? (Computation)computed(steps, largest, at);
+    }
+
+    private static Statement At(PointCorrection[] moves, double largestMm)
+    {
+        var worst = moves.MaxBy(s => s.LengthMm)!;
+        return largestMm > 0 ? (largestMm > worst.LengthMm ? Recorded.AtPointAndBeside : Recorded.AtPoint).With(worst.Point) : "";
     }
 
     private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
@@ -138,7 +143,10 @@ internal sealed class SurfaceCorrection
         var baseSha256 = program is { } bytes ? new StoredFile("", bytes).Sha256 : null;
         return new(
             CorrectionIdentity.Of(
-                [_request.Measurement.Sha256], CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs), baseSha256, _policy.Gain),
+                _request.Previous is { } previous ? [_request.Measurement.Sha256, previous.Sha256] : [_request.Measurement.Sha256],
+                CorrectionIdentity.OfJob(_files.Job.Sha256, _files.Inputs),
+                baseSha256,
+                _policy.Gain),
             _files.Job.Sha256,
             _job,
             baseSha256,
@@ -146,7 +154,7 @@ internal sealed class SurfaceCorrection
             _files.Job.WorkOrder);
     }
 
-    private static PointCorrection[] Steps(CompensationResult result) => [.. result.Samples.Select(s =>
+    private static PointCorrection[] Moves(CompensationResult result) => [.. result.Samples.Select(s =>
     {
         var by = result.MoveAt(s);
         return new PointCorrection(s.Point.ToString(CultureInfo.InvariantCulture), by.X, by.Y, by.Z);

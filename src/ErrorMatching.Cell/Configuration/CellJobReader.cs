@@ -194,13 +194,13 @@ internal sealed class CellJobReader(
             return;
         }
 
-        if (!job.IsFeedback)
+        if (!job.IsFeedback && job.Freeform is null)
         {
             problems.Refuse(
                 item["accumulates"],
                 "accumulates-without-feedback",
                 "corrections that add up in a job without feedback",
-                "a mating job whose compensation comes from the counterpart, or false");
+                "a mating job whose compensation comes from the counterpart, a free-form job, or false");
         }
         else if (policy.SumLimitMm is null)
         {

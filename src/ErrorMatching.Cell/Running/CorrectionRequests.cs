@@ -1,10 +1,13 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
 /// <summary>Builds the inputs of corrections from the store.</summary>
 internal static class CorrectionRequests
 {
+    private const string ReportName = "report.json";
+
     /// <summary>The request of a recognized correction.</summary>
     /// <param name="flow">State shared by the workers.</param>
     /// <param name="correction">The correction, with its base program and the measurement that it is compared with.</param>
@@ -16,13 +19,14 @@ internal static class CorrectionRequests
         Piece = correction.Piece!,
         Measurement = new(correction.FileName, measurement),
         Part = correction.PartSha256 is { } part ? new(flow.Store.OfMeasurement(part)[0].FileName, flow.Store.Content(part)) : null,
-        Base = job.Accumulates && correction.SumsSha256 is not null
+        Base = job.Accumulates && !job.IsFreeform && correction.SumsSha256 is not null
             ? flow.Store.Content(correction.BaseSha256!)
             : default(ReadOnlyMemory<byte>?),
         Sums = job.Accumulates && correction.SumsSha256 is { } sums
             ? CorrectionSums.FromJson(flow.Store.Content(sums))
             : CorrectionSums.None,
         LastSent = job.IsFreeform ? LastSent(flow.Store, correction) : null,
+        Previous = job.Accumulates && job.IsFreeform ? ReportOf(flow.Store, CutProgram.Of(flow.Store, correction).By) : null,
         Identity = correction.Identity,
     };
 
@@ -43,8 +47,20 @@ internal static class CorrectionRequests
         Piece = correction.Piece!,
         Measurement = new(correction.FileName, store.Content(correction.MeasurementSha256)),
         Part = correction.PartSha256 is { } part ? new("", store.Content(part)) : null,
-        Base = job.Accumulates && CutProgram.Before(store, correction) is { ProgramSha256: { } cut }
+        Base = job.Accumulates && !job.IsFreeform && CutProgram.Before(store, correction) is { ProgramSha256: { } cut }
             ? store.Content(cut)
             : default(ReadOnlyMemory<byte>?),
+        Previous = job.Accumulates && job.IsFreeform && correction.ReportSha256 is { } report
+            ? PreviousOf(store, report)
+            : null,
     };
+
+    private static StoredFile? ReportOf(CellStore store, Correction? cut) =>
+        cut?.ReportSha256 is { } report ? new(ReportName, store.Content(report)) : null;
+
+    // The report names the one that it went on from.
+    private static StoredFile? PreviousOf(CellStore store, string reportSha256) =>
+        ReportReader.Document(store.Content(reportSha256)).Inputs().FirstOrDefault(i => i.Role == PreviousReport.Role) is { } previous
+            ? new(ReportName, store.Content(previous.Sha256))
+            : null;
 }

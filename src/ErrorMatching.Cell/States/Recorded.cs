@@ -145,6 +145,8 @@ public static class Recorded
         "not-feedback",
         "The job {0} shall accumulate, but it compensates the part: only what the program itself cut adds up. Take accumulates out, or "
             + "let compensation.from be the counterpart.");
+
+    // Only older versions recorded this: surfaces go on from the report before.
     internal static readonly SentenceForm NotFeedbackSurface = new(
         "not-feedback-surface",
         "The job {0} shall accumulate, but a surface is always compensated from its nominal shape. Take accumulates out.");

@@ -7,7 +7,7 @@ namespace ErrorMatching.Jobs;
 /// <summary>The report of the compensation before: what its program corrected, and the pieces that it knew.</summary>
 /// <param name="File">The report.</param>
 /// <param name="Lot">The lot.</param>
-internal sealed record PreviousReport(string File, SurfaceLot Lot)
+public sealed record PreviousReport(string File, SurfaceLot Lot)
 {
     /// <summary>Its role in the new report.</summary>
     public const string Role = "previous";

@@ -109,8 +109,6 @@ public sealed class FeedbackTests
     {
         var part = Samples.Part("complex-mating");
         Assert.Equal(CorrectionCodes.NotFeedback, Samples.Refusal(part with { Job = part.Job with { Accumulates = true } }).Code);
-        var surface = Samples.Surface("surface-one");
-        Assert.Equal(CorrectionCodes.NotFeedback, Samples.Refusal(surface with { Job = surface.Job with { Accumulates = true } }).Code);
     }
 
     [Fact]

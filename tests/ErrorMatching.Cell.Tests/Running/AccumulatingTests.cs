@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.Json;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
@@ -63,7 +64,45 @@ public sealed class AccumulatingTests
         Assert.Equal(feedback.Store.Find(2)!.ProgramSha256, RunningCell.Hash(cell.Machine["m1"].Files[RunningCell.Program]));
     }
 
-    /// <summary>A cell with one feedback job that accumulates, in the folders of another rig.</summary>
+    [Fact]
+    public async Task A_surface_goes_on_from_the_report_of_the_program_that_cut_it()
+    {
+        await using var cell = new RunningCell();
+        var text = File.ReadAllText(Repository.PathTo("samples", "surface-one", "job.json"))
+            .Replace("\"scallopMm\": 0.001, \"chordMm\": 0.001", "\"scallopMm\": 0.05, \"chordMm\": 0.01", StringComparison.Ordinal)
+            .Replace("\"semi-finishing\"", "\"finishing\"", StringComparison.Ordinal);
+        File.WriteAllText(cell.PathOf("job/feedback.json"), text);
+        File.Copy(Repository.PathTo("samples", "surface-one", "surface.igs"), cell.PathOf("job/surface.igs"));
+        var measured = File.ReadAllText(Repository.PathTo("samples", "surface-one", "after.csv"));
+        await using var surface = new FeedbackCell(cell, isSurface: true);
+        surface.Start();
+        cell.DropText("f_1.csv", measured);
+        var first = await surface.Until(1, CorrectionState.Verified);
+        Assert.Equal(1, Pieces(first));
+
+        // While nobody says that it cut, nobody knows which program cut the next piece.
+        cell.DropText("f_2.csv", measured + "\n");
+        Assert.Equal("not-released", (await surface.Until(2, CorrectionState.Refused)).Code);
+        new CorrectionDecisions(surface.Store).Release(1, "olga", null);
+        cell.DropText("f_3.csv", measured + "\n\n");
+        var second = await surface.Until(3, CorrectionState.Verified);
+        Assert.Equal(2, Pieces(second));
+        Assert.NotNull(second.SumsSha256);
+        Assert.Equal(first.ReportSha256, CorrectionRequests.Again(surface.Store, second, surface.Job).Previous!.Sha256);
+
+        // The same measurement again would count twice.
+        new CorrectionDecisions(surface.Store).Release(3, "olga", null);
+        cell.DropText("f_4.csv", measured + "\n\n");
+        Assert.Equal("already-known", (await surface.Until(4, CorrectionState.Refused)).Code);
+
+        int Pieces(Correction correction)
+        {
+            using var report = JsonDocument.Parse(surface.Store.Content(correction.ReportSha256!));
+            return report.RootElement.GetProperty("lot").GetProperty("pieces").GetArrayLength();
+        }
+    }
+
+    /// <summary>A cell with one job that accumulates, in the folders of another rig.</summary>
     private sealed class FeedbackCell : IAsyncDisposable
     {
         private readonly RunningCell _cell;
@@ -71,9 +110,29 @@ public sealed class AccumulatingTests
         private readonly CancellationTokenSource _stop = new();
         private Task _run = Task.CompletedTask;
 
-        public FeedbackCell(RunningCell cell, double sumLimitMm = 5)
+        public FeedbackCell(RunningCell cell, double sumLimitMm = 5, bool isSurface = false)
         {
             _cell = cell;
+            if (!isSurface)
+            {
+                Decide(cell);
+            }
+
+            _settings = CellSettingsReader.Parse(
+                Encoding.UTF8.GetBytes(FormattableString.Invariant($$"""
+                {
+                  "kind": "cell", "name": "Feedback", "store": { "kind": "sqlite", "file": "feedback.db" }, "keys": "keys", "logs": "logs",
+                  "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename", "everyMs": 20 }],
+                  "machines": [{ "name": "m1", "dialect": "{{(isSurface ? "siemens-840d" : "delta-nc300")}}", "transport": { "kind": "folder", "folder": "m1" }, "slots": [{ "name": "A", "program": "{{(isSurface ? "P1.MPF" : "P1.NC")}}" }] }],
+                  "jobs": [{ "name": "f", "job": "job/feedback.json", "gauges": ["cmm"], "recognize": { "fileName": "^f_" }, "machine": "m1", "slot": "A", "accumulates": true }],
+                  "policy": { "approve": "automatic", "sumLimitMm": {{sumLimitMm}} }
+                }
+                """)),
+                cell.PathOf("feedback-cell.json"));
+            Store = CellStore.Open(_settings.Store, TimeProvider.System);
+        }
+
+        private static void Decide(RunningCell cell) =>
             File.WriteAllText(cell.PathOf("job/feedback.json"), File.ReadAllText(cell.PathOf("job/feedback.json")).Replace(
                 "\"alignment\"",
                 """
@@ -84,21 +143,10 @@ public sealed class AccumulatingTests
 
                 // What was corrected lies away from the drawing by the sum of corrections.
                 .Replace("\"mapMm\": 0.5", "\"mapMm\": 3", StringComparison.Ordinal));
-            _settings = CellSettingsReader.Parse(
-                Encoding.UTF8.GetBytes(FormattableString.Invariant($$"""
-                {
-                  "kind": "cell", "name": "Feedback", "store": { "kind": "sqlite", "file": "feedback.db" }, "keys": "keys", "logs": "logs",
-                  "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename", "everyMs": 20 }],
-                  "machines": [{ "name": "m1", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "m1" }, "slots": [{ "name": "A", "program": "P1.NC" }] }],
-                  "jobs": [{ "name": "f", "job": "job/feedback.json", "gauges": ["cmm"], "recognize": { "fileName": "^f_" }, "machine": "m1", "slot": "A", "accumulates": true }],
-                  "policy": { "approve": "automatic", "sumLimitMm": {{sumLimitMm}} }
-                }
-                """)),
-                cell.PathOf("feedback-cell.json"));
-            Store = CellStore.Open(_settings.Store, TimeProvider.System);
-        }
 
         public CellStore Store { get; }
+
+        public CellJobSettings Job => _settings.Jobs[0];
 
         public void Start() =>
             _run = Task.Run(
