@@ -125,8 +125,7 @@ public static class EvaluationReportHtml
         }
     }
 
-    private static void WriteMaps(
-        HtmlText html, EvaluationReport report, IReadOnlyDictionary<EvaluatedPiece, FittedField> fields)
+    private static void WriteMaps(HtmlText html, EvaluationReport report, Dictionary<EvaluatedPiece, FittedField> fields)
     {
         // A piece before and the piece of the same number after are side by side, all at one scale.
         var maps = new SurfaceMaps(report.Surface);
@@ -161,8 +160,7 @@ public static class EvaluationReportHtml
         [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
 
     // The first piece of each: more would repeat each other.
-    private static void WriteSections(
-        HtmlText html, EvaluationReport report, IReadOnlyDictionary<EvaluatedPiece, FittedField> fields)
+    private static void WriteSections(HtmlText html, EvaluationReport report, Dictionary<EvaluatedPiece, FittedField> fields)
     {
         var (before, after) = (report.Before?.Pieces[0], report.Measured.Pieces[0]);
         using (html.In("figure"))

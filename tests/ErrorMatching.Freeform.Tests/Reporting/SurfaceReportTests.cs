@@ -140,7 +140,7 @@ public sealed class SurfaceReportTests
         Assert.Equal((2, 1), (texts.Count(t => t == "x, mm"), texts.Count(t => t == "y, mm")));
         Assert.Equal(
             ["0", "20", "40", "60", "0", "20", "40", "60"],
-            texts.SkipWhile(t => t != "0").Where(t => int.TryParse(t, out _)).Take(8));
+            texts.SkipWhile(t => t != "0").Where(t => t.All(char.IsAsciiDigit)).Take(8));
 
         static int Color(XElement e)
         {

@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
