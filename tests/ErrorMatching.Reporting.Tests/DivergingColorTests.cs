@@ -13,6 +13,20 @@ public sealed class DivergingColorTests
         Assert.True(Rgb(DivergingColors.Count - 1).R > Rgb(DivergingColors.Count - 1).B + 80, "the highest is orange");
     }
 
+    // WCAG 2: contrast of 3 : 1 is what a picture's parts need, and more than 1.1 : 1 between zero and the page, #16191d.
+    [Fact]
+    public void On_a_dark_page_zero_is_dark_and_both_ends_are_light()
+    {
+        static double Luma(string hex) => Luminance((
+            Convert.ToInt32(hex[1..3], 16), Convert.ToInt32(hex[3..5], 16), Convert.ToInt32(hex[5..7], 16)));
+        static double Contrast(string a, string b) => (Math.Max(Luma(a), Luma(b)) + 0.05) / (Math.Min(Luma(a), Luma(b)) + 0.05);
+        var (zero, low, high) = (DivergingColors.DarkHexAt(0), DivergingColors.DarkHexAt(-1), DivergingColors.DarkHexAt(1));
+        Assert.InRange(Contrast(zero, "#16191d"), 1.1, 1.5);
+        Assert.InRange(Contrast(zero, low), 3, 21);
+        Assert.InRange(Contrast(zero, high), 3, 21);
+        Assert.Equal(DivergingColors.Hex(0), DivergingColors.HexAt(-1));
+    }
+
     [Fact]
     public void Luminance_falls_from_zero_outwards_on_both_sides_alike()
     {

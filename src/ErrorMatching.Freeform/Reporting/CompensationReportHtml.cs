@@ -6,6 +6,9 @@ namespace ErrorMatching.Freeform;
 /// <summary>Writes a compensation as one HTML file without network access or scripts.</summary>
 public static class CompensationReportHtml
 {
+    // About 95 % of normally distributed errors.
+    private const double Coverage = 2;
+
     /// <summary>Writes the page as UTF-8 without a byte order mark. The same report always gives the same bytes.</summary>
     public static byte[] Write(CompensationReport report)
     {
@@ -18,6 +21,7 @@ public static class CompensationReportHtml
                 new("predicted", "Before, and what is expected after", html => WritePredictions(html, report.Result)),
                 new("maps", "Where the error is, and what is left", html => WriteMaps(html, report.Result)),
                 .. LotSection.Of(report.Result),
+                new("sections", "Along a line", html => WriteSections(html, report.Result)),
                 new("plots", "Error by point", html => WritePlots(html, report.Result)),
                 new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),
                 new("path", "Tool path", html => WritePath(html, report)),
@@ -116,29 +120,62 @@ public static class CompensationReportHtml
 
     private static void WriteMaps(HtmlText html, CompensationResult result)
     {
-        var limit = 1000 * result.Samples.Max(s => Math.Abs(s.ErrorMm));
-        var map = new HeatMap(result.Input.Surface, limit);
+        var maps = new SurfaceMaps(result.Input.Surface);
+        var measured = maps.Panel("Measured", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result));
+        var left = Expected(maps, result);
         Figure(
             html,
-            () => map.Write(
-                html, "measured", "Measured error", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result, s => s.ErrorMm)),
-            "Colors are the field that is taken as systematic; numbers are what was measured.");
-        var gain = result.Input.Job.Compensation.Gain;
+            () => maps.Write(html, "maps", ColorScale.OfErrors(measured.Shown.Concat(left.Shown)), [measured, left]),
+            "Seen against z. Colors: the systematic error, as measured and as expected after the compensation, at one scale; brown is "
+                + "material that is left, blue is too much removed. Numbers: what was measured.");
+        var uncertain = maps.Panel(
+            "Standard uncertainty of the systematic error", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []);
         Figure(
             html,
-            () => map.Write(
-                html,
-                "left",
-                "Expected systematic error after compensation",
-                (u, v) => 1000 * (result.Systematic.At(u, v) - (gain * result.Compensated.At(u, v))),
-                []),
-            "The same colors. Nothing of it is measured yet.");
-        var uncertain = new HeatMap(map, 1000 * result.Samples.Max(s => result.Systematic.StandardUncertaintyAt(s.U, s.V)));
-        Figure(
-            html,
-            () => uncertain.Write(
-                html, "uncertain", "Standard uncertainty of the field", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []),
-            "How well the field is known; colors of their own.");
+            () => maps.Write(html, "uncertain", ColorScale.OfSizes(uncertain.Shown), [uncertain]),
+            "How well the systematic error is known; colors of their own.");
+    }
+
+    // A surface through points leaves its own distance, which is known on the net of the document only: it is slow to calculate.
+    private static MapPanel Expected(SurfaceMaps maps, CompensationResult result)
+    {
+        const string title = "Expected after compensation";
+        if (result.ThroughPoints is null)
+        {
+            return maps.Panel(title, (u, v) => 1000 * (result.Systematic.At(u, v) + result.MovedMmAt(u, v)), []);
+        }
+
+        var map = ErrorMap.Of(result);
+        return new(title, map.Net, [.. map.MirrorMm.Select(e => 1000 * e)], []);
+    }
+
+    private static void WriteSections(HtmlText html, CompensationResult result) => Figure(
+        html,
+        () =>
+        {
+            WriteSection(html, result, alongU: true);
+            WriteSection(html, result, alongU: false);
+        },
+        "Zero is the nominal surface. The program cuts where the dashed line is: as far on the other side as the error was. So the piece "
+            + "is expected near zero; the band is twice the standard uncertainty of the systematic error.");
+
+    private static void WriteSection(HtmlText html, CompensationResult result, bool alongU)
+    {
+        var section = new SurfaceSection(result.Input.Surface, result.Samples, alongU);
+        var moved = section.Places.ToDictionary(p => p, p => 1000 * result.MovedMmAt(p.U, p.V));
+        new SectionPlot(
+            section,
+            [
+                new("expected after", "expected", p => Measured(p) + moved[p])
+                {
+                    HasWidth = true,
+                    HalfWidthUm = p => Coverage * 1000 * result.Systematic.StandardUncertaintyAt(p.U, p.V),
+                },
+                new("as cut: moved to the other side", "mirrored", p => moved[p]),
+                new("measured", "before", Measured) { PointsUm = section.PointsOf(result.Samples) },
+            ]).Write(html, alongU ? "section-u" : "section-v");
+
+        double Measured(SectionPlace p) => 1000 * result.Systematic.At(p.U, p.V);
     }
 
     private static void WritePlots(HtmlText html, CompensationResult result)
@@ -156,7 +193,7 @@ public static class CompensationReportHtml
                         .. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(
                             ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
                     .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
-                "As figures 10 to 12 of the paper; after is expected, without scatter.");
+                "What is expected is without scatter.");
         }
     }
 
@@ -236,8 +273,8 @@ public static class CompensationReportHtml
                         + $"{Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 
-    private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result, Func<ErrorSample, double> valueMm) =>
-        [.. result.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * valueMm(s)))];
+    private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result) =>
+        [.. result.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))];
 
     private static void Figure(HtmlText html, Action draw, string caption)
     {

@@ -5,17 +5,27 @@ namespace ErrorMatching.Freeform;
 /// <summary>Writes an evaluation as one HTML file without network access or scripts.</summary>
 public static class EvaluationReportHtml
 {
+    // About 95 % of normally distributed errors.
+    private const double Coverage = 2;
+
     /// <summary>Writes the page as UTF-8 without a byte order mark. The same report always gives the same bytes.</summary>
     public static byte[] Write(EvaluationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
+        var fields = new Dictionary<EvaluatedPiece, FittedField>(ReferenceEqualityComparer.Instance);
+        foreach (var piece in report.Pieces)
+        {
+            fields.TryAdd(piece, FieldFit.Fit(piece.Samples));
+        }
+
         return ReportPage.Write(
             report.Job,
             "the surface as measured",
             [
                 new("summary", "Summary", html => WriteSummary(html, report)),
                 new("statistics", "Mean, standard deviation, profile", html => WriteStatistics(html, report)),
-                new("maps", "Where the errors are", html => WriteMaps(html, report)),
+                new("maps", "Where the errors are", html => WriteMaps(html, report, fields)),
+                new("sections", "Along a line", html => WriteSections(html, report, fields)),
                 new("plots", "Error by point", html => WritePlots(html, report)),
                 new("points", "Points", html => WritePoints(html, report)),
                 new(
@@ -115,29 +125,68 @@ public static class EvaluationReportHtml
         }
     }
 
-    private static void WriteMaps(HtmlText html, EvaluationReport report)
+    private static void WriteMaps(HtmlText html, EvaluationReport report, Dictionary<EvaluatedPiece, FittedField> fields)
     {
-        var limit = 1000 * report.Pieces.SelectMany(p => p.Samples).Max(s => Math.Abs(s.ErrorMm));
-        var map = new HeatMap(report.Surface, limit);
-        var number = 0;
-        foreach (var (name, evaluation) in report.Parts)
+        // A piece before and the piece of the same number after are side by side, all at one scale.
+        var maps = new SurfaceMaps(report.Surface);
+        var rows = new List<MapPanel[]>();
+        foreach (var (before, after) in new[] { (report.Before, report.Measured), (report.ToolRadiusBefore, report.ToolRadius) })
         {
-            foreach (var piece in evaluation.Pieces)
+            for (var k = 0; k < Math.Max(before?.Pieces.Count ?? 0, after?.Pieces.Count ?? 0); k++)
             {
-                var field = FieldFit.Fit(piece.Samples);
-                using (html.In("figure"))
-                {
-                    map.Write(
-                        html,
-                        $"map{++number}",
-                        $"{name}: {piece.File}",
-                        (u, v) => 1000 * field.At(u, v),
-                        [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
-                    html.Put(
-                        "figcaption", "Colors between the points are the smooth field that fits them best; numbers are what was measured.");
-                }
+                rows.Add([.. new[] { before, after }
+                    .Where(e => e is not null && k < e.Pieces.Count)
+                    .Select(e => Panel(maps, report.Parts.First(p => p.Evaluation == e).Name, e!.Pieces[k], fields[e.Pieces[k]]))]);
             }
         }
+
+        var scale = ColorScale.OfErrors(rows.SelectMany(r => r).SelectMany(p => p.Shown));
+        for (var k = 0; k < rows.Count; k++)
+        {
+            using (html.In("figure"))
+            {
+                maps.Write(html, "map" + ReportNumber.Count(k + 1), scale, rows[k]);
+                html.Put(
+                    "figcaption",
+                    "Seen against z. Colors: the smooth field that fits the points best, all maps at one scale; brown is material that is "
+                        + "left, blue is too much removed. Numbers: what was measured.");
+            }
+        }
+    }
+
+    private static MapPanel Panel(SurfaceMaps maps, string name, EvaluatedPiece piece, FittedField field) => maps.Panel(
+        $"{name}: {Path.GetFileName(piece.File)}",
+        (u, v) => 1000 * field.At(u, v),
+        [.. piece.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
+
+    // The first piece of each: more would repeat each other.
+    private static void WriteSections(HtmlText html, EvaluationReport report, Dictionary<EvaluatedPiece, FittedField> fields)
+    {
+        var (before, after) = (report.Before?.Pieces[0], report.Measured.Pieces[0]);
+        using (html.In("figure"))
+        {
+            foreach (var alongU in new[] { true, false })
+            {
+                var section = new SurfaceSection(report.Surface, (before ?? after).Samples, alongU);
+                SectionCurve[] curves = before is null
+                    ? [Curve(section, "measured", "before", after)]
+                    : [Curve(section, "before", "before", before), Curve(section, "after", "expected", after)];
+                new SectionPlot(section, curves).Write(html, alongU ? "section-u" : "section-v");
+            }
+
+            html.Put(
+                "figcaption",
+                "Zero is the nominal surface. Lines: the smooth field that fits the points best, with a band of twice its standard "
+                    + "uncertainty. Circles: the points that were measured there.");
+        }
+
+        SectionCurve Curve(SurfaceSection section, string name, string look, EvaluatedPiece piece) =>
+            new(name, look, p => 1000 * fields[piece].At(p.U, p.V))
+            {
+                HasWidth = true,
+                HalfWidthUm = p => Coverage * 1000 * fields[piece].StandardUncertaintyAt(p.U, p.V),
+                PointsUm = section.PointsOf(piece.Samples),
+            };
     }
 
     private static void WritePlots(HtmlText html, EvaluationReport report)

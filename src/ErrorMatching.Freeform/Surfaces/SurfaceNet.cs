@@ -12,17 +12,20 @@ public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Pl
     private const int CellsU = 24, CellsV = 20;
 
     /// <summary>The net of a surface.</summary>
-    public static SurfaceNet Of(PartSurface surface)
+    public static SurfaceNet Of(PartSurface surface) => Of(surface, CellsU, CellsV);
+
+    /// <summary>The net of a surface with a number of cells.</summary>
+    internal static SurfaceNet Of(PartSurface surface, int cellsU, int cellsV)
     {
         ArgumentNullException.ThrowIfNull(surface);
         return new(
-            CellsU + 1,
-            CellsV + 1,
-            [.. Parameters(surface).Select(p => surface.Spline.PointAt(p.U, p.V))],
+            cellsU + 1,
+            cellsV + 1,
+            [.. Parameters(surface, cellsU, cellsV).Select(p => surface.Spline.PointAt(p.U, p.V))],
             [
-                .. Enumerable.Range(0, CellsU * CellsV).Where(
+                .. Enumerable.Range(0, cellsU * cellsV).Where(
                     c => !surface.Region.Contains(
-                        At(surface.Spline.KnotsU, (c / CellsV) + 0.5, CellsU), At(surface.Spline.KnotsV, (c % CellsV) + 0.5, CellsV)))]);
+                        At(surface.Spline.KnotsU, (c / cellsV) + 0.5, cellsU), At(surface.Spline.KnotsV, (c % cellsV) + 0.5, cellsV)))]);
     }
 
     /// <summary>Indices of the places whose neighboring cells all belong to the piece, ascending.</summary>
@@ -39,10 +42,10 @@ public sealed record SurfaceNet(int CountU, int CountV, IReadOnlyList<Point3> Pl
     }
 
     /// <summary>The parameters of the net's places, in order.</summary>
-    internal static IEnumerable<(double U, double V)> Parameters(PartSurface surface) =>
-        from i in Enumerable.Range(0, CellsU + 1)
-        from j in Enumerable.Range(0, CellsV + 1)
-        select (At(surface.Spline.KnotsU, i, CellsU), At(surface.Spline.KnotsV, j, CellsV));
+    internal static IEnumerable<(double U, double V)> Parameters(PartSurface surface, int cellsU = CellsU, int cellsV = CellsV) =>
+        from i in Enumerable.Range(0, cellsU + 1)
+        from j in Enumerable.Range(0, cellsV + 1)
+        select (At(surface.Spline.KnotsU, i, cellsU), At(surface.Spline.KnotsV, j, cellsV));
 
     private static double At(KnotVector knots, double cell, int cells) => knots.Start + ((knots.End - knots.Start) * cell / cells);
 }

@@ -12,6 +12,9 @@ public static class DivergingColors
 
     private const double LightnessAtZero = 0.97, LightnessAtEnd = 0.42, ChromaAtEnd = 0.13, BlueHueDegrees = 255, OrangeHueDegrees = 50;
 
+    // On a dark page, zero is a little lighter than the page, and the ends are light.
+    private const double DarkLightnessAtZero = 0.28, DarkLightnessAtEnd = 0.8;
+
     /// <summary>The color index of a value: 0 for the lowest, <see cref="Count"/> - 1 for the highest.</summary>
     /// <param name="value">The value.</param>
     /// <param name="limit">The absolute value of the last color, which is also used beyond.</param>
@@ -20,10 +23,19 @@ public static class DivergingColors
 
     /// <summary>A color as <c>#rrggbb</c>.</summary>
     /// <param name="index">0 to <see cref="Count"/> - 1.</param>
-    public static string Hex(int index)
+    public static string Hex(int index) => HexAt(((2.0 * index) / (Count - 1)) - 1);
+
+    /// <summary>The color of a share of the limit as <c>#rrggbb</c>.</summary>
+    /// <param name="share">-1 to 1.</param>
+    public static string HexAt(double share) => Hex(share, LightnessAtZero, LightnessAtEnd);
+
+    /// <summary>The color for a dark page: dark at zero, and lighter towards the ends.</summary>
+    /// <param name="share">-1 to 1.</param>
+    public static string DarkHexAt(double share) => Hex(share, DarkLightnessAtZero, DarkLightnessAtEnd);
+
+    private static string Hex(double share, double atZero, double atEnd)
     {
-        var share = ((2.0 * index) / (Count - 1)) - 1;
-        var lightness = LightnessAtZero + ((LightnessAtEnd - LightnessAtZero) * Math.Abs(share));
+        var lightness = atZero + ((atEnd - atZero) * Math.Abs(share));
         var (sin, cos) = Math.SinCos((share < 0 ? BlueHueDegrees : OrangeHueDegrees) * Math.PI / 180);
         var chroma = ChromaAtEnd * Math.Abs(share);
         var (r, g, b) = ToRgb(lightness, chroma * cos, chroma * sin);

@@ -5,7 +5,7 @@ public static class ReportPage
 {
     private static readonly Lazy<string> Css = new(ReadCss);
 
-    /// <summary>Writes a page about a job: its heading begins with the job's name, and its work order is below.</summary>
+    /// <summary>Writes a page about a job: its heading begins with the job's name, and its work order, if it has one, is below.</summary>
     /// <param name="job">The job.</param>
     /// <param name="subject">What the page is about.</param>
     /// <param name="sections">Its sections, listed at the top.</param>
@@ -13,15 +13,15 @@ public static class ReportPage
     public static byte[] Write(ReportJob job, string subject, IReadOnlyList<PageSection> sections, Action<HtmlText>? lead = null)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return Write($"{job.Name}: {subject}", job.WorkOrder is { } order ? $"Work order {order}" : "No work order", sections, lead);
+        return Write($"{job.Name}: {subject}", job.WorkOrder is { } order ? $"Work order {order}" : null, sections, lead);
     }
 
     /// <summary>Writes a page.</summary>
     /// <param name="title">Its heading and window title.</param>
-    /// <param name="subtitle">The subject, below the heading.</param>
+    /// <param name="subtitle">The subject, below the heading; null for none.</param>
     /// <param name="sections">Its sections, listed at the top.</param>
     /// <param name="lead">Writes what comes before everything else; null for nothing.</param>
-    public static byte[] Write(string title, string subtitle, IReadOnlyList<PageSection> sections, Action<HtmlText>? lead = null)
+    public static byte[] Write(string title, string? subtitle, IReadOnlyList<PageSection> sections, Action<HtmlText>? lead = null)
     {
         var html = new HtmlText();
         using (html.In("html", ("lang", "en")))
@@ -34,7 +34,11 @@ public static class ReportPage
                 {
                     lead?.Invoke(html);
                     html.Put("h1", title);
-                    html.Put("p", subtitle, ("class", "subtitle"));
+                    if (subtitle is not null)
+                    {
+                        html.Put("p", subtitle, ("class", "subtitle"));
+                    }
+
                     WriteContents(html, sections);
                 }
 

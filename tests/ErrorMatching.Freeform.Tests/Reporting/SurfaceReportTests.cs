@@ -114,33 +114,108 @@ public sealed class SurfaceReportTests
         var page = Page(CompensationReportHtml.Write(Report));
 
         Assert.Equal("Surface <two> & co.: compensated surface", page.Descendants("h1").Single().Value);
-        Assert.Equal(5, page.Descendants("svg").Count());
+
+        // Maps side by side, the uncertainty, two sections and either way by point.
+        Assert.Equal(6, page.Descendants("svg").Count());
         Assert.Equal(70, page.Descendants("circle").Count(c => (string?)c.Attribute("class") == "key-point"));
         Assert.DoesNotContain(page.Descendants(), e => e.Name.LocalName is "script" or "img" or "link");
     }
 
     [Fact]
-    public void Colors_of_the_map_are_those_of_the_error()
+    public void Measured_and_expected_are_side_by_side_at_one_scale_with_axes_in_millimeters()
     {
-        // The error rises with u from 9 to 25 um: the left end is paler than the right one, and nothing is blue.
-        var map = Page(CompensationReportHtml.Write(Report)).Descendants("svg").First();
-        var fills = map.Descendants("path").Select(p => (string)p.Attribute("fill")!).ToArray();
+        // The error rises with u from 9 to 25 um, and nothing of it is left: bands of 2 um from zero to the strongest, nothing blue. That
+        // of 9 um is a third of the way.
+        var maps = Page(CompensationReportHtml.Write(Report)).Descendants("svg").First();
+        var groups = maps.Elements("g").Select(g => g.Elements("path").Select(Color).ToArray()).ToArray();
+        Assert.Equal(2, groups.Length);
+        var legend = maps.Elements("rect").Select(Color).ToArray();
+        Assert.InRange(legend.Length, 13, 14);
+        Assert.Equal((20, 40), (legend[0], legend[^1]));
+        Assert.Equal(legend.Order(), legend);
+        Assert.InRange(groups[0][0], 26, 28);
+        Assert.Equal(legend.Where(c => c >= groups[0][0]), groups[0]);
+        Assert.Equal([20], groups[1]);
+        var texts = maps.Elements("text").Select(t => t.Value).ToArray();
+        Assert.Equal((2, 1), (texts.Count(t => t == "x, mm"), texts.Count(t => t == "y, mm")));
+        Assert.Equal(
+            ["0", "20", "40", "60", "0", "20", "40", "60"],
+            texts.SkipWhile(t => t != "0").Where(t => t.All(char.IsAsciiDigit)).Take(8));
 
-        Assert.All(fills, f => Assert.True(Array.IndexOf(Colors, f) >= DivergingColors.Count / 2, f));
-        Assert.Contains(DivergingColors.Hex(DivergingColors.IndexOf(9, 30)), fills);
-        Assert.Contains(DivergingColors.Hex(DivergingColors.IndexOf(25, 30)), fills);
+        static int Color(XElement e)
+        {
+            var color = int.Parse(((string)e.Attribute("class")!)[1..], System.Globalization.CultureInfo.InvariantCulture);
+            Assert.Equal(ColorScale.Hex(color), (string)e.Attribute("fill")!);
+            return color;
+        }
+    }
+
+    // Bands are painted over each other, without one square for each point and without gaps.
+    [Fact]
+    public void A_band_is_one_path_however_many_points_the_map_has()
+    {
+        var map = Page(CompensationReportHtml.Write(Report)).Descendants("svg").First().Elements("g").First();
+        Assert.InRange(map.Elements("path").Count(), 8, 10);
+        Assert.All(map.Elements("path"), p => Assert.Equal("evenodd", (string)p.Attribute("fill-rule")!));
     }
 
     [Fact]
-    public void An_uncertainty_has_no_sign_and_half_of_the_colors()
+    public void An_uncertainty_has_no_sign_and_the_colors_of_one_side()
     {
-        var map = Page(CompensationReportHtml.Write(Report)).Descendants("svg").ElementAt(2);
-        var colors = map.Descendants("rect").Select(r => Array.IndexOf(Colors, (string)r.Attribute("fill")!)).ToArray();
-        Assert.Equal(Enumerable.Range(DivergingColors.Count / 2, (DivergingColors.Count / 2) + 1), colors);
-        var ticks = map.Descendants("text").Where(t => (string?)t.Attribute("class") == "tick").Select(t => t.Value).ToArray();
-        Assert.Equal(3, ticks.Length);
-        Assert.Equal("0.00", ticks[0]);
-        Assert.All(ticks, t => Assert.True(char.IsAsciiDigit(t[0]), t));
+        var map = Page(CompensationReportHtml.Write(Report)).Descendants("svg").ElementAt(1);
+        var colors = map.Descendants("rect").Select(r => (string)r.Attribute("fill")!).ToArray();
+        Assert.Equal(ColorScale.Hex(20), colors[0]);
+        Assert.Equal(ColorScale.Hex(40), colors[^1]);
+        Assert.DoesNotContain(map.Descendants("text"), t => t.Value.StartsWith('+'));
+    }
+
+    [Fact]
+    public void A_trimmed_piece_is_drawn_up_to_its_edges()
+    {
+        var (u, v) = (Piece.Surface.Spline.KnotsU, Piece.Surface.Spline.KnotsV);
+        double middle = (u.Start + u.End) / 2;
+        var trimmed = Piece.Surface with
+        {
+            Region = new([[new(u.Start, v.Start), new(middle, v.Start), new(middle, v.End), new(u.Start, v.End)]]),
+        };
+        var html = new HtmlText();
+        var maps = new SurfaceMaps(trimmed);
+        var panel = maps.Panel("half", (a, _) => 20 * a, []);
+        using (html.In("body"))
+        {
+            maps.Write(html, "m", ColorScale.OfErrors(panel.Shown), [panel]);
+        }
+
+        // The error is 0 to 10 on the half that there is.
+        Assert.InRange(panel.Shown.Max(), 9, 10.01);
+        var svg = Page(html.ToBytes()).Descendants("svg").Single();
+        Assert.Equal("url(#m-c0)", (string)svg.Element("g")!.Attribute("clip-path")!);
+        Assert.Equal("m-c0", (string)svg.Element("clipPath")!.Attribute("id")!);
+        Assert.Contains("half: from 0.0 to +", svg.Element("desc")!.Value, StringComparison.Ordinal);
+    }
+
+    // Figure 6 of the paper: the surface is cut as far on the other side of the ideal one as it was measured.
+    [Fact]
+    public void A_section_shows_what_was_measured_what_is_cut_and_what_is_expected()
+    {
+        var section = Page(CompensationReportHtml.Write(Report)).Descendants("svg").ElementAt(2);
+        Assert.StartsWith("Along u through point ", section.Element("title")!.Value, StringComparison.Ordinal);
+        Assert.Equal(
+            "expected after: from 0.0 to 0.0 µm. as cut: moved to the other side: from -25.0 to -9.0 µm. measured: from +9.0 to +25.0 µm.",
+            section.Element("desc")!.Value);
+        Assert.Equal(10, section.Elements("circle").Count());
+        Assert.Contains("Along the surface, mm", section.Elements("text").Select(t => t.Value));
+    }
+
+    [Fact]
+    public void A_page_for_a_shop_says_nothing_of_orders_it_has_not_and_of_other_systems()
+    {
+        var page = Page(CompensationReportHtml.Write(Report)).Descendants("body").Single().Value;
+        Assert.DoesNotContain("work order", page, StringComparison.OrdinalIgnoreCase);
+        Assert.DoesNotContain("paper", page, StringComparison.OrdinalIgnoreCase);
+        Assert.DoesNotContain("CAD", page, StringComparison.Ordinal);
+        var ordered = Page(CompensationReportHtml.Write(Report with { Job = Report.Job with { WorkOrder = "WO-7" } })).Root!.Value;
+        Assert.Contains("Work order WO-7", ordered, StringComparison.Ordinal);
     }
 
     // Nothing can be left out of two lines: no number says what that would have cost.
@@ -172,7 +247,7 @@ public sealed class SurfaceReportTests
         Assert.Equal(20, json.RootElement.GetProperty("before").GetProperty("profileRangeUm").GetDouble(), 6);
         Assert.InRange(json.RootElement.GetProperty("improvement").GetProperty("standardDeviationPercent").GetDouble(), 80, 100);
         var page = Page(EvaluationReportHtml.Write(report));
-        Assert.Equal(3, page.Descendants("svg").Count());
+        Assert.Equal(4, page.Descendants("svg").Count());
         Assert.Contains("better than before", page.Descendants("section").First().Value, StringComparison.Ordinal);
         Assert.StartsWith("Not judged", page.Descendants("strong").First().Value, StringComparison.Ordinal);
         Assert.False(json.RootElement.TryGetProperty("verdict", out _));
@@ -287,8 +362,9 @@ public sealed class SurfaceReportTests
         Assert.Equal(70, radius.GetProperty("before").GetProperty("profileIsoUm").GetDouble(), 6);
         var page = Page(EvaluationReportHtml.Write(report));
 
-        // Four maps, and before and after by point for either way.
+        // Maps side by side and errors by point for either way, and two sections.
         Assert.Equal(6, page.Descendants("svg").Count());
+        Assert.Equal(4, page.Descendants("text").Count(t => t.Value == "x, mm"));
         Assert.Contains(
             "Compensated by tool radius instead: Standard deviation smaller by 0 %, profile smaller by 71 %.",
             page.Root!.Value,
@@ -310,8 +386,6 @@ public sealed class SurfaceReportTests
         var job = input.Job with { Profile = tolerance, Compensation = input.Job.Compensation with { Mirror = isMirror } };
         return report with { Result = report.Result with { Input = input with { Job = job } } };
     }
-
-    private static string[] Colors => [.. Enumerable.Range(0, DivergingColors.Count).Select(DivergingColors.Hex)];
 
     private static XDocument Page(byte[] html) =>
         XDocument.Parse(Encoding.UTF8.GetString(html).Replace("<!DOCTYPE html>", "", StringComparison.Ordinal));
