@@ -29,7 +29,7 @@ internal sealed class SurfaceEvaluate : Verb
         AllowMultipleArgumentsPerToken = true
     };
     private readonly Option<string> _out = SurfaceOptions.Out(
-        "The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
+        "The folder to write evaluation.json, evaluation.html, evaluation.qif and evaluation.dfq to. Without it nothing is written.");
 
     public SurfaceEvaluate()
         : base(
@@ -78,7 +78,7 @@ internal sealed class SurfaceEvaluate : Verb
             Of(radius),
             Of(radiusBefore));
         var folder = arguments.GetValue(_out);
-        var answer = new SurfaceEvaluateAnswer(report, folder);
+        var answer = new SurfaceEvaluateAnswer(report, files.Job.Stock, folder);
         if (folder is not null)
         {
             OutputFile.WriteAll(answer.Files, files.Read, cancellation);
