@@ -31,6 +31,7 @@ internal sealed class SurfaceCompensate : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Compensate(
@@ -40,6 +41,7 @@ internal sealed class SurfaceCompensate : Verb
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Folder = folder,
+                Progress = progress,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },
             cancellation);
@@ -51,6 +53,7 @@ internal sealed class SurfaceCompensate : Verb
         var answer = new SurfaceCompensateAnswer(finished, folder);
         if (folder is not null)
         {
+            progress.Report("making the reports");
             OutputFile.WriteAll(answer.Files(), files.Read, cancellation);
         }
 

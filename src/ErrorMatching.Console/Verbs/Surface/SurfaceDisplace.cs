@@ -32,6 +32,7 @@ internal sealed class SurfaceDisplace : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Displace(
@@ -41,6 +42,7 @@ internal sealed class SurfaceDisplace : Verb
                 Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Folder = folder,
+                Progress = progress,
             },
             new(arguments.GetRequiredValue(_program)),
             cancellation);
