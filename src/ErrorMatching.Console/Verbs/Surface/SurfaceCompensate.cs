@@ -35,6 +35,7 @@ internal sealed class SurfaceCompensate : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Compensate(
@@ -46,6 +47,7 @@ internal sealed class SurfaceCompensate : Verb
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Earlier = [.. (arguments.GetValue(_earlier) ?? []).Select(f => new GivenFile(f))],
                 Folder = folder,
+                Progress = progress,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },
             cancellation);
@@ -57,6 +59,7 @@ internal sealed class SurfaceCompensate : Verb
         var answer = new SurfaceCompensateAnswer(finished, folder);
         if (folder is not null)
         {
+            progress.Report("making the reports");
             OutputFile.WriteAll(answer.Files(), files.Read, cancellation);
         }
 

@@ -36,6 +36,7 @@ internal sealed class SurfaceDisplace : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Displace(
@@ -47,6 +48,7 @@ internal sealed class SurfaceDisplace : Verb
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Earlier = [.. (arguments.GetValue(_earlier) ?? []).Select(f => new GivenFile(f))],
                 Folder = folder,
+                Progress = progress,
             },
             new(arguments.GetRequiredValue(_program)),
             cancellation);

@@ -26,6 +26,8 @@ internal sealed class SurfaceProbe : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("planning the points");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());
         if (plan.Refusals.Count > 0)
@@ -35,7 +37,7 @@ internal sealed class SurfaceProbe : Verb
 
         var dialect = files.MeasuringDialect();
         cancellation.ThrowIfCancellationRequested();
-        var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, files.Template(dialect));
+        var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, files.Template(dialect), files.Job.WorkOrder);
         var after = arguments.GetValue(_after);
         var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after, files.Job.Toolpath.Dialect);
         var answer = new SurfaceProbeAnswer(files.Job, probing, after, arguments.GetValue(_out));
