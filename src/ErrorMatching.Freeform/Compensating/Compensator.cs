@@ -103,8 +103,8 @@ public static class Compensator
             ThroughPoints = surface.ThroughPoints,
             ApproximationMm = surface.ApproximationMm,
             LargestMoveMm = surface.LargestMoveMm,
-            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain, lot?.NoiseMm ?? 0),
-            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain, lot?.NoiseMm ?? 0),
+            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain, lot),
+            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain, lot),
             Warnings = warnings,
             Notes = notes,
         };
@@ -152,10 +152,10 @@ public static class Compensator
     private static SurfacePrediction ThroughPoints(
         CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
     {
-        var (samples, systematic, noise) = (result.Expected, result.Systematic, result.Lot?.NoiseMm ?? 0);
+        var (samples, systematic, lot) = (result.Expected, result.Systematic, result.Lot);
         double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
         double[] between = [.. places.Select(p => systematic.At(p.U, p.V) + p.MovedMm)];
-        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, [], noise);
+        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, [], lot);
         if (between.Length == 0)
         {
             return atPoints;
@@ -173,7 +173,7 @@ public static class Compensator
                     + $"points."));
         }
 
-        return SurfacePrediction.Of("mirror", samples, systematic, left, between, noise);
+        return SurfacePrediction.Of("mirror", samples, systematic, left, between, lot);
     }
 
     private static ErrorField Systematic(

@@ -1,3 +1,5 @@
+using ErrorMatching.Measurement;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The expected measurement of the finished surface, if nothing changes except the compensation.</summary>
@@ -25,21 +27,20 @@ public sealed record SurfacePrediction(
     /// <param name="systematic">The systematic part of the errors.</param>
     /// <param name="compensation">The compensated field, before the gain.</param>
     /// <param name="gain">Compensated share.</param>
-    /// <param name="leastNoiseMm">The scatter of one measured point that the pieces of a lot show; their residuals show less, because the
-    /// samples follow from many pieces.</param>
+    /// <param name="lot">The lot that the samples follow from; null for a measurement alone.</param>
     internal static SurfacePrediction Of(
         string method,
         IReadOnlyList<ErrorSample> samples,
         ErrorField systematic,
         ErrorField compensation,
         double gain,
-        double leastNoiseMm = 0) => Of(
+        Lot? lot = null) => Of(
             method,
             samples,
             systematic,
             [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))],
             [],
-            leastNoiseMm);
+            lot);
 
     /// <summary>Predicts the remaining error.</summary>
     /// <param name="method">Name of the compensation.</param>
@@ -48,20 +49,22 @@ public sealed record SurfacePrediction(
     /// <param name="left">The remaining systematic error at each sample.</param>
     /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
     /// would find it, so the larger of the two is expected.</param>
-    /// <param name="leastNoiseMm">The scatter of one measured point that the pieces of a lot show.</param>
+    /// <param name="lot">The lot that the samples follow from; null for a measurement alone. Its residuals show less than the scatter of one
+    /// measured point, because they follow from many pieces, and the field does not know how sure the lot is.</param>
     internal static SurfacePrediction Of(
         string method,
         IReadOnlyList<ErrorSample> samples,
         ErrorField systematic,
         double[] left,
         double[] between,
-        double leastNoiseMm = 0)
+        Lot? lot = null)
     {
-        var residual = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } fitted
-            ? fitted.ResidualStandardDeviationMm
+        var residual = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } smooth
+            ? smooth.ResidualStandardDeviationMm
             : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
-        var noise = Math.Max(residual, leastNoiseMm);
-        var field = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
+        var noise = Math.Max(residual, lot?.NoiseMm ?? 0);
+        var fitted = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
+        var field = Math.Max(fitted, lot is null ? 0 : Math.Sqrt(lot.UncertaintyMm.Average(Square)));
         var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);
         var everywhere = between.Length == 0 ? statistics : DeviationStatistics.Of(between);

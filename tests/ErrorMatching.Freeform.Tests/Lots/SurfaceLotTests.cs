@@ -46,6 +46,9 @@ public sealed class SurfaceLotTests
         Assert.Equal(LotEvent.Outlier, made[4].Lot!.Pieces[4].Event);
         Assert.Contains(made[4].Warnings, w => w.StartsWith("This piece does not fit the 4 before it", StringComparison.Ordinal));
         Assert.True(Left(made[4], _bowl) < 0.002);
+
+        // While it may still be a new tool, the prediction is not sure of itself.
+        Assert.True(made[4].Mirror.PointUncertaintyMm > 2 * made[3].Mirror.PointUncertaintyMm);
         Assert.True(Left(made[5], _bowl) < 0.001);
     }
 
