@@ -121,13 +121,14 @@ public static class CompensationReportHtml
     private static void WriteMaps(HtmlText html, CompensationResult result)
     {
         var maps = new SurfaceMaps(result.Input.Surface);
-        var measured = maps.Panel("Measured", (u, v) => 1000 * result.Systematic.At(u, v), Labels(result));
+        var measured = maps.Panel(Uncorrected(result), (u, v) => 1000 * result.Systematic.At(u, v), Labels(result));
         var left = Expected(maps, result);
         Figure(
             html,
             () => maps.Write(html, "maps", ColorScale.OfErrors(measured.Shown.Concat(left.Shown)), [measured, left]),
-            "Seen against z. Colors: the systematic error, as measured and as expected after the compensation, at one scale; brown is "
-                + "material that is left, blue is too much removed. Numbers: what was measured.");
+            $"Seen against z. Colors: the systematic error, {Uncorrected(result).ToLowerInvariant()} and as expected after the compensation, "
+                + "at one scale; brown is material that is left, blue is too much removed. Numbers: "
+                + (result.Lot is null ? "what was measured." : "what the pieces so far say of each point."));
         var uncertain = maps.Panel(
             "Standard uncertainty of the systematic error", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []);
         Figure(
@@ -135,6 +136,9 @@ public static class CompensationReportHtml
             () => maps.Write(html, "uncertain", ColorScale.OfSizes(uncertain.Shown), [uncertain]),
             "How well the systematic error is known; colors of their own.");
     }
+
+    // With a lot, the piece shows what its correction left. What is to be corrected is the error without it.
+    private static string Uncorrected(CompensationResult result) => result.Lot is null ? "Measured" : "Without corrections";
 
     // A surface through points leaves its own distance, which is known on the net of the document only: it is slow to calculate.
     private static MapPanel Expected(SurfaceMaps maps, CompensationResult result)
@@ -161,7 +165,7 @@ public static class CompensationReportHtml
 
     private static void WriteSection(HtmlText html, CompensationResult result, bool alongU)
     {
-        var section = new SurfaceSection(result.Input.Surface, result.Samples, alongU);
+        var section = new SurfaceSection(result.Input.Surface, result.Expected, alongU);
         var moved = section.Places.ToDictionary(p => p, p => 1000 * result.MovedMmAt(p.U, p.V));
         new SectionPlot(
             section,
@@ -172,7 +176,7 @@ public static class CompensationReportHtml
                     HalfWidthUm = p => Coverage * 1000 * result.Systematic.StandardUncertaintyAt(p.U, p.V),
                 },
                 new("as cut: moved to the other side", "mirrored", p => moved[p]),
-                new("measured", "before", Measured) { PointsUm = section.PointsOf(result.Samples) },
+                new(Uncorrected(result).ToLowerInvariant(), "before", Measured) { PointsUm = section.PointsOf(result.Expected) },
             ]).Write(html, alongU ? "section-u" : "section-v");
 
         double Measured(SectionPlace p) => 1000 * result.Systematic.At(p.U, p.V);
@@ -190,9 +194,9 @@ public static class CompensationReportHtml
                 html,
                 () => new ErrorByPointPlot(
                     [
-                        .. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(
+                        .. result.Expected.Zip(prediction.Errors).Select(p => new PlottedError(
                             ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
-                    .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
+                    .Write(html, id, $"Error by point, {name}", Uncorrected(result).ToLowerInvariant(), $"expected, {name}"),
                 "What is expected is without scatter.");
         }
     }
@@ -274,7 +278,7 @@ public static class CompensationReportHtml
     }
 
     private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result) =>
-        [.. result.Samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))];
+        [.. result.Expected.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))];
 
     private static void Figure(HtmlText html, Action draw, string caption)
     {
