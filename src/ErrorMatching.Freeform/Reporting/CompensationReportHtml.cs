@@ -121,14 +121,17 @@ public static class CompensationReportHtml
     private static void WriteMaps(HtmlText html, CompensationResult result)
     {
         var maps = new SurfaceMaps(result.Input.Surface);
-        var measured = maps.Panel(Uncorrected(result), (u, v) => 1000 * result.Systematic.At(u, v), Labels(result));
+        var (name, samples) = Corrected(result);
+        var measured = maps.Panel(
+            char.ToUpperInvariant(name[0]) + name[1..],
+            (u, v) => 1000 * result.Systematic.At(u, v),
+            [.. samples.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))]);
         var left = Expected(maps, result);
         Figure(
             html,
             () => maps.Write(html, "maps", ColorScale.OfErrors(measured.Shown.Concat(left.Shown)), [measured, left]),
-            $"Seen against z. Colors: the systematic error, {Uncorrected(result).ToLowerInvariant()} and as expected after the compensation, "
-                + "at one scale; brown is material that is left, blue is too much removed. Numbers: "
-                + (result.Lot is null ? "what was measured." : "what the pieces so far say of each point."));
+            "Seen against z. Colors: the systematic error, before and as expected after the compensation, at one scale; brown is material "
+                + $"that is left, blue is too much removed. Numbers: {name}.");
         var uncertain = maps.Panel(
             "Standard uncertainty of the systematic error", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []);
         Figure(
@@ -137,8 +140,9 @@ public static class CompensationReportHtml
             "How well the systematic error is known; colors of their own.");
     }
 
-    // With a lot, the piece shows what its correction left. What is to be corrected is the error without it.
-    private static string Uncorrected(CompensationResult result) => result.Lot is null ? "Measured" : "Without corrections";
+    // What the surface to cut corrects: the measured piece, or with a lot what the next piece would be like without corrections.
+    private static (string Name, IReadOnlyList<ErrorSample> Samples) Corrected(CompensationResult result) =>
+        result.Lot is null ? ("measured", result.Samples) : ("without corrections, from all pieces", result.Expected);
 
     // A surface through points leaves its own distance, which is known on the net of the document only: it is slow to calculate.
     private static MapPanel Expected(SurfaceMaps maps, CompensationResult result)
@@ -165,21 +169,22 @@ public static class CompensationReportHtml
 
     private static void WriteSection(HtmlText html, CompensationResult result, bool alongU)
     {
-        var section = new SurfaceSection(result.Input.Surface, result.Expected, alongU);
+        var (name, samples) = Corrected(result);
+        var section = new SurfaceSection(result.Input.Surface, samples, alongU);
         var moved = section.Places.ToDictionary(p => p, p => 1000 * result.MovedMmAt(p.U, p.V));
         new SectionPlot(
             section,
             [
-                new("expected after", "expected", p => Measured(p) + moved[p])
+                new("expected after", "expected", p => Before(p) + moved[p])
                 {
                     HasWidth = true,
                     HalfWidthUm = p => Coverage * 1000 * result.Systematic.StandardUncertaintyAt(p.U, p.V),
                 },
                 new("as cut: moved to the other side", "mirrored", p => moved[p]),
-                new(Uncorrected(result).ToLowerInvariant(), "before", Measured) { PointsUm = section.PointsOf(result.Expected) },
+                new(name, "before", Before) { PointsUm = section.PointsOf(samples) },
             ]).Write(html, alongU ? "section-u" : "section-v");
 
-        double Measured(SectionPlace p) => 1000 * result.Systematic.At(p.U, p.V);
+        double Before(SectionPlace p) => 1000 * result.Systematic.At(p.U, p.V);
     }
 
     private static void WritePlots(HtmlText html, CompensationResult result)
@@ -194,9 +199,9 @@ public static class CompensationReportHtml
                 html,
                 () => new ErrorByPointPlot(
                     [
-                        .. result.Expected.Zip(prediction.Errors).Select(p => new PlottedError(
+                        .. result.Samples.Zip(prediction.Errors).Select(p => new PlottedError(
                             ReportNumber.Count(p.First.Point), 1000 * p.First.ErrorMm, 1000 * p.Second))])
-                    .Write(html, id, $"Error by point, {name}", Uncorrected(result).ToLowerInvariant(), $"expected, {name}"),
+                    .Write(html, id, $"Error by point, {name}", "measured", $"expected, {name}"),
                 "What is expected is without scatter.");
         }
     }
@@ -276,9 +281,6 @@ public static class CompensationReportHtml
                     : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to "
                         + $"{Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
-
-    private static IReadOnlyList<PlottedPoint> Labels(CompensationResult result) =>
-        [.. result.Expected.Select(s => new PlottedPoint(ReportNumber.Count(s.Point), s.Nominal, 1000 * s.ErrorMm))];
 
     private static void Figure(HtmlText html, Action draw, string caption)
     {
