@@ -64,6 +64,51 @@ public sealed class VerifyTests
         Assert.StartsWith("<!DOCTYPE html>", File.ReadAllText(shop["out", "verify.html"]), StringComparison.OrdinalIgnoreCase);
     }
 
+    [Theory]
+    [InlineData("out/verify.qif")]
+    [InlineData("out/verify.dfq")]
+    public async Task What_is_written_for_other_systems_is_read_as_the_counterpart_that_was_measured(string file)
+    {
+        using var shop = new Workshop();
+        var first = await shop.Run($"{Line("complex-mating")} --out out --json");
+        var again = await shop.Run($"{Line("complex-mating").Split(" --after ")[0]} --after {file} --json");
+        Assert.Equal((0, 0), (first.Exit, again.Exit));
+        Assert.Equal(
+            first.Json.GetProperty("points").EnumerateArray().Select(p => p.GetProperty("after").GetProperty("normalMm").GetDouble()),
+            again.Json.GetProperty("points").EnumerateArray().Select(p => p.GetProperty("after").GetProperty("normalMm").GetDouble()),
+            (a, b) => Math.Abs(a - b) < 2e-6);
+        Assert.Equal(first.Json.GetProperty("maxAfterMm").GetDouble(), again.Json.GetProperty("maxAfterMm").GetDouble(), 2e-6);
+    }
+
+    [Theory]
+    [InlineData("out/evaluation.qif")]
+    [InlineData("out/evaluation.dfq")]
+    public async Task What_is_written_of_a_surface_is_read_as_the_piece_that_was_measured(string file)
+    {
+        using var shop = new Workshop();
+        const string evaluate = "surface evaluate samples/surface-one/job.json --measured";
+        var first = await shop.Run($"{evaluate} samples/surface-one/after.csv --out out --json");
+        var again = await shop.Run($"{evaluate} {file} --json");
+        Assert.Equal((0, 0), (first.Exit, again.Exit));
+        foreach (var figure in new[] { "meanUm", "standardDeviationUm", "profileIsoUm", "profileRangeUm" })
+        {
+            Assert.Equal(first.Json.GetProperty(figure).GetDouble(), again.Json.GetProperty(figure).GetDouble(), 0.003);
+        }
+    }
+
+    [Fact]
+    public async Task Each_of_several_pieces_has_its_own_files_for_other_systems()
+    {
+        using var shop = new Workshop();
+        var run = await shop.Run(
+            "surface evaluate samples/surface-one/job.json --out out "
+                + "--measured samples/surface-one/after.csv samples/surface-one/measured.csv");
+        Assert.Equal(0, run.Exit);
+        Assert.Equal(
+            ["evaluation-1.dfq", "evaluation-1.qif", "evaluation-2.dfq", "evaluation-2.qif", "evaluation.html", "evaluation.json"],
+            Directory.GetFiles(shop["out"]).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+    }
+
     private static string Line(string sample) =>
         $"verify samples/{sample}/job.json --before samples/{sample}/counterpart.csv --after samples/{sample}/counterpart-after.csv";
 

@@ -75,6 +75,7 @@ public sealed partial class DocumentationTests
             "docs/probe-a-surface.md",
             "docs/cut-a-surface.md",
             "docs/fit-a-surface.md",
+            "docs/measure-with-a-gauge.md",
             "docs/configure-a-cell.md"
         },
         p => Assert.NotEmpty(DocumentedCommand.Of(File.ReadAllText(Repository.PathTo(p)))));

@@ -1,11 +1,13 @@
 using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
 
 namespace ErrorMatching.Console;
 
 /// <summary>How well two counterparts fit the part.</summary>
 /// <param name="report">The report.</param>
+/// <param name="piece">The verified counterpart, for other systems.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
-internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
+internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, string? folder) : Answer
 {
     private readonly byte[] _json = VerifyReportJson.Write(report);
 
@@ -13,7 +15,12 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
 
     /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
-        [(In("verify.json"), _json), (In("verify.html"), VerifyReportHtml.Write(report))];
+        [
+            (In("verify.json"), _json),
+            (In("verify.html"), VerifyReportHtml.Write(report)),
+            (In("verify.qif"), QifWriter.Write(piece)),
+            (In("verify.dfq"), AqdefWriter.Write(piece)),
+        ];
 
     public override void WriteText(Page page)
     {
@@ -57,8 +64,9 @@ internal sealed class VerifyAnswer(VerifyReport report, string? folder) : Answer
         page.Line();
         page.Line(
             folder is null
-                ? "Nothing was written. Add --out DIR to write verify.json and verify.html."
-                : $"Wrote {In("verify.html")} and {In("verify.json")}.");
+                ? "Nothing was written. Add --out DIR to write verify.json and verify.html, and verify.qif and verify.dfq for other "
+                    + "systems."
+                : $"Wrote {In("verify.html")}, {In("verify.json")}, {In("verify.qif")} and {In("verify.dfq")}.");
     }
 
     private string In(string name) => Path.Combine(folder ?? "", name);

@@ -14,7 +14,7 @@ internal sealed class VerifyVerb : Verb
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<string> _out = new("--out")
     {
-        Description = "The folder to write verify.json and verify.html to. Without it nothing is written.",
+        Description = "The folder to write verify.json, verify.html, verify.qif and verify.dfq to. Without it nothing is written.",
         HelpName = "DIR"
     };
 
@@ -59,7 +59,7 @@ internal sealed class VerifyVerb : Verb
             }
 
             var folder = arguments.GetValue(_out);
-            var answer = new VerifyAnswer(report, folder);
+            var answer = new VerifyAnswer(report, VerifiedPiece.Of(report, files.Job), folder);
             if (folder is not null)
             {
                 OutputFile.WriteAll(answer.Files, files.Read, cancellation);

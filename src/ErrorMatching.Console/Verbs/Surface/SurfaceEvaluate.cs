@@ -35,7 +35,7 @@ internal sealed class SurfaceEvaluate : Verb
             + "the same: it says why.",
     };
     private readonly Option<string> _out = SurfaceOptions.Out(
-        "The folder to write evaluation.json and evaluation.html to. Without it nothing is written.");
+        "The folder to write evaluation.json, evaluation.html, evaluation.qif and evaluation.dfq to. Without it nothing is written.");
 
     public SurfaceEvaluate()
         : base(
@@ -98,7 +98,7 @@ internal sealed class SurfaceEvaluate : Verb
             Tolerance = files.Job.Profile,
         };
         var folder = arguments.GetValue(_out);
-        var answer = new SurfaceEvaluateAnswer(report, folder, isRequired);
+        var answer = new SurfaceEvaluateAnswer(report, files.Job.Stock, folder, isRequired);
         if (folder is not null)
         {
             OutputFile.WriteAll(answer.Files, files.Read, cancellation);

@@ -1,15 +1,17 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
 /// <summary>The evaluated errors of measured surfaces.</summary>
 /// <param name="report">The report.</param>
+/// <param name="stock">The job's stock.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
 /// <param name="isRequired">True if pieces that are not in tolerance must not be used.</param>
-internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? folder, bool isRequired) : Answer
+internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock stock, string? folder, bool isRequired) : Answer
 {
     private readonly byte[] _json = EvaluationReportJson.Write(report);
 
@@ -42,7 +44,11 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
 
     /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
-        [(In("evaluation.json"), _json), (In("evaluation.html"), EvaluationReportHtml.Write(report))];
+        [
+            (In("evaluation.json"), _json),
+            (In("evaluation.html"), EvaluationReportHtml.Write(report)),
+            .. report.Measured.Pieces.SelectMany(Results),
+        ];
 
     public override void WriteText(Page page)
     {
@@ -108,9 +114,22 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, string? fol
         page.Line();
         page.Line(
             folder is null
-                ? "Nothing was written. Add --out DIR to write evaluation.json and evaluation.html with its maps."
-                : $"Wrote {In("evaluation.html")} and {In("evaluation.json")}.");
+                ? "Nothing was written. Add --out DIR to write evaluation.json, evaluation.html with its maps, and evaluation.qif and "
+                    + "evaluation.dfq for other systems."
+                : $"Wrote {In("evaluation.html")}, {In("evaluation.json")}, {In(Named(0, "qif"))} and {In(Named(0, "dfq"))}"
+                    + (report.Measured.Pieces.Count > 1 ? ", and the same two for each other piece." : "."));
     }
+
+    // A file for other systems has one piece.
+    private IEnumerable<(string Path, ReadOnlyMemory<byte> Bytes)> Results(EvaluatedPiece piece, int at)
+    {
+        var result = EvaluatedResult.Of(report.Job, stock, piece);
+        return [(In(Named(at, "qif")), QifWriter.Write(result)), (In(Named(at, "dfq")), AqdefWriter.Write(result))];
+    }
+
+    private string Named(int piece, string extension) => report.Measured.Pieces.Count > 1
+        ? string.Create(CultureInfo.InvariantCulture, $"evaluation-{piece + 1}.{extension}")
+        : "evaluation." + extension;
 
     private static IEnumerable<IReadOnlyList<string>> Rows(string name, SurfaceEvaluation? evaluation)
     {
