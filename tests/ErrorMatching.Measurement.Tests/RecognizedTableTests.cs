@@ -27,6 +27,9 @@ public class RecognizedTableTests
                 MeasurementFormat.Recognized with { DecimalComma = comma, SkipLines = skip, Delimiter = delimiter }).Points).Position);
 
     [Fact]
+    public void A_job_may_name_it() => Assert.Same(MeasurementFormat.Recognized, Text.Format("\"recognized\""));
+
+    [Fact]
     public void A_grid_names_its_points_by_their_places()
     {
         var file = Text.Read("j;i;x;y;z\n0;1;1;2;3\n-1;1;4;5;6\n", MeasurementFormat.Recognized);

@@ -125,6 +125,6 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             item,
             problem.Code,
             problem.Found,
-            "\"points\", \"feature-table\", \"grid\", \"probing-log\", or an object that describes a table");
+            "\"points\", \"feature-table\", \"grid\", \"recognized\", \"probing-log\", or an object that describes a table");
     }
 }

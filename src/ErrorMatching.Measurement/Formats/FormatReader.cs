@@ -51,7 +51,7 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
         }
 
         var named = MeasurementFormat.All.FirstOrDefault(f => f.Kind == (format.Find("kind") ?? format).Text);
-        var read = format.Kind == JsonItemKind.Text ? named : Apply(format, named ?? basis);
+        var read = format.Kind == JsonItemKind.Text ? named ?? MeasurementFormat.Recognized : Apply(format, named ?? basis);
         return problems.Count == before ? read : null;
     }
 

@@ -179,7 +179,7 @@ internal sealed class SystemFields(JobEditing editing)
                 Choice(
                     "$.gauge.format",
                     "System.Format",
-                    ["points", "feature-table"],
+                    ["points", "feature-table", "recognized"],
                     d => d.Gauge.Format,
                     (d, t) => d with { Gauge = d.Gauge with { Format = t } })
             },
