@@ -8,7 +8,12 @@ internal static partial class AqdefRules
 {
     private static readonly Dictionary<int, int> MostCharacters = new()
     {
-        [1001] = 30, [1002] = 80, [1053] = 30, [2001] = 20, [2002] = 80, [2142] = 20,
+        [1001] = 30,
+        [1002] = 80,
+        [1053] = 30,
+        [2001] = 20,
+        [2002] = 80,
+        [2142] = 20,
     };
 
     /// <summary>What is wrong with a file; empty if it is valid.</summary>
@@ -77,9 +82,9 @@ internal static partial class AqdefRules
 
     private static int Number(Match field, string group) => int.Parse(field.Groups[group].Value, CultureInfo.InvariantCulture);
 
-    [GeneratedRegex("^K(?<number>[0-9]{4})(/(?<index>[0-9]+))? (?<value>[^\u0000-\u001f]+)$", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("^K(?<number>[0-9]{4})(/(?<index>[0-9]+))? (?<value>[^\u0000-\u001f]+)$", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Field();
 
-    [GeneratedRegex("^-?[0-9]+(\\.[0-9]{1,6})?\u00140$", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex("^-?[0-9]+(\\.[0-9]{1,6})?\u00140$", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Value();
 }

@@ -112,6 +112,8 @@ public class OwnFormatTests
     [InlineData("part.dfq", "K2101/1 32.000", "K2101/1 wide", MeasurementError.TextForNumber)]
     [InlineData("part.dfq", "K2002/7 P2 z", "K2002/7 P2.Y", MeasurementError.DuplicatePoint)]
     [InlineData("part.dfq", "Bore diameter", "P3.X", null)]
+    [InlineData("part.dfq", "-3\u00140", "-3\u00140\u000f", null)]
+    [InlineData("part.dfq", "8.01\u00140", "", null)]
     [InlineData("part.dmo", "UNITS/MM", "UNITS/CM", MeasurementError.UnknownUnit)]
     [InlineData("part.dmo", "PN(PART)=PARTID/'4711'", "UNITS/INCH", MeasurementError.UnknownUnit)]
     [InlineData("part.dmo", "FA(P2) = FEAT/POINT,CART,-1.5", "FA(P2) = FEAT/POINT,POL,-1.5", MeasurementError.BadStructure)]
@@ -205,6 +207,27 @@ public class OwnFormatTests
         Assert.Equal(
             MeasurementError.FileTooLarge,
             Assert.Throws<InputException>(() => MeasurementReader.Read(big, "part.dmo", MeasurementFormat.Points)).Code);
+    }
+
+    // Megabytes of one character, which a reader must not turn into millions of strings.
+    [Theory]
+    [InlineData("part.dfq", "\u000f")]
+    [InlineData("part.dfq", "\u0014")]
+    [InlineData("part.dfq", "K2142/0 mm\n")]
+    [InlineData("part.dmo", ",")]
+    [InlineData("part.dmo", "A(B)=C/D\n")]
+    [InlineData("part_chr.txt", "a\t")]
+    [InlineData("part.txt", "X 1\n")]
+    [InlineData("part.txt", "X 1 ")]
+    [InlineData("part.csv", ";")]
+    [InlineData("part.csv", "a\n;")]
+    public void A_long_file_of_nothing_costs_little_more_than_its_text(string name, string part)
+    {
+        var head = OwnFormats.All.TryGetValue(name, out var text) ? text.Replace("K0100 7", "K0100 1000000", StringComparison.Ordinal) : "";
+        var bytes = OwnFormats.Bytes(head + string.Concat(Enumerable.Repeat(part, 8_000_000 / part.Length)));
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        _ = Survives(bytes, name);
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 400_000_000);
     }
 
     // Truncated at every byte of the file.

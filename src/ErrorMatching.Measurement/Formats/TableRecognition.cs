@@ -3,6 +3,8 @@ namespace ErrorMatching.Measurement;
 /// <summary>Recognizes a table by its header, for files of a job that describes no format.</summary>
 internal static class TableRecognition
 {
+    private const int LongestHeader = 16_384;
+
     private static readonly ColumnSelector X = ColumnSelector.Either("x", "x_mm");
     private static readonly ColumnSelector Y = ColumnSelector.Either("y", "y_mm");
     private static readonly ColumnSelector Z = ColumnSelector.Either("z", "z_mm");
@@ -18,7 +20,7 @@ internal static class TableRecognition
 
         var start = text.AsSpan(at).TrimStart();
         var end = start.IndexOfAny('\n', '\r');
-        var header = (end < 0 ? start : start[..end]).ToString();
+        var header = (end < 0 ? start : start[..end])[..Math.Min(end < 0 ? start.Length : end, LongestHeader)].ToString();
 
         // Names of columns contain none of these characters, so the first one in the header separates the cells.
         var delimiter = format.Delimiter != '\0' ? format.Delimiter : header.FirstOrDefault(c => c is ';' or '\t' or '|', ',');

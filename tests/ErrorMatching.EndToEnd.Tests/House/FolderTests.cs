@@ -17,7 +17,7 @@ public sealed partial class FolderTests
         ["Json"] = ["Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
-        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Writing", "Lots"],
+        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "Writing"],
         ["Nc"] =
         [
             "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Wishes", "Rewriting", "Proof", "Comparison",

@@ -20,7 +20,12 @@ internal sealed class AqdefReader(string file)
     /// <summary>The separators of a line of values.</summary>
     public const char BetweenCharacteristics = '\u000f', BetweenFields = '\u0014';
 
+    private const int MostFields = 100;
+
     private readonly SortedDictionary<int, Characteristic> _characteristics = [];
+
+    // What fields with the index 0 say of all characteristics.
+    private readonly Characteristic _all = new();
     private readonly List<HeaderField> _fields = [];
     private readonly UnitName _unit = new();
     private int _count;
@@ -71,12 +76,12 @@ internal sealed class AqdefReader(string file)
         {
             if ((c.Name ?? c.Number) is { } name && AxisName.Split(name.Text) is var (label, axis) && c.Value is { } value && c.IsValid)
             {
-                var unit = c.Unit is { } unitName ? _unit.Note(unitName) : LengthUnit.Millimeter;
+                var unit = (c.Unit ?? _all.Unit) is { } unitName ? _unit.Note(unitName) : LengthUnit.Millimeter;
                 points.Add(
                     name with { Text = label },
                     value,
                     axis,
-                    c.Nominal is { } nominal ? Coordinate.Read(nominal, unit) : null,
+                    (c.Nominal ?? _all.Nominal) is { } nominal ? Coordinate.Read(nominal, unit) : null,
                     Coordinate.Read(value, unit));
             }
         }
@@ -114,11 +119,7 @@ internal sealed class AqdefReader(string file)
                 _fields.Add(new(field.Name, field.Value, field.Line.Number));
                 break;
             case 2001 or 2002 or 2101 or 2142:
-                foreach (var index in field.Index == 0 ? Enumerable.Range(1, _count) : [field.Index])
-                {
-                    Describe(Of(index, field), field);
-                }
-
+                Describe(field.Index == 0 ? _all : Of(field.Index, field), field);
                 break;
         }
     }
@@ -174,18 +175,27 @@ internal sealed class AqdefReader(string file)
         }
 
         _values = line;
-        var cells = line.Text.Trim(' ', '\t', '\u001a').Split(BetweenCharacteristics);
-        if (cells.Length != _count && !(cells.Length == _count + 1 && cells[^1].Length == 0))
+
+        var text = line.Text.Trim(' ', '\t', '\u001a');
+        var count = text.AsSpan().Count(BetweenCharacteristics) + 1;
+        if (count == _count + 1 && text.EndsWith(BetweenCharacteristics))
+        {
+            // The last value is followed by a separator, too.
+            (text, count) = (text[..^1], _count);
+        }
+
+        if (count != _count)
         {
             throw line.Fail(
                 MeasurementError.BadStructure,
-                $"the values of {cells.Length} characteristics",
+                $"the values of {count} characteristics",
                 $"{_count}, as K0100 says: the line is cut off, or it is no line of values");
         }
 
+        var cells = text.Split(BetweenCharacteristics);
         for (var i = 0; i < _count; i++)
         {
-            var fields = cells[i].Split(BetweenFields);
+            var fields = cells[i].Split(BetweenFields, MostFields);
             if (fields[0].Trim().Length > 0)
             {
                 var characteristic = Of(i + 1, line);

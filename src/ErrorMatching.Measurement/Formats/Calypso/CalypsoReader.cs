@@ -6,6 +6,7 @@ namespace ErrorMatching.Measurement;
 internal sealed class CalypsoReader(MeasurementBytes source)
 {
     private const string End = "END";
+    private const int MostColumns = 1_000;
 
     private readonly Dictionary<string, int> _columns = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<string[]> _rows = [];
@@ -23,6 +24,12 @@ internal sealed class CalypsoReader(MeasurementBytes source)
             if (line.Text.AsSpan().Trim().IsEmpty)
             {
                 continue;
+            }
+
+            if (line.Text.AsSpan().Count('\t') >= MostColumns)
+            {
+                throw line.Fail(
+                    MeasurementError.TooManyCells, $"a line of more than {MostColumns} cells", "a table of CALYPSO: is this the right file?");
             }
 
             if (_hasEnded)

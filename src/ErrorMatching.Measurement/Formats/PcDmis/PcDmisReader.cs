@@ -11,6 +11,7 @@ namespace ErrorMatching.Measurement;
 /// </remarks>
 internal sealed class PcDmisReader(MeasurementBytes source)
 {
+    private const int LongestLine = 1_000;
     private const string Location = "LOCATION OF ", Units = "UNITS=";
 
     private static readonly string[] Parts = ["PART NAME", "PART NUMBER", "SER NUMBER", "SERIAL NUMBER", "REV NUMBER"];
@@ -28,6 +29,14 @@ internal sealed class PcDmisReader(MeasurementBytes source)
         TextLine title = default;
         foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File), source.File))
         {
+            if (line.Text.Length > LongestLine)
+            {
+                throw line.Fail(
+                    MeasurementError.BadStructure,
+                    $"a line of more than {LongestLine} characters",
+                    "a report of PC-DMIS: is this the right file?");
+            }
+
             var text = line.Text.Trim();
             if (PcDmisHeader.Read(line) is { } header)
             {
