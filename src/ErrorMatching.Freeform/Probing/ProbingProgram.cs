@@ -38,10 +38,12 @@ public sealed class ProbingProgram
     /// <param name="dialect">The control.</param>
     /// <param name="template">The template for the control, probe or shop: <see cref="ProbingTemplate.Named"/> with the dialect's name, or
     /// a shop's own.</param>
+    /// <param name="order">The shop's order number, for a comment; null if there is none.</param>
     /// <exception cref="InputException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
     /// the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
     /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
-    public static ProbingProgram Of(MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template)
+    public static ProbingProgram Of(
+        MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template, string? order = null)
     {
         ArgumentNullException.ThrowIfNull(plan);
         ArgumentNullException.ThrowIfNull(dialect);
@@ -52,7 +54,7 @@ public sealed class ProbingProgram
         }
 
         template.CheckAsksFor(plan.Measuring.Tool, "measuring.tool");
-        var program = new ProbingProgram(plan, dialect, template, new(plan, job, dialect, template.File));
+        var program = new ProbingProgram(plan, dialect, template, new(plan, job, order, dialect, template.File));
         program.Check();
         return program;
     }
@@ -116,6 +118,7 @@ public sealed class ProbingProgram
         items,
         condition => _values.Holds(condition, point, behind),
         place => _values[place, point, behind],
+        _values.Line,
         body =>
         {
             foreach (var each in Plan.Points)

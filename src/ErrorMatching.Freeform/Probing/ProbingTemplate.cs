@@ -22,7 +22,7 @@ public sealed class ProbingTemplate : ProgramTemplate
         NeededHint = "@each point to @next",
         Places = [.. ProbingValues.OfProgram, .. TemplateGrammar.ToolPlaces],
         PointPlaces = ProbingValues.OfPoint,
-        Conditions = [Merged, Compensated, TemplateGrammar.Tool, TemplateGrammar.ToolByName],
+        Conditions = [Merged, Compensated, TemplateGrammar.Tool, TemplateGrammar.ToolByName, TemplateGrammar.Order],
         PointConditions = [AlongAxis, "along-x", "along-y", "along-z"],
     };
 
@@ -39,7 +39,8 @@ public sealed class ProbingTemplate : ProgramTemplate
     public static IReadOnlyList<string> Places { get; } = [.. Grammar.Places, .. Grammar.PointPlaces];
 
     /// <summary>The conditions after <c>@if</c>: whether the measuring move is along an axis, and which one; whether the program follows
-    /// another one, and whether that one is compensated; whether the job names the probe as a tool, and whether by name.</summary>
+    /// another one, and whether that one is compensated; whether the job names the probe as a tool, and whether by name;
+    /// whether it has the number of an order.</summary>
     public static IReadOnlyList<string> Conditions { get; } = [.. Grammar.PointConditions, .. Grammar.Conditions];
 
     /// <summary>A built-in template.</summary>

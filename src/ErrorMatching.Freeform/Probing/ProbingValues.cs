@@ -1,18 +1,19 @@
 using System.Globalization;
-using System.Text;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>The values of a template's placeholders, as the control reads them.</summary>
-internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect dialect, string template)
+internal sealed class ProbingValues(MeasuringPlan plan, string job, string? order, NcDialect dialect, string template)
 {
+    private readonly CommentText _comments = new(dialect);
+
     /// <summary>Ratio of the feed to a point and back to the measuring feed.</summary>
     private const double ApproachSpeed = 10;
 
     public static readonly string[] OfProgram = [
-        "job", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm",
+        "job", "order", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm",
         "cut.measurement"];
 
     public static readonly string[] OfPoint =
@@ -22,7 +23,8 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
 
     public string this[string place, PlanPoint? point, ProbedBehind? behind] => place switch
     {
-        "job" => Plain(job),
+        "job" => _comments.Of(job),
+        "order" => _comments.Of(order ?? ""),
         "plan" => ProbingProgram.PlanId(plan),
         "count" => plan.Points.Count.ToString(CultureInfo.InvariantCulture),
         "clearance.z" => Mm(plan.ClearanceZ, up: true),
@@ -40,6 +42,7 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
     {
         ProbingTemplate.Merged => behind is not null,
         ProbingTemplate.Compensated => behind?.MeasurementSha256 is not null,
+        TemplateGrammar.Order => !string.IsNullOrWhiteSpace(order),
         TemplateGrammar.Tool => plan.Measuring.Tool is not null,
         TemplateGrammar.ToolByName => plan.Measuring.Tool?.Name is not null,
         ProbingTemplate.AlongAxis => AxisOf(point!) is not null,
@@ -86,17 +89,8 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, NcDialect di
         return (rounded + 0.0).ToString("0.0" + new string('#', dialect.MetricDecimals - 1), CultureInfo.InvariantCulture);
     }
 
-    // Names are written into comments and messages, so they must not contain anything that ends one.
-    private static string Plain(string name)
-    {
-        var text = new StringBuilder();
-        foreach (var c in name.Length <= 40 ? name : name[..40])
-        {
-            text.Append(char.IsAsciiLetterOrDigit(c) || c is ' ' or '-' or '.' ? c : '_');
-        }
-
-        return text.ToString();
-    }
+    /// <summary>A line of the program with its comment as the control takes it.</summary>
+    public string Line(string line) => _comments.Line(line);
 }
 
 /// <summary>The cutting program that a probing program follows in a merged file.</summary>

@@ -9,6 +9,9 @@ internal sealed record TemplateGrammar
     /// <summary>Condition: the job names the tool by name, not by number.</summary>
     public const string ToolByName = "tool-by-name";
 
+    /// <summary>Condition: the job has the number of an order.</summary>
+    public const string Order = "order";
+
     /// <summary>Placeholders of the tool, which have a value only if the job names one.</summary>
     public static readonly string[] ToolPlaces = ["tool.number", "tool.name", "tool.offset"];
 

@@ -18,12 +18,14 @@ internal static class TemplateText
     /// <param name="items">The lines.</param>
     /// <param name="holds">Evaluates a condition.</param>
     /// <param name="valueOf">Returns the value of a placeholder.</param>
+    /// <param name="finish">Makes a filled line one of the program.</param>
     /// <param name="each">Writes the lines of a loop.</param>
     public static void Write(
         StringBuilder text,
         IReadOnlyList<TemplateItem> items,
         Func<string, bool> holds,
         Func<string, string> valueOf,
+        Func<string, string> finish,
         Action<IReadOnlyList<TemplateItem>> each)
     {
         foreach (var item in items)
@@ -34,10 +36,10 @@ internal static class TemplateText
                     each(item.Body);
                     break;
                 case TemplateItemKind.If:
-                    Write(text, holds(item.Text) ? item.Body : item.Else, holds, valueOf, each);
+                    Write(text, holds(item.Text) ? item.Body : item.Else, holds, valueOf, finish, each);
                     break;
                 default:
-                    text.Append(Fill(item.Text, valueOf)).Append('\n');
+                    text.Append(finish(Fill(item.Text, valueOf))).Append('\n');
                     break;
             }
         }

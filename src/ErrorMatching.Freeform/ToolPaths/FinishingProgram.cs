@@ -68,7 +68,7 @@ public static class FinishingProgram
 
         template ??= FinishingTemplate.For(dialect);
         template.CheckAsksFor(job.Toolpath.Tool, "toolpath.tool");
-        var values = new FinishingValues(path, job, stage, template.File);
+        var values = new FinishingValues(path, job, stage, dialect, template.File);
         var (head, tail) = (values.Fill(template.Section(FinishingTemplate.Head)), values.Fill(template.Section(FinishingTemplate.Tail)));
         var tipBelow = job.Toolpath.ProgramsTip ? path.RadiusMm : 0;
         if (!template.Content.IsBuiltIn)

@@ -19,7 +19,7 @@ public sealed class FinishingTemplate : ProgramTemplate
         Needed = Head,
         NeededHint = "what stands before the moves, down to G0 Z{travel}",
         Places = [.. FinishingValues.OfProgram, .. TemplateGrammar.ToolPlaces],
-        Conditions = [TemplateGrammar.Tool, TemplateGrammar.ToolByName],
+        Conditions = [TemplateGrammar.Tool, TemplateGrammar.ToolByName, TemplateGrammar.Order],
     };
 
     private FinishingTemplate(TemplateContent content)
@@ -33,7 +33,8 @@ public sealed class FinishingTemplate : ProgramTemplate
     /// <summary>The placeholders in braces.</summary>
     public static IReadOnlyList<string> Places => Grammar.Places;
 
-    /// <summary>The conditions after <c>@if</c>: whether the job names the tool, and whether by name.</summary>
+    /// <summary>The conditions after <c>@if</c>: whether the job names the tool, and whether by name; whether it has
+    /// the number of an order.</summary>
     public static IReadOnlyList<string> Conditions => Grammar.Conditions;
 
     /// <summary>A built-in template.</summary>

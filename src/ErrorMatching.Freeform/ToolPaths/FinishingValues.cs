@@ -1,16 +1,19 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
 
 /// <summary>The values of the placeholders of a <see cref="FinishingTemplate"/>.</summary>
-internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingStage stage, string template)
+internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingStage stage, NcDialect dialect, string template)
 {
+    private readonly CommentText _comments = new(dialect);
+
     /// <summary>Names of the placeholders, except those of the tool.</summary>
     public static readonly string[] OfProgram =
         [
-            "name", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed",
+            "name", "order", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed",
             "travel"];
 
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
@@ -20,23 +23,28 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
     public byte[] Fill(IReadOnlyList<TemplateItem> items)
     {
         var text = new StringBuilder();
-        TemplateText.Write(text, items, Holds, ValueOf, _ => throw new InvalidOperationException("There are no points."));
+        TemplateText.Write(text, items, Holds, ValueOf, _comments.Line, _ => throw new InvalidOperationException("There are no points."));
         return Encoding.UTF8.GetBytes(text.ToString());
     }
 
-    private bool Holds(string condition) =>
-        condition == TemplateGrammar.ToolByName ? job.Toolpath.Tool?.Name is not null : job.Toolpath.Tool is not null;
+    private bool Holds(string condition) => condition switch
+    {
+        TemplateGrammar.Order => !string.IsNullOrWhiteSpace(job.WorkOrder),
+        TemplateGrammar.ToolByName => job.Toolpath.Tool?.Name is not null,
+        _ => job.Toolpath.Tool is not null,
+    };
 
     private string ValueOf(string place) => place switch
     {
-        "name" => Plain(job.Name),
-        "stage" => FinishingProgram.NameOf(stage),
+        "name" => _comments.Of(job.Name),
+        "order" => _comments.Of(job.WorkOrder ?? ""),
+        "stage" => _comments.Of(FinishingProgram.NameOf(stage)),
         "passes" => Count(path.Passes),
         "points" => Count(path.Points),
         "minutes" => Number(path.LengthMm / job.Tool.FeedMmPerMin, 1),
         "diameter" => Number(2 * path.RadiusMm, 4),
         "flutes" => Count(job.Tool.Flutes),
-        "moves" => job.Toolpath.ProgramsTip ? "tip" : "center",
+        "moves" => _comments.Of(job.Toolpath.ProgramsTip ? "tip" : "center"),
         "stock" => Number(path.StockMm, 4),
         "scallop" => Number(path.Certificate.ScallopMm, 6),
         "chord" => Number(path.Certificate.ChordMm, 6),
@@ -60,13 +68,4 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
         Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);
 
     private static string Count(int value) => value.ToString(CultureInfo.InvariantCulture);
-
-    // Names are written into comments, so they must not contain anything that ends one.
-    private static string Plain(string value) => string.Concat(value.Take(80).Select(c => c switch
-    {
-        '(' or '{' => '[',
-        ')' or '}' => ']',
-        >= ' ' and <= '~' and not '%' and not ';' => c,
-        _ => '?',
-    }));
 }

@@ -35,6 +35,10 @@ internal sealed class DialectTables
 
     public byte TurnsLetter { get; set; }
 
+    public bool CommentCapitals { get; set; }
+
+    public int CommentLength { get; set; }
+
     public NcMeaning[] MeaningOf { get; } = new NcMeaning[Codes];
 
     public int[] FamilyOf { get; } = new int[Codes];

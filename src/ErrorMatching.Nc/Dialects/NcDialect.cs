@@ -59,6 +59,12 @@ public sealed class NcDialect
     /// <summary>Letter of the number of turns of an arc, including the first; 0 if the control has none.</summary>
     public byte TurnsLetter => _tables.TurnsLetter;
 
+    /// <summary>True if comments have capital letters, digits, spaces and the signs of ISO 840 only; false if any printable ASCII.</summary>
+    public bool CommentCapitals => _tables.CommentCapitals;
+
+    /// <summary>Most characters of a comment, with what encloses it.</summary>
+    public int CommentLength => _tables.CommentLength;
+
     /// <summary>All statements of the dialect about its control, each with its source, in the order of a manual: settings, codes,
     /// letters, functions, flow, programs, notes.</summary>
     /// <remarks>If it restates something from a dialect that it continues, only its own statement is listed. Created on first

@@ -107,7 +107,7 @@ public sealed class ProbingProgramTests
     public void Names_cannot_end_a_comment()
     {
         var text = TextOf(ProbingProgram.Of(Programs.Plan(), "bad)\nG0 Z-100(", NcDialects.FanucMill, ProbingTemplate.Named("fanuc")));
-        Assert.Contains("(PROBE bad__G0 Z-100_)", text, StringComparison.Ordinal);
+        Assert.Contains("(PROBE BAD--G0 Z-100-)", text, StringComparison.Ordinal);
     }
 
     [Theory]

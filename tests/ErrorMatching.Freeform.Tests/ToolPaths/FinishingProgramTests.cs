@@ -122,7 +122,7 @@ public sealed class FinishingProgramTests
         var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
         Assert.Empty(read.Problems);
         Assert.DoesNotContain(Enumerable.Range(0, read.Motions.Length).Select(i => read.Motions[i].End.X), x => x > 100);
-        Assert.Contains("(roughing: ", Encoding.ASCII.GetString(bytes), StringComparison.Ordinal);
+        Assert.Contains("(ROUGHING, ", Encoding.ASCII.GetString(bytes), StringComparison.Ordinal);
     }
 
     // What reads a job refuses such numbers; a job that was made otherwise comes here.

@@ -56,8 +56,34 @@ public sealed class ProbingProgramTests
                 log, "errormatch-probe.log", program.Plan, program.Plan.Measuring)).Code);
     }
 
+    // Our templates put a word before the name. This one does not.
+    [Theory]
+    [InlineData("Saddle", null)]
+    [InlineData("ABORT, the saddle", null)]
+    [InlineData("log , the saddle", null)]
+    [InlineData("PROBEOPEN saddle.txt", null)]
+    [InlineData("print,#5061", null)]
+    [InlineData("Sattel für Gehäuse", null)]
+    [InlineData(null, "ABORT, the saddle")]
+    public void Rs274_takes_every_name_for_a_comment(string? name, string? executed)
+    {
+        Rs274.IsNeeded();
+        var comment = name is null ? executed! : "{job}";
+        var template = ProbingTemplate.Parse(
+            Encoding.UTF8.GetBytes(
+                $"@body\n({comment})\n(order {{order}})\nG17 G21 G90 G94\nG0 Z{{clearance.z}}\n@each point\n"
+                    + "G0 X{approach.x} Y{approach.y}\n@next\nM2\n"),
+            "own.txt");
+        var run = Rs274.Run(Numbered(Program(name ?? "Saddle", template).Bytes));
+
+        // What the name would do if it were executed shows that the peer would tell.
+        Assert.Equal(executed is not null, run.Refusal is not null);
+        Assert.Empty(run.Log);
+        Assert.Equal(executed is null ? 31 : 0, run.Motions.Count);
+    }
+
     // A saddle, so that normals lean in all directions: z = (x/75 - 1/2)(y/63 - 1/2) 20, bilinear.
-    private static ProbingProgram Program()
+    private static ProbingProgram Program(string name = "saddle", ProbingTemplate? template = null)
     {
         var knots = KnotVector.Clamped(1, [0, 1]);
         var surface = new PartSurface(
@@ -81,7 +107,11 @@ public sealed class ProbingProgramTests
             BestFit = false,
         };
         return ProbingProgram.Of(
-            MeasuringPlanner.Plan(surface, measuring, 0.2), "saddle", NcDialects.LinuxCnc, ProbingTemplate.Named("linuxcnc"));
+            MeasuringPlanner.Plan(surface, measuring, 0.2),
+            name,
+            NcDialects.LinuxCnc,
+            template ?? ProbingTemplate.Named("linuxcnc"),
+            order: name);
     }
 
     // Line numbers, so that the peer says which block a motion is of.
