@@ -52,6 +52,7 @@ internal sealed class PassSeries
                 break;
             }
 
+            Context.Progress.Add((next.V - v) / (lines.Last - lines.First));
             pass.Lines.Clear();
             (pass, v) = (next, next.V);
             Keep(passes, pass);

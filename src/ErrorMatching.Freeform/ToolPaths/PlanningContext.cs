@@ -9,7 +9,9 @@ namespace ErrorMatching.Freeform;
 /// <param name="rounding">Rounding of centers to the program's increment.</param>
 /// <param name="toolpath">Direction, tolerances and clearance.</param>
 /// <param name="material">What lies over the surface before it is cut.</param>
-internal sealed class PlanningContext(OffsetSurface offset, CenterRounding rounding, JobToolpath toolpath, StageMaterial material)
+/// <param name="progress">Is told what is planned.</param>
+internal sealed class PlanningContext(
+    OffsetSurface offset, CenterRounding rounding, JobToolpath toolpath, StageMaterial material, PlanningProgress progress)
 {
     public OffsetSurface Offset { get; } = offset;
 
@@ -18,6 +20,8 @@ internal sealed class PlanningContext(OffsetSurface offset, CenterRounding round
     public JobToolpath Toolpath { get; } = toolpath;
 
     public StageMaterial Material { get; } = material;
+
+    public PlanningProgress Progress { get; } = progress;
 
     /// <summary>Why there is no path; null as long as nothing speaks against one.</summary>
     public Refusal? Refusal { get; set; }
@@ -39,7 +43,7 @@ internal sealed class PlanningContext(OffsetSurface offset, CenterRounding round
     public double LeastClearanceMm => FreeMm - Offset.DistanceMm;
 
     /// <summary>The same for a part of the planning that runs on another core.</summary>
-    public PlanningContext ForOtherCore() => new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath, Material);
+    public PlanningContext ForOtherCore() => new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath, Material, Progress);
 
     /// <summary>A builder of pieces on this surface.</summary>
     public PassBuilder Builder() => new(Offset, Rounding, Toolpath.ChordMm, PassBuilder.LiftShare * Toolpath.ScallopMm);

@@ -20,16 +20,22 @@ public static class ToolPathPlanner
     /// <param name="dialect">The control for the path.</param>
     /// <param name="moreMm">How much more material lies over the surface than the job says: for a compensated surface, by how much it was
     /// moved, and by how much the measured piece was too high.</param>
+    /// <param name="progress">Gets the share of the path that is planned, 0 to 1, from several threads in turn; null if nobody asks.</param>
     /// <returns>As for the other overload, or a refusal because the ball would travel through the material that lies over the surface
     /// before the stage (<c>clearance-too-low</c>).</returns>
     /// <exception cref="ArgumentOutOfRangeException">As for the other overload.</exception>
     public static ToolPathResult Plan(
-        PartSurface surface, FreeformJob job, CuttingStage stage, NcDialect dialect, double moreMm = 0)
+        PartSurface surface,
+        FreeformJob job,
+        CuttingStage stage,
+        NcDialect dialect,
+        double moreMm = 0,
+        IProgress<double>? progress = null)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentOutOfRangeException.ThrowIfNegative(moreMm);
         var material = StageMaterial.Before(job, stage).And(moreMm, "by which the piece was too high and the surface was moved");
-        return Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect, material);
+        return Plan(surface, job.Tool, job.Toolpath, job.Stock.Of(stage), dialect, material, new(progress));
     }
 
     /// <summary>Plans a path over a surface on which nothing lies but the stock that is left.</summary>
@@ -45,10 +51,16 @@ public static class ToolPathPlanner
     /// (<c>path-too-long</c>).</returns>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive, the stock is negative, or a value is not finite.</exception>
     public static ToolPathResult Plan(PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect) =>
-        Plan(surface, tool, toolpath, stockMm, dialect, new(stockMm, "the stock that is left"));
+        Plan(surface, tool, toolpath, stockMm, dialect, new(stockMm, "the stock that is left"), new(null));
 
     private static ToolPathResult Plan(
-        PartSurface surface, JobTool tool, JobToolpath toolpath, double stockMm, NcDialect dialect, StageMaterial material)
+        PartSurface surface,
+        JobTool tool,
+        JobToolpath toolpath,
+        double stockMm,
+        NcDialect dialect,
+        StageMaterial material,
+        PlanningProgress progress)
     {
         ArgumentNullException.ThrowIfNull(surface);
         ArgumentNullException.ThrowIfNull(tool);
@@ -85,7 +97,8 @@ public static class ToolPathPlanner
 
         var sheet = toolpath.AlongU ? surface : Turned(surface);
         var rounding = new CenterRounding(dialect.MetricDecimals, toolpath.ProgramsTip ? tool.RadiusMm : 0, finest);
-        return new PathPlanning(new(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, material), dialect.MetricDecimals).Run();
+        var context = new PlanningContext(new(sheet, tool.RadiusMm, stockMm), rounding, toolpath, material, progress);
+        return new PathPlanning(context, dialect.MetricDecimals).Run();
     }
 
     // With u and v swapped, passes always run along u.

@@ -20,6 +20,9 @@ public sealed record SurfaceRequest
     /// <summary>The target folder of the program, for the report; null if the program is not written, or the folder is unknown.</summary>
     public string? Folder { get; init; }
 
+    /// <summary>Is told what is being done; null if nobody asks. It is called from several threads in turn.</summary>
+    public IProgress<RunProgress>? Progress { get; init; }
+
     /// <summary>Called when the report is made; returns the calculation time in seconds. Null if it is not measured: then the
     /// same inputs give the same report.</summary>
     public Func<double>? ElapsedS { get; init; }

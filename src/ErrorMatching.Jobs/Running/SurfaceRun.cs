@@ -41,9 +41,16 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var tooHighMm = Math.Max(0, result.Samples.Max(s => s.ErrorMm));
+
+            // A piece that follows earlier ones shows less error than the stock on the next one has.
+            var tooHighMm = Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm));
             var planned = ToolPathPlanner.Plan(
-                result.Surface, job, CuttingStage.Finishing, dialect, tooHighMm + result.LargestMoveMm);
+                result.Surface,
+                job,
+                CuttingStage.Finishing,
+                dialect,
+                tooHighMm + result.LargestMoveMm,
+                ToolPathProgress.Of(request.Progress));
             if (!planned.IsUsable)
             {
                 return planned.Refusal.In(job.File);
@@ -51,6 +58,7 @@ public static class SurfaceRun
 
             cancellation.ThrowIfCancellationRequested();
             var marker = new Marker(MeasuredPoints.Sha256Of(result.Input.Measured), surfaceSha256);
+            Doing(request, "writing the program");
             var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker, template: template);
             var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
             return new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
@@ -98,6 +106,7 @@ public static class SurfaceRun
                 compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
             }
 
+            Doing(request, "displacing the program");
             var displaced = SurfaceDisplacer.Displace(
                 compensation.Input.Surface,
                 compensation.Compensated,
@@ -142,6 +151,7 @@ public static class SurfaceRun
         out IReadOnlyList<Refusal> refusals,
         out MeasuredPieceProgram cutBy)
     {
+        Doing(request, "reading the measurement");
         var plan = files.Plan(surface);
         cutBy = new(null, null);
 
@@ -164,12 +174,15 @@ public static class SurfaceRun
         }
 
         cutBy = piece.Found with { Previous = previous?.File };
+        Doing(request, "fitting the error");
         var outcome = Compensator.Compensate(new(job, surface, plan, points) { Previous = previous?.Lot });
         refusals = InputRefusals.In(job.File, outcome.Refusals);
         return outcome.Result is { } result && GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
             ? result with { Notes = [.. result.Notes, note] }
             : outcome.Result;
     }
+
+    private static void Doing(SurfaceRequest request, string what) => request.Progress?.Report(new(what, null));
 
     private static Outcome<T> Fitted<T>(SurfaceRequest request, Func<Outcome<T>> run)
         where T : class

@@ -33,6 +33,7 @@ internal sealed class SurfaceCompensate : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Compensate(
@@ -43,6 +44,7 @@ internal sealed class SurfaceCompensate : Verb
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,
+                Progress = progress,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },
             cancellation);
@@ -54,6 +56,7 @@ internal sealed class SurfaceCompensate : Verb
         var answer = new SurfaceCompensateAnswer(finished, folder);
         if (folder is not null)
         {
+            progress.Report("making the reports");
             OutputFile.WriteAll(answer.Files(), files.Read, cancellation);
         }
 

@@ -34,6 +34,7 @@ internal sealed class SurfaceDisplace : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Displace(
@@ -44,6 +45,7 @@ internal sealed class SurfaceDisplace : Verb
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,
+                Progress = progress,
             },
             new(arguments.GetRequiredValue(_program)),
             cancellation);

@@ -62,6 +62,8 @@ internal sealed class SurfaceEvaluate : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("reading the measurements");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var isRequired = arguments.GetValue(_require);
         if (isRequired && files.Job.Profile is null)
@@ -86,6 +88,7 @@ internal sealed class SurfaceEvaluate : Verb
         var radius = Read("toolRadius", arguments.GetValue(_radius));
         var radiusBefore = Read("toolRadiusBefore", arguments.GetValue(_radiusBefore));
         cancellation.ThrowIfCancellationRequested();
+        progress.Report("evaluating the errors");
         var report = new EvaluationReport(
             files.Named,
             files.Inputs,
@@ -101,6 +104,7 @@ internal sealed class SurfaceEvaluate : Verb
         var answer = new SurfaceEvaluateAnswer(report, folder, isRequired);
         if (folder is not null)
         {
+            progress.Report("making the reports");
             OutputFile.WriteAll(answer.Files, files.Read, cancellation);
         }
 

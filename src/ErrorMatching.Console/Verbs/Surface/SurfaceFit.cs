@@ -42,14 +42,18 @@ internal sealed class SurfaceFit : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("reading the points");
         var file = arguments.GetRequiredValue(_points);
         var grid = GridReader.Read(file);
         var check = arguments.GetValue(_check) is { } checkFile ? GridReader.ReadPoints(checkFile) : null;
         cancellation.ThrowIfCancellationRequested();
         try
         {
+            progress.Report("fitting the surface");
             var fit = SurfaceFitter.Fit(grid, FitMethod.Named(arguments.GetRequiredValue(_method))!, JobFit.Default.CurveToleranceMm);
             cancellation.ThrowIfCancellationRequested();
+            progress.Report("measuring its distance from the points");
             var distance = new SurfaceDistance(fit.Surface);
             var folder = arguments.GetValue(_out);
             var answer = new SurfaceFitAnswer(

@@ -22,6 +22,8 @@ internal sealed class SurfacePlan : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("planning the points");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());
         cancellation.ThrowIfCancellationRequested();

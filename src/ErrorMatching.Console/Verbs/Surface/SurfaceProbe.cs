@@ -26,6 +26,8 @@ internal sealed class SurfaceProbe : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("planning the points");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());
         if (plan.Refusals.Count > 0)

@@ -31,6 +31,8 @@ internal sealed class SurfaceToolpath : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("reading the surface");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var job = files.Job;
         var stage = arguments.GetRequiredValue(_stage) switch
@@ -43,7 +45,7 @@ internal sealed class SurfaceToolpath : Verb
         var dialect = files.ToolpathDialect();
         var template = files.FinishingTemplate(dialect);
         cancellation.ThrowIfCancellationRequested();
-        var planned = ToolPathPlanner.Plan(surface, job, stage, dialect);
+        var planned = ToolPathPlanner.Plan(surface, job, stage, dialect, progress: ToolPathProgress.Of(progress));
         if (!planned.IsUsable)
         {
             return FailureOf.Refused(job.File, [planned.Refusal]);
@@ -54,6 +56,7 @@ internal sealed class SurfaceToolpath : Verb
         var answer = new SurfaceToolpathAnswer(job, planned.Path, dialect, stage, template.CallsTool(job), folder);
         if (folder is not null)
         {
+            progress.Report("writing the program");
             OutputFile.Write(
                 answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Read, cancellation);
         }
