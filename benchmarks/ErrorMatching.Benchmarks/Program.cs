@@ -6,6 +6,11 @@ if (args is ["whole-process", .. var rest])
     return WholeProcess.Run(rest.FirstOrDefault());
 }
 
+if (args is ["compensate", .. var console])
+{
+    return DenseCompensation.Run(console.FirstOrDefault());
+}
+
 if (args is ["rs274", .. var blocks])
 {
     return PeerBenchmark.Run(blocks.FirstOrDefault());

@@ -1,4 +1,3 @@
-using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;

@@ -13,8 +13,8 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, string? orde
     private const double ApproachSpeed = 10;
 
     public static readonly string[] OfProgram = [
-        "job", "order", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm", "approach.mm",
-        "cut.measurement"];
+        "job", "order", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm",
+        "approach.mm", "cut.measurement"];
 
     public static readonly string[] OfPoint =
         [

@@ -13,8 +13,8 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
     /// <summary>Names of the placeholders, except those of the tool.</summary>
     public static readonly string[] OfProgram =
         [
-            "name", "order", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm", "feed",
-            "travel"];
+            "name", "order", "stage", "passes", "points", "minutes", "diameter", "flutes", "moves", "stock", "scallop", "chord", "rpm",
+            "feed", "travel"];
 
     public string Feed { get; } = Word(job, "feedMmPerMin", job.Tool.FeedMmPerMin, 3);
 

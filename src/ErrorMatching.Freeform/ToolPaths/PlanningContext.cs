@@ -43,7 +43,8 @@ internal sealed class PlanningContext(
     public double LeastClearanceMm => FreeMm - Offset.DistanceMm;
 
     /// <summary>The same for a part of the planning that runs on another core.</summary>
-    public PlanningContext ForOtherCore() => new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath, Material, Progress);
+    public PlanningContext ForOtherCore() =>
+        new(new(Offset.Surface, Offset.RadiusMm, Offset.StockMm), Rounding, Toolpath, Material, Progress);
 
     /// <summary>A builder of pieces on this surface.</summary>
     public PassBuilder Builder() => new(Offset, Rounding, Toolpath.ChordMm, PassBuilder.LiftShare * Toolpath.ScallopMm);

@@ -20,7 +20,8 @@ public static class ToolPathPlanner
     /// <param name="dialect">The control for the path.</param>
     /// <param name="moreMm">How much more material lies over the surface than the job says: for a compensated surface, by how much it was
     /// moved, and by how much the measured piece was too high.</param>
-    /// <param name="progress">Gets the share of the path that is planned, 0 to 1, from several threads in turn; null if nobody asks.</param>
+    /// <param name="progress">Gets the share of the path that is planned, 0 to 1, from several threads in turn; null if nobody
+    /// asks.</param>
     /// <returns>As for the other overload, or a refusal because the ball would travel through the material that lies over the surface
     /// before the stage (<c>clearance-too-low</c>).</returns>
     /// <exception cref="ArgumentOutOfRangeException">As for the other overload.</exception>

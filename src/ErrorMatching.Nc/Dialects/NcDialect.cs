@@ -59,7 +59,8 @@ public sealed class NcDialect
     /// <summary>Letter of the number of turns of an arc, including the first; 0 if the control has none.</summary>
     public byte TurnsLetter => _tables.TurnsLetter;
 
-    /// <summary>True if comments have capital letters, digits, spaces and the signs of ISO 840 only; false if any printable ASCII.</summary>
+    /// <summary>True if comments that are written have capital letters, digits, spaces and a few signs only; false if any
+    /// printable ASCII.</summary>
     public bool CommentCapitals => _tables.CommentCapitals;
 
     /// <summary>Most characters of a comment, with what encloses it.</summary>
