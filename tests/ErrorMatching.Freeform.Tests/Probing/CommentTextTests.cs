@@ -112,7 +112,8 @@ public sealed class CommentTextTests
             {
                 Assert.NotEqual(NcTokenKind.Invalid, token.Kind);
                 var comment = Encoding.ASCII.GetString(program.Bytes.Span.Slice(token.Start, token.Length));
-                if (token.Kind != NcTokenKind.Comment || (dialect.Syntax == NcSyntax.LinuxCnc && Ours.Any(o => comment.StartsWith(o, StringComparison.Ordinal))))
+                var isOurs = dialect.Syntax == NcSyntax.LinuxCnc && Ours.Any(o => comment.StartsWith(o, StringComparison.Ordinal));
+                if (token.Kind != NcTokenKind.Comment || isOurs)
                 {
                     continue;
                 }
