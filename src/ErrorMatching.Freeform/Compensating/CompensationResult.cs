@@ -32,13 +32,13 @@ public sealed record CompensationResult
     /// <summary>Whether the errors of neighboring points are alike.</summary>
     public required SpatialStructure Structure { get; init; }
 
-    /// <summary>The systematic part of the errors: a field, or the mean if neighbors are not alike.</summary>
+    /// <summary>The systematic part of the errors: a field, or the mean if they have no structure.</summary>
     public required ErrorField Systematic { get; init; }
 
     /// <summary>The field that is compensated, before the gain.</summary>
     public required ErrorField Compensated { get; init; }
 
-    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if neighbors are not alike and the
+    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if the errors have no structure and the
     /// mean is not significant.</summary>
     public required ConstantField Mean { get; init; }
 

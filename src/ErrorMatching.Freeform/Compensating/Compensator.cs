@@ -189,11 +189,19 @@ public static class Compensator
             if (structure.Verdict == SpatialVerdict.Undetermined)
             {
                 warnings.Add(
-                    $"{samples.Count} points that are too few or all alike do not tell whether neighbors are alike: the error was taken "
+                    $"{samples.Count} points that are too few or all alike do not tell whether they have a structure: the error was taken "
                         + $"as systematic.");
             }
 
-            return ErrorFit.Of(job, samples);
+            var field = ErrorFit.Of(job, samples);
+            if (field is FittedField { Kind: FieldModelKind.Interpolant })
+            {
+                warnings.Add(
+                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise of "
+                        + "each. Measure the piece again, or more points.");
+            }
+
+            return field;
         }
 
         var standardError = statistics.StandardDeviationMm / Math.Sqrt(samples.Count);
@@ -203,8 +211,9 @@ public static class Compensator
             : "The mean is not significant either: nothing is compensated.";
         warnings.Add(string.Create(
             CultureInfo.InvariantCulture,
-            $"Errors of neighboring points are not alike (Moran's I {structure.I:0.###}, p {FieldWords.Probability(structure.P)}): what "
-                + $"differs from the mean looks like noise and is not mirrored. {decided}"));
+            $"No test finds a structure in the errors (neighbors, plane, quadratic, waves; p "
+                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise and "
+                + $"is not mirrored. {decided}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 }

@@ -1,7 +1,8 @@
 namespace ErrorMatching.Freeform;
 
-/// <summary>Moran's I of values on a grid: tests whether neighbors are alike or the values are noise.</summary>
-/// <remarks>I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the
+/// <summary>Whether values on a grid have a structure or are noise: Moran's I, and several tests with one error rate.</summary>
+/// <remarks>The verdict is that of <see cref="Tests"/>, which look for neighbors that are alike or opposite, a plane, a quadratic and waves.
+/// Moran's I alone takes waves of two or three points for noise. I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the
 /// same curve and, on the previous and next curves, the point nearest in u (the relation is made symmetric). All other weights are zero.
 /// Expectation and variance are those under randomization (A. D. Cliff and J. K. Ord, Spatial Processes: Models and Applications, 1981,
 /// section 2.3), taken over all permutations of the values among the places. The trend of a systematic error counts as structure. Noise
@@ -11,15 +12,21 @@ namespace ErrorMatching.Freeform;
 /// <param name="Expectation">-1 / (n - 1).</param>
 /// <param name="Variance">Variance of I under randomization.</param>
 /// <param name="Z">(I - expectation) / standard deviation.</param>
-/// <param name="P">Probability that chance alone gives an I at least as large, by the normal distribution.</param>
-/// <param name="Verdict">The conclusion at the 5 % level.</param>
+/// <param name="P">Probability that chance alone gives an I at least as far from its expectation, by the normal distribution.</param>
+/// <param name="Verdict">The conclusion of all tests at the 5 % level.</param>
 public sealed record SpatialStructure(double I, double Expectation, double Variance, double Z, double P, SpatialVerdict Verdict)
 {
-    /// <summary>The probability below which neighbors count as alike.</summary>
+    /// <summary>The probability up to which a structure is taken for one.</summary>
     public const double Level = 0.05;
 
     /// <summary>Minimum number of points for the normal distribution to be meaningful.</summary>
     public const int LeastPoints = 10;
+
+    /// <summary>What each test found; empty if there are too few values, or in a document that is older than the tests.</summary>
+    public IReadOnlyList<StructureTest> Tests { get; init; } = [];
+
+    /// <summary>The tests that found a structure, the surest first.</summary>
+    public IReadOnlyList<StructureTest> Found => [.. Tests.Where(t => t.P <= Level).OrderBy(t => t.P)];
 
     /// <summary>Tests measured errors.</summary>
     /// <param name="samples">Errors on the curves of a grid.</param>
@@ -42,10 +49,37 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
             throw new ArgumentException($"{values.Count} values for {samples.Count} samples", nameof(values));
         }
 
-        return Of([.. values], Neighbors(samples));
+        var (rangeU, rangeV) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
+        var data = new FieldData(
+            [.. samples.Select(s => s.I)],
+            [.. samples.Select(s => s.J)],
+            [.. samples.Select(s => rangeU.ToUnit(s.U))],
+            [.. samples.Select(s => rangeV.ToUnit(s.V))],
+            [.. values]);
+        var moran = Of(data.Z, Neighbors(data));
+        if (double.IsNaN(moran.I) || samples.Count < LeastPoints)
+        {
+            return moran;
+        }
+
+        var (mmU, mmV) = (LengthMm(samples, s => s.J, s => s.U), LengthMm(samples, s => s.I, s => s.V));
+        StructureTest[] tests = [
+            .. StructureTests.Of(data, StructureTests.Permutations)
+                .Select(t => t with { WaveMm = (mmU / t.Waves.U, mmV / t.Waves.V) })];
+        return moran with
+        {
+            Tests = tests,
+            Verdict = Array.Exists(tests, t => t.P <= Level) ? SpatialVerdict.Systematic : SpatialVerdict.Noise,
+        };
     }
 
-    /// <summary>Calculates the statistic for symmetric neighbors of weight 1.</summary>
+    /// <summary>Length of the longest line of one direction from its first to its last point.</summary>
+    private static double LengthMm(IReadOnlyList<ErrorSample> samples, Func<ErrorSample, int> line, Func<ErrorSample, double> along) =>
+        samples.GroupBy(line)
+            .Select(g => g.OrderBy(along).ToArray())
+            .Max(l => l.Zip(l.Skip(1), (a, b) => (b.Nominal - a.Nominal).Length).Sum());
+
+    /// <summary>Calculates Moran's I for symmetric neighbors of weight 1, without a verdict.</summary>
     internal static SpatialStructure Of(double[] values, IReadOnlyCollection<(int A, int B)> neighbors)
     {
         double n = values.Length;
@@ -81,50 +115,23 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
                 - (b2 * ((((n * n) - n) * s1) - (2 * n * s2) + (6 * s0 * s0)))) / ((n - 1) * (n - 2) * (n - 3) * s0 * s0);
         var variance = square - (expectation * expectation);
         var score = (i - expectation) / Math.Sqrt(variance);
-        var p = NormalTail(score);
-        return new(
-            i,
-            expectation,
-            variance,
-            score,
-            p,
-            values.Length < LeastPoints ? SpatialVerdict.Undetermined : p < Level ? SpatialVerdict.Systematic : SpatialVerdict.Noise);
+        return new(i, expectation, variance, score, 2 * NormalTail(Math.Abs(score)), SpatialVerdict.Undetermined);
     }
 
     /// <summary>Pairs of neighbors, each once, the smaller index first.</summary>
-    internal static HashSet<(int A, int B)> Neighbors(IReadOnlyList<ErrorSample> samples)
+    internal static HashSet<(int A, int B)> Neighbors(FieldData data)
     {
-        var order = new int[samples.Count];
-        for (var k = 0; k < order.Length; k++)
-        {
-            order[k] = k;
-        }
-
-        // Sorted by curve, then along the curve; samples at the same place keep the given order.
-        Array.Sort(
-            order,
-            (a, b) => samples[a].J != samples[b].J
-                ? samples[a].J.CompareTo(samples[b].J)
-                : samples[a].I != samples[b].I
-                ? samples[a].I.CompareTo(samples[b].I)
-                : a.CompareTo(b));
-        var curves = new List<int[]>();
-        for (var start = 0; start < order.Length;)
-        {
-            var end = Array.FindIndex(order, start, k => samples[k].J != samples[order[start]].J);
-            curves.Add(order[start..(end < 0 ? order.Length : end)]);
-            start += curves[^1].Length;
-        }
-
+        // Along the curve; values at the same place keep the given order.
+        var curves = Array.ConvertAll(data.Curves, curve => curve.OrderBy(k => data.I[k]).ThenBy(k => k).ToArray());
         var pairs = new HashSet<(int A, int B)>();
-        for (var c = 0; c < curves.Count; c++)
+        for (var c = 0; c < curves.Length; c++)
         {
             for (var k = 0; k + 1 < curves[c].Length; k++)
             {
                 Add(curves[c][k], curves[c][k + 1]);
             }
 
-            if (c + 1 < curves.Count)
+            if (c + 1 < curves.Length)
             {
                 Across(curves[c], curves[c + 1]);
                 Across(curves[c + 1], curves[c]);
@@ -139,7 +146,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         {
             foreach (var k in from)
             {
-                Add(k, to.MinBy(other => Math.Abs(samples[other].U - samples[k].U)));
+                Add(k, to.MinBy(other => Math.Abs(data.U[other] - data.U[k])));
             }
         }
     }
@@ -172,13 +179,13 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     }
 }
 
-/// <summary>Whether measured errors are systematic, judged by neighboring points.</summary>
+/// <summary>Whether measured errors are systematic.</summary>
 public enum SpatialVerdict
 {
-    /// <summary>Neighbors are alike beyond chance: the errors have a systematic part, which mirroring can remove.</summary>
+    /// <summary>The errors have a structure beyond chance: a systematic part, which mirroring can remove.</summary>
     Systematic,
 
-    /// <summary>Neighbors are no more alike than by chance: mirroring would cut noise into the surface.</summary>
+    /// <summary>The errors have no more structure than chance gives: mirroring would cut noise into the surface.</summary>
     Noise,
 
     /// <summary>Too few points, or all errors are equal.</summary>

@@ -9,4 +9,12 @@ namespace ErrorMatching.Freeform;
 /// <param name="BreaksV">Parameters v at which a break of the curvature was found.</param>
 /// <param name="LeaveLineOutMm">Mean distance between points and the surface fitted without their grid line; NaN for too few lines.</param>
 public sealed record FittedSurface(
-    FitMethod Method, SplineSurface Surface, IReadOnlyList<double> BreaksU, IReadOnlyList<double> BreaksV, double LeaveLineOutMm);
+    FitMethod Method, SplineSurface Surface, IReadOnlyList<double> BreaksU, IReadOnlyList<double> BreaksV, double LeaveLineOutMm)
+{
+    /// <summary>Of <see cref="FitMethod.Best"/>: mean distance of the points, in millimeters, from the best smooth surface, if that is far
+    /// above the noise because it misses a part of their shape; otherwise 0.</summary>
+    public double MissedMm { get; init; }
+
+    /// <summary>True if the surface passes through every point for that reason.</summary>
+    public bool IsThroughPoints { get; init; }
+}

@@ -212,12 +212,12 @@ public static class CompensationReportHtml
         ReportFacts.Write(html,
             (
                 "Systematic?",
-                result.Structure is { Verdict: not SpatialVerdict.Undetermined } s
-                    ? string.Create(
-                        CultureInfo.InvariantCulture,
-                        $"{(s.Verdict == SpatialVerdict.Systematic ? "Yes" : "No")}: Moran's I {s.I:0.###} (no structure: "
-                            + $"{s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.")
-                    : "Too few points to tell, or all errors are the same."),
+                StructureWords.Of(result.Structure)
+                    + (result.Structure is { Verdict: not SpatialVerdict.Undetermined } s
+                        ? string.Create(
+                            CultureInfo.InvariantCulture,
+                            $" Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.")
+                        : "")),
             (
                 "Fit",
                 $"{result.Input.Job.Fit.Method.Name} of the "

@@ -10,6 +10,7 @@ internal static class FieldWords
     {
         FieldModelKind.Polynomial => "polynomial",
         FieldModelKind.GaussianProcess => "gaussian-process",
+        FieldModelKind.Interpolant => "interpolating-spline",
         _ => "cubic-spline",
     };
 
@@ -21,6 +22,7 @@ internal static class FieldWords
     {
         FieldModelKind.Polynomial => "A polynomial of few terms, in pieces where the curvature breaks.",
         FieldModelKind.GaussianProcess => "A Gaussian process: smooth waves of a length that the points tell.",
+        FieldModelKind.Interpolant => "A cubic spline through every point: what smoother models left of them was no noise.",
         _ => "A cubic spline.",
     };
 }

@@ -23,8 +23,8 @@ public sealed record SurfaceFindings
     /// <summary>Statistics of the measured errors.</summary>
     public required DeviationStatistics Before { get; init; }
 
-    /// <summary>Whether the errors of neighboring points are alike. The document does not contain the variance, and nothing but the verdict
-    /// if that is undetermined.</summary>
+    /// <summary>Whether the errors have a structure, and which tests found one. The document does not contain the variance, and nothing but
+    /// the verdict if that is undetermined.</summary>
     public required SpatialStructure Structure { get; init; }
 
     /// <summary>True if each place is moved by its own error, false if all by the mean error, as with a modified tool radius.</summary>
@@ -139,7 +139,7 @@ public sealed record SurfaceFindings
         EvaluationReportJson.Alignment(json, Alignment);
         json.Text("stage", MeasuredStage.Name(Stage));
         json.Object("before", () => EvaluationReportJson.Statistics(json, Before));
-        json.Object("structure", () => WriteStructure(json, Structure));
+        json.Object("structure", () => StructureJson.Write(json, Structure));
         json.Object("compensation", () =>
         {
             json.Text("method", Method(IsMirror));
@@ -186,7 +186,7 @@ public sealed record SurfaceFindings
             Alignment = EvaluationReportJson.ReadAlignment(json),
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
             Before = EvaluationReportJson.ReadStatistics(json.Object("before")),
-            Structure = ReadStructure(json.Object("structure")),
+            Structure = StructureJson.Read(json.Object("structure")),
             IsMirror = compensation.Word("method", [true, false], Method),
             Gain = compensation.Number("gain"),
             LimitMm = compensation.Number("limitMm"),
@@ -207,29 +207,6 @@ public sealed record SurfaceFindings
     }
 
     private static string Method(bool isMirror) => isMirror ? "mirror" : "tool-radius";
-
-    private static void WriteStructure(ReportWriter json, SpatialStructure structure)
-    {
-        json.Text("verdict", Word(structure.Verdict));
-        if (structure.Verdict != SpatialVerdict.Undetermined)
-        {
-            json.Exact("moransI", structure.I);
-            json.Exact("expected", structure.Expectation);
-            json.Exact("z", structure.Z);
-            json.Exact("p", structure.P);
-        }
-    }
-
-    private static SpatialStructure ReadStructure(ReportReader json)
-    {
-        var verdict = json.Word<SpatialVerdict>("verdict", Word);
-        return verdict == SpatialVerdict.Undetermined
-            ? new(double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, verdict)
-            : new(json.Number("moransI"), json.Number("expected"), double.NaN, json.Number("z"), json.Number("p"), verdict);
-    }
-
-    private static string Word(SpatialVerdict verdict) =>
-        verdict switch { SpatialVerdict.Systematic => "systematic", SpatialVerdict.Noise => "noise", _ => "undetermined" };
 
     private static void WritePrediction(ReportWriter json, SurfacePrediction prediction)
     {

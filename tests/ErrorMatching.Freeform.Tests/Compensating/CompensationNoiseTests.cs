@@ -41,7 +41,8 @@ public sealed class CompensationNoiseTests
     public void A_field_that_its_points_hardly_tell_is_said_to_be_one()
     {
         var piece = new MeasuredDesign(PaperDesign.One);
-        var result = piece.Compensate(piece.With((u, v) => 0.03 * Math.Sin((13.9 * u) + 1) * Math.Cos((8.8 * v) + 2))).Result!;
+        var result = piece.Compensate(piece.With(
+            (u, v) => 0.03 * Math.Sin((4 * u) + (9 * u * u) + 1) * Math.Cos((3 * v) + (5 * v * v) + 2))).Result!;
 
         Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 0, 5e-4);
         Assert.Contains("Where a line of points is left out", Assert.Single(result.Notes), StringComparison.Ordinal);

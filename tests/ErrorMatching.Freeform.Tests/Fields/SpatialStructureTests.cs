@@ -66,10 +66,16 @@ public sealed class SpatialStructureTests
     public void Neighbors_on_a_rectangular_grid_are_those_beside_before_and_behind()
     {
         var samples = TrueShape.MachineError.Samples(4, 3);
+        FieldData data = new(
+            [.. samples.Select(s => s.I)],
+            [.. samples.Select(s => s.J)],
+            [.. samples.Select(s => s.U)],
+            [.. samples.Select(s => s.V)],
+            [.. samples.Select(s => s.ErrorMm)]);
 
         // 3 curves of 3 pairs each, and 2 times 4 across.
-        Assert.Equal(17, SpatialStructure.Neighbors(samples).Count);
-        Assert.Contains((1, 5), SpatialStructure.Neighbors(samples));
+        Assert.Equal(17, SpatialStructure.Neighbors(data).Count);
+        Assert.Contains((1, 5), SpatialStructure.Neighbors(data));
     }
 
     [Fact]

@@ -66,6 +66,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         }
 
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
+        page.Line("Systematic? " + StructureWords.Of(result.Structure));
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,

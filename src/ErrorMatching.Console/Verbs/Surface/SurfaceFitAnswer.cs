@@ -48,6 +48,11 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         }
 
         json.Number("leaveLineOutUm", fit.LeaveLineOutMm * UmPerMm);
+        if (fit.MissedMm > 0)
+        {
+            json.Number("missedUm", fit.MissedMm * UmPerMm);
+            json.WriteBoolean("throughPoints", fit.IsThroughPoints);
+        }
     }
 
     public override void WriteText(Page page)
@@ -70,6 +75,16 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         rows.Add(["with whole lines left out", double.IsNaN(fit.LeaveLineOutMm) ? "too few lines" : Um(fit.LeaveLineOutMm), ""]);
         page.Table(["distance along the normal in um", "mean", "largest"], rows);
         page.Line();
+        if (fit.MissedMm > 0)
+        {
+            page.Line(
+                $"Warning: the points lie {Um(fit.MissedMm)} um off the best smooth surface, in the mean, and that is no noise: it has a "
+                    + (fit.IsThroughPoints
+                        ? "structure. The surface passes through every point instead, and so through the noise of each. Measure more points."
+                        : "structure, which the surface misses. Measure more points."));
+            page.Line();
+        }
+
         page.Line(folder is null
             ? "Nothing was written. Add --out DIR to write the surface as STEP and IGES."
             : $"Wrote {In("surface.stp")} and {In("surface.igs")}. Next: name one of them as \"surface\" in a job, and look at errormatch "

@@ -8,6 +8,9 @@ internal static class ModelChoice
     /// <summary>A model with breaks must reduce the line-out error to this share of that of the best model without breaks.</summary>
     private const double BreakShare = 0.7;
 
+    /// <summary>The same for a kernel that is not smooth in both directions.</summary>
+    private const double ShapeShare = 0.9;
+
     private const double FreedomShare = 0.5;
 
     /// <summary>A line-out error that no other model needs to improve on: a thousandth of a nanometer.</summary>
@@ -16,14 +19,37 @@ internal static class ModelChoice
     /// <summary>Maximum number of values in which breaks among waves are searched.</summary>
     private const int MostForBreaksInWaves = 300;
 
-    /// <summary>Returns the best model of at least one value.</summary>
+    /// <summary>A model with more than this share of the values' freedom passes through them anyway.</summary>
+    private const double ThroughShare = 0.8;
+
+    /// <summary>A spline through the values does not replace a model that predicts left-out lines so many times better.</summary>
+    private const double FarWorse = 3;
+
+    /// <summary>Returns the best model of at least one value: the one with the least line-out error, or a spline through the values if
+    /// that misses a part of the field.</summary>
     public static FieldModel Best(FieldData data)
+    {
+        var model = LeastLineOut(data);
+        return Misses(model) && SplineModel.Interpolate(data, model) is { } interpolant && Error(interpolant) < FarWorse * Error(model)
+            ? interpolant
+            : model;
+    }
+
+    /// <summary>True if what a model leaves of the values is no noise.</summary>
+    public static bool Misses(FieldModel model) =>
+        model.Kind != FieldModelKind.Interpolant
+            && model is not PolynomialModel { IsExact: true }
+            && model.Freedom <= ThroughShare * model.Data.Count
+            && LeftStructure.IsIn(model.Data.With(model.Residuals()));
+
+    private static FieldModel LeastLineOut(FieldData data)
     {
         // Polynomials are tried on one core, the other models on a second. Shared properties of the data are calculated first.
         _ = (data.Grid, data.Crossings, data.LinesOut);
         var search = Task.Run(() => Polynomials(data));
         var process = Unless(search, () => ProcessSearch.Run(data, ProcessSearch.Trend(2)));
         var linear = data.Count > MostForBreaksInWaves ? null : Unless(search, () => ProcessSearch.Run(data, ProcessSearch.Trend(1)));
+        var shaped = linear is null ? null : Unless(search, () => ProcessSearch.OfOtherShape(linear));
         var spline = Unless(search, () => SplineModel.Run(data));
         var (polynomials, broken) = search.GetAwaiter().GetResult();
         if (IsPerfect(polynomials[^1]))
@@ -40,7 +66,8 @@ internal static class ModelChoice
             broken.Add(ProcessSearch.WithBreak(process));
         }
 
-        return Least(broken.Where(m => m is not null && IsEarned(m, smooth))) ?? smooth;
+        var best = Least(broken.Where(m => m is not null && IsEarned(m, smooth))) ?? smooth;
+        return shaped is not null && Error(shaped) <= ShapeShare * Error(best) ? shaped : best;
     }
 
     /// <summary>Returns all polynomials, from none to the most breaks, and those with breaks, each also limited to squares. Their line-out

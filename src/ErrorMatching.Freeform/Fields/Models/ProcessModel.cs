@@ -6,6 +6,7 @@ internal sealed class ProcessModel : FieldModel
 {
     private readonly Kernel _kernel;
     private readonly Term[] _trend;
+    private readonly ProcessTrend _polynomial;
     private readonly Covariance _covariance;
     private readonly double[][] _columns;
     private readonly double[][] _solved;
@@ -19,6 +20,7 @@ internal sealed class ProcessModel : FieldModel
         : base(trend.Data)
     {
         (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend.Terms, covariance, trend.Columns, solved, factor);
+        _polynomial = trend;
         // Subtract the polynomial first. The likelihood is not affected, and this preserves digits where the polynomial is large.
         var (data, columns, rest) = (trend.Data, trend.Columns, (double[])trend.Ordinary.Residuals.Clone());
         var correction = factor.Solve(Array.ConvertAll(solved, s => LeastSquares.Product(s, rest)));
@@ -62,6 +64,11 @@ internal sealed class ProcessModel : FieldModel
     public double Criterion { get; }
 
     public Kernel Kernel => _kernel;
+
+    /// <summary>Variance of the process where the kernel is one.</summary>
+    public double Variance => _variance;
+
+    public ProcessTrend Trend => _polynomial;
 
     public Covariance Covariance => _covariance;
 
@@ -134,7 +141,7 @@ internal sealed class ProcessModel : FieldModel
         }
 
         var share = _factor.Solve(missed);
-        var variance = _variance * Math.Max(0, 1 - LeastSquares.Product(row, solved) + LeastSquares.Product(missed, share));
+        var variance = _variance * Math.Max(0, _kernel.AtZero - LeastSquares.Product(row, solved) + LeastSquares.Product(missed, share));
         var more = (noise * noise) - (Noise * Noise);
         if (more <= 0)
         {

@@ -6,6 +6,14 @@ internal static class ProcessSearch
     private const int MostEvaluations = 140;
     private const int PlacesPerCell = 3;
 
+    // Largest variance of a wave as a multiple of the mean square of the values about the polynomial.
+    private const double MostWave = 4;
+
+    // A shape is refined if its best start is at most this much less likely than the smooth kernel, and taken if it is likelier by the
+    // lead, as logarithms.
+    private const double Promising = 10;
+    private const double LeastLead = 2;
+
     // Tolerance of a break on an axis of length 2: while the kernel still changes or a line is left out, and for the result.
     private const double Roughly = 1e-5;
     private const double Closely = 1e-9;
@@ -13,7 +21,7 @@ internal static class ProcessSearch
     /// <summary>Minimum reduction of the criterion by a break.</summary>
     private const double LeastGain = 10;
 
-    /// <summary>Returns the process with the best kernel; null if there are too few or too many values.</summary>
+    /// <summary>Returns the smooth process with the best kernel; null if there are too few or too many values.</summary>
     public static ProcessModel? Run(FieldData data, Term[] terms)
     {
         if (!Covariance.IsPossible(data) || data.Count < terms.Length + 5)
@@ -27,19 +35,43 @@ internal static class ProcessSearch
             return null;
         }
 
-        double[]? best = null;
-        var least = double.PositiveInfinity;
-        foreach (var length in (ReadOnlySpan<double>)[0.3, 0.8, 2])
+        var (start, _) = Start(trend, KernelShape.Smooth);
+        return start is null
+            ? null
+            : ProcessModel.Fit(few == data ? trend : ProcessTrend.Of(data, terms), Improved(trend, KernelShape.Smooth, start));
+    }
+
+    /// <summary>Returns a process about the same polynomial with a likelier kernel of another shape; null if none is likely enough.</summary>
+    /// <remarks>The likelihoods are compared with Akaike's penalty for each parameter.</remarks>
+    public static ProcessModel? OfOtherShape(ProcessModel smooth)
+    {
+        var trend = smooth.Trend;
+        var (best, least) = ((ProcessModel?)null, -smooth.Likelihood - LeastLead);
+        foreach (var shape in KernelShape.Others)
         {
-            foreach (var noise in (ReadOnlySpan<double>)[-10, -4, -1])
+            var (start, cost) = Start(trend, shape);
+            if (start is not null
+                && cost < Promising - smooth.Likelihood
+                && ProcessModel.Fit(trend, Improved(trend, shape, start)) is { } model
+                && shape.MoreParameters - model.Likelihood < least)
             {
-                double[] start = [Math.Log(length), Math.Log(length), noise];
-                var value = Cost(trend, start);
-                (best, least) = value < least ? (start, value) : (best, least);
+                (best, least) = (model, shape.MoreParameters - model.Likelihood);
             }
         }
 
-        return best is null ? null : ProcessModel.Fit(few == data ? trend : ProcessTrend.Of(data, terms), Improved(trend, best));
+        return best;
+    }
+
+    private static (double[]? X, double Cost) Start(ProcessTrend trend, KernelShape shape)
+    {
+        var (start, least) = ((double[]?)null, double.PositiveInfinity);
+        foreach (var x in shape.Starts(trend))
+        {
+            var cost = Cost(trend, shape, x);
+            (start, least) = cost < least ? (x, cost) : (start, least);
+        }
+
+        return (start, least);
     }
 
     /// <summary>Returns a process about a polynomial with one break at the greatest likelihood; null if none is likely enough.</summary>
@@ -72,8 +104,8 @@ internal static class ProcessSearch
         {
             double[] start = [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)];
             var kernel = ProcessTrend.Of(data.Thinned(FieldData.EnoughLines), Broken(place.AlongU, At(model))) is { } trend
-                ? Improved(trend, start)
-                : KernelOf(start);
+                ? Improved(trend, KernelShape.Smooth, start)
+                : KernelShape.Smooth.Of(start, data);
             model = Moved(
                 data, kernel, Covariance.Of(data, kernel), place.AlongU, At(model), place.Reach / 2, round == 0 ? Roughly : Closely);
         }
@@ -182,17 +214,24 @@ internal static class ProcessSearch
     private static double[][] Begun(FieldData data, Covariance covariance) =>
         Array.ConvertAll(Term.Over(Trend(2), data.U, data.V), covariance.Solve);
 
-    private static Kernel Improved(ProcessTrend trend, double[] start) =>
-        KernelOf(Simplex.Minimum(x => Cost(trend, x), start, 0.7, MostEvaluations, 1e-3));
+    private static Kernel Improved(ProcessTrend trend, KernelShape shape, double[] start) =>
+        shape.Of(
+            Simplex.Minimum(x => Cost(trend, shape, x), start, 0.7, shape.IsWave ? 2 * MostEvaluations : MostEvaluations, 1e-3),
+            trend.Data);
 
     public static Term[] Trend(int degree) =>
         [.. from a in Enumerable.Range(0, degree + 1) from b in Enumerable.Range(0, degree + 1 - a) select new Term(new(a), new(b))];
 
-    private static double Cost(ProcessTrend trend, double[] x) =>
-        -(ProcessModel.Fit(trend, KernelOf(x))?.Likelihood ?? double.NegativeInfinity);
+    private static double Cost(ProcessTrend trend, KernelShape shape, double[] x) => Cost(trend, shape.Of(x, trend.Data));
 
-    private static Kernel KernelOf(double[] x) =>
-        new(Math.Exp(Math.Clamp(x[0], -3, 3)), Math.Exp(Math.Clamp(x[1], -3, 3)), Math.Pow(10, Math.Clamp(x[2], -13, 2)));
+    private static double Cost(ProcessTrend trend, Kernel kernel) =>
+        ProcessModel.Fit(trend, kernel) is { } model && !IsHidden(model, trend) ? -model.Likelihood : double.PositiveInfinity;
+
+    /// <summary>True for a wave far higher than the values show: they would all lie near its zeros, and between them nothing speaks for
+    /// it.</summary>
+    private static bool IsHidden(ProcessModel model, ProcessTrend trend) =>
+        (model.Kernel.WaveU > 0 || model.Kernel.WaveV > 0)
+            && model.Variance > MostWave * trend.Ordinary.SquareSum / trend.Data.Count;
 
     /// <summary>A candidate for a break.</summary>
     /// <param name="Kernel">The kernel for which it is likely.</param>

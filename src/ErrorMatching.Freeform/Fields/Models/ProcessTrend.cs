@@ -13,4 +13,27 @@ internal sealed record ProcessTrend(FieldData Data, Term[] Terms, double[][] Col
         var columns = Term.Over(terms, data.U, data.V);
         return LeastSquares.Solve(columns, data.Z) is { } ordinary ? new(data, terms, columns, ordinary) : null;
     }
+
+    /// <summary>Numbers of waves along u and along v over the values that explain most of what the polynomial leaves: the strongest
+    /// wave, and the sum of one along u and one along v. Empty if nothing is left.</summary>
+    public (double U, double V)[] Waves => _waves ??= Strongest();
+
+    private (double U, double V)[]? _waves;
+
+    private (double U, double V)[] Strongest()
+    {
+        var rest = Ordinary.Residuals;
+        var mean = rest.Average();
+        var length = Math.Sqrt(rest.Sum(r => (r - mean) * (r - mean)));
+        if (!(length > 0))
+        {
+            return [];
+        }
+
+        var basis = WaveBasis.Of(Data);
+        double[] unit = [.. rest.Select(r => (r - mean) / length)];
+        var (any, alongU, alongV) = (
+            basis.Strongest(unit), basis.Strongest(unit, (_, v) => v == 0), basis.Strongest(unit, (u, _) => u == 0));
+        return [(any.U, any.V), (alongU.U, alongV.V)];
+    }
 }

@@ -40,7 +40,7 @@ internal sealed class ScatteredCovariance : Covariance
             }
 
             // Ten times the least noise of a grid, because factoring a full matrix loses more digits than two small decompositions.
-            rows[i][i] = 1 + Math.Max(kernel.Noise, 10 * Kernel.LeastNoise);
+            rows[i][i] = kernel.AtZero + Math.Max(kernel.Noise, 10 * Kernel.LeastNoise);
         }
 
         return Cholesky.Factor(rows, data.Count) is { } factor ? new(data, kernel, factor) : null;

@@ -1,11 +1,15 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>A bicubic spline with about as many poles as the grid has lines, smoothed by the bending energy of a thin plate (Green and
-/// Silverman, Nonparametric Regression and Generalized Linear Models, section 7.9). The weight minimizes the line-out error.</summary>
+/// Silverman, Nonparametric Regression and Generalized Linear Models, section 7.9). The weight minimizes the line-out error, or is so small
+/// that the spline passes through the values.</summary>
 internal sealed class SplineModel : FieldModel
 {
     /// <summary>Maximum number of pieces along one axis, which determines the bandwidth of the equations.</summary>
     private const int MostPieces = 24;
+
+    /// <summary>A weight that moves the spline by less than a hundred-thousandth of what it bends.</summary>
+    private const double Through = 1e-11;
 
     private static readonly double[] Weights = [1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
@@ -24,7 +28,10 @@ internal sealed class SplineModel : FieldModel
         (_u, _v, _weight, _bending, _factor, _poles) = (u, v, weight, bending, factor, poles);
     }
 
-    public override FieldModelKind Kind => FieldModelKind.CubicSpline;
+    public override FieldModelKind Kind => _weight == Through ? FieldModelKind.Interpolant : FieldModelKind.CubicSpline;
+
+    /// <summary>Of a spline through the values: the mean absolute residual of the model that misses a part of them; otherwise 0.</summary>
+    public double Missed { get; private set; }
 
     public override double Freedom => _freedom ??= Trace();
 
@@ -52,6 +59,28 @@ internal sealed class SplineModel : FieldModel
         var bending = Bending(axisU, axisV);
         var best = Weights.Select(weight => Fit(few, axisU, axisV, weight, bending)).OfType<SplineModel>().MinBy(model => model.LineOut);
         return best is null || few == data ? best : Fit(data, axisU, axisV, best._weight, bending);
+    }
+
+    /// <summary>Returns the spline through all values; null if there are too few lines, or so many that a piece spans several.</summary>
+    /// <param name="data">The values.</param>
+    /// <param name="smooth">The model that misses a part of them. Nothing tells how much of what it leaves is noise, so all of it may
+    /// be.</param>
+    public static SplineModel? Interpolate(FieldData data, FieldModel smooth)
+    {
+        var (u, v) = data.LinePlaces();
+        if (u.Length < 2 || v.Length < 2 || u.Length > MostPieces + 1 || v.Length > MostPieces + 1)
+        {
+            return null;
+        }
+
+        var (axisU, axisV) = (SplineAxis.Over(u, MostPieces), SplineAxis.Over(v, MostPieces));
+        var model = Fit(data, axisU, axisV, Through, Bending(axisU, axisV));
+        if (model is not null)
+        {
+            (model._noise, model.Missed) = (smooth.Noise, smooth.Residuals().Average(Math.Abs));
+        }
+
+        return model;
     }
 
     public override double At(double u, double v)

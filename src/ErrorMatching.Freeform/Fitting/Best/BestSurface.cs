@@ -29,7 +29,26 @@ internal static class BestSurface
             surface,
             [.. models.SelectMany(m => m.BreaksU).Select(placed.U.FromUnit).Distinct().Order()],
             [.. models.SelectMany(m => m.BreaksV).Select(placed.V.FromUnit).Distinct().Order()],
-            LeaveLineOut(placed, models, surface));
+            LeaveLineOut(placed, models, surface))
+        {
+            MissedMm = Missed(models),
+            IsThroughPoints = Array.Exists(models, m => m.Kind == FieldModelKind.Interpolant),
+        };
+    }
+
+    /// <summary>What the smooth models miss: of those that a spline through the values replaced, or that have too many lines for one.</summary>
+    private static double Missed(FieldModel[] models)
+    {
+        var sum = 0.0;
+        foreach (var model in models)
+        {
+            var missed = model is SplineModel { Missed: > 0 and var left }
+                ? left
+                : ModelChoice.Misses(model) ? model.Residuals().Average(Math.Abs) : 0;
+            sum += missed * missed;
+        }
+
+        return Math.Sqrt(sum);
     }
 
     /// <summary>Mean distance of left-out points along the surface normal.</summary>

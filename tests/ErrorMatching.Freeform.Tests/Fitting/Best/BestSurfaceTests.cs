@@ -83,6 +83,35 @@ public sealed class BestSurfaceTests
         Assert.InRange(shape.DistanceUm(fit.Surface).Mean, 0, 0.1);
     }
 
+    // A cubic spline through the points leaves 35 um in the mean.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Waves_of_three_points_a_period_are_met(double phase)
+    {
+        var shape = new TrueShape(
+            "short", (x, y) => 0.3 * Math.Sin((2 * Math.PI * x / 25) + phase) * Math.Sin((2 * Math.PI * y / 31.5) + (2 * phase) + 1));
+        var fit = BestSurface.Fit(shape.Grid());
+
+        Assert.InRange(shape.DistanceUm(fit.Surface).Mean, 0, 0.05);
+        Assert.Equal(0, fit.MissedMm);
+        Assert.InRange(shape.DistanceUm(BestSurface.Fit(shape.Grid(noise: 0.001)).Surface).Mean, 0.1, 0.6);
+    }
+
+    [Fact]
+    public void What_no_smooth_surface_describes_is_followed_point_by_point_and_told()
+    {
+        var step = new TrueShape("step", (x, y) => 0.3 * Math.Tanh((x - 31.843) / 3) * (0.284 + (y / 63)));
+        var fit = SurfaceFitter.Fit(step.Grid(), FitMethod.Best, 0.001);
+        var tensor = SurfaceFitter.Fit(step.Grid(), FitMethod.Tensor, 0.001);
+
+        Assert.True(fit.IsThroughPoints);
+        Assert.InRange(1000 * fit.MissedMm, 5, 100);
+        Assert.All(step.Grid().Points, p => Assert.InRange(fit.Surface.ClosestPoint(p.Position).Distance, 0, 1e-5));
+        Assert.InRange(step.DistanceUm(fit.Surface).Mean, 1, 1.02 * step.DistanceUm(tensor.Surface).Mean);
+    }
+
     [Fact]
     public void Quadratics_with_noise_of_a_micrometer_come_out_within_a_third_of_it() =>
         Assert.InRange(NoisyUm(TrueShape.Quadratics), 0.1, 0.35);
