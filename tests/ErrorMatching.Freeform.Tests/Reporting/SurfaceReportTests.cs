@@ -207,6 +207,26 @@ public sealed class SurfaceReportTests
         Assert.Contains("Along the surface, mm", section.Elements("text").Select(t => t.Value));
     }
 
+    // The second piece shows nearly nothing, because the first one's correction was cut into it: a map of that would hide what the program
+    // corrects.
+    [Fact]
+    public void A_lot_is_drawn_as_the_piece_that_no_correction_would_leave()
+    {
+        var design = new MeasuredDesign(
+            PaperDesign.Two, "\"measuredAfter\": \"semi-finishing\"", "\"measuredAfter\": \"finishing\"");
+        var first = design.Compensate(design.With((u, v) => 0.009 + (0.016 * u))).Result!;
+        var second = design.With((u, v) => 0.0005 + 0.009 + (0.016 * u) - first.Compensated.At(u, v), "second.csv");
+        var result = Compensator.Compensate(new(design.Job, design.Surface, design.Plan, [second]) { Previous = first.Pieces }).Result!;
+        var page = Page(CompensationReportHtml.Write(Report with { Result = result }));
+        var maps = page.Descendants("svg").First();
+        Assert.StartsWith("Without corrections, from all pieces | Expected", maps.Element("title")!.Value, StringComparison.Ordinal);
+        var largest = maps.Elements("text").Where(t => (string?)t.Attribute("class") == "value").Select(t => t.Value).First();
+        Assert.InRange(double.Parse(largest, System.Globalization.CultureInfo.InvariantCulture), 24, 26);
+        var section = page.Descendants("svg")
+            .First(s => s.Element("title")!.Value.StartsWith("Along u", StringComparison.Ordinal));
+        Assert.Contains("without corrections, from all pieces: from +9.", section.Element("desc")!.Value, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void A_page_for_a_shop_says_nothing_of_orders_it_has_not_and_of_other_systems()
     {
