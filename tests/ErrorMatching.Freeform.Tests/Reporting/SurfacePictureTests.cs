@@ -106,11 +106,15 @@ public sealed class SurfacePictureTests
         var result = Compensator.Compensate(new(design.Job, design.Surface, design.Plan, [second]) { Previous = first.Pieces }).Result!;
         var page = SurfaceReportTests.Page(CompensationReportHtml.Write(SurfaceReportTests.Report with { Result = result }));
         var maps = page.Descendants("svg").First();
-        Assert.StartsWith("Without corrections, from all pieces | Expected", maps.Element("title")!.Value, StringComparison.Ordinal);
+
+        // A shape without a color of the page's is black, also on a dark page.
+        Assert.Contains(page.Descendants("polygon"), d => (string?)d.Attribute("class") == "left marker");
+        Assert.Contains(".left.marker { fill: var(--ink); }", page.Descendants("style").Single().Value, StringComparison.Ordinal);
+        Assert.StartsWith("Without corrections | Expected", maps.Element("title")!.Value, StringComparison.Ordinal);
         var largest = maps.Elements("text").Where(t => (string?)t.Attribute("class") == "value").Select(t => t.Value).First();
         Assert.InRange(double.Parse(largest, CultureInfo.InvariantCulture), 24, 26);
         var section = page.Descendants("svg")
             .First(s => s.Element("title")!.Value.StartsWith("Along u", StringComparison.Ordinal));
-        Assert.Contains("without corrections, from all pieces: from +9.", section.Element("desc")!.Value, StringComparison.Ordinal);
+        Assert.Contains("without corrections: from +9.", section.Element("desc")!.Value, StringComparison.Ordinal);
     }
 }
