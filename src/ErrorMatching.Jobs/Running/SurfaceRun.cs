@@ -41,7 +41,9 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-            var tooHighMm = Math.Max(0, result.Samples.Max(s => s.ErrorMm));
+
+            // A piece that follows earlier ones shows less error than the stock on the next one has.
+            var tooHighMm = Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm));
             var planned = ToolPathPlanner.Plan(
                 result.Surface,
                 job,
