@@ -48,7 +48,8 @@ internal static class CorrectionIdentity
     internal static string OfJob(string jobSha256, IEnumerable<ReportInput> inputs)
     {
         var text = new StringBuilder("job ").Append(Hash(jobSha256)).Append('\n');
-        foreach (var input in inputs.Where(i => i.Role is not ("part" or "counterpart" or "measured" or "program" or "cut-by" or "previous")))
+        foreach (var input in inputs.Where(
+            i => i.Role is not ("part" or "counterpart" or "measured" or "program" or "cut-by" or "previous")))
         {
             text.Append(input.Role).Append(' ').Append(Hash(input.Sha256)).Append('\n');
         }

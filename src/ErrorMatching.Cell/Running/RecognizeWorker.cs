@@ -51,7 +51,9 @@ internal sealed class RecognizeWorker(CellFlow flow)
             Program = slot.Program
         };
         var again = Resubmitted.Of(flow.Store, known);
-        var cut = !job.Accumulates || known.Piece is not ("counterpart" or "surface") ? new(null, null) : again?.Cut ?? CutProgram.Of(flow.Store, known);
+        var cut = !job.Accumulates || known.Piece is not ("counterpart" or "surface")
+            ? new(null, null)
+            : again?.Cut ?? CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
         var part = known.Piece != "counterpart" ? null : again?.Part ?? LastCut(known, job) ?? LastPart(known, job);
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };

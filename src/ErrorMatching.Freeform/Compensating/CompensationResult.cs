@@ -38,8 +38,8 @@ public sealed record CompensationResult
     /// <summary>The field that is compensated, before the gain.</summary>
     public required ErrorField Compensated { get; init; }
 
-    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if the errors have no structure and the
-    /// mean is not significant.</summary>
+    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if the errors have no structure
+    /// and the mean is not significant.</summary>
     public required ConstantField Mean { get; init; }
 
     /// <summary>The surface to cut. It has the parameters and boundaries of the nominal one, or its own if fitted to the points.</summary>

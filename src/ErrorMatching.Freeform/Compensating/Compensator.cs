@@ -81,8 +81,8 @@ public static class Compensator
         {
             return new Refusal("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
-                $"The compensated surface would lie up to {PieceErrors.Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm "
-                    + $"from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
+                $"The compensated surface would lie up to "
+                    + $"{PieceErrors.Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
                     + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
@@ -197,8 +197,8 @@ public static class Compensator
             if (field is FittedField { Kind: FieldModelKind.Interpolant })
             {
                 warnings.Add(
-                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise of "
-                        + "each. Measure the piece again, or more points.");
+                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise "
+                        + "of each. Measure the piece again, or more points.");
             }
 
             return field;
@@ -212,8 +212,8 @@ public static class Compensator
         warnings.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"No test finds a structure in the errors (neighbors, plane, quadratic, waves; p "
-                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise and "
-                + $"is not mirrored. {decided}"));
+                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise "
+                + $"and is not mirrored. {decided}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 }

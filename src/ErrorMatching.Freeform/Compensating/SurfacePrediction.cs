@@ -49,8 +49,8 @@ public sealed record SurfacePrediction(
     /// <param name="left">The remaining systematic error at each sample.</param>
     /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
     /// would find it, so the larger of the two is expected.</param>
-    /// <param name="lot">The lot that the samples follow from; null for a measurement alone. Its residuals show less than the scatter of one
-    /// measured point, because they follow from many pieces, and the field does not know how sure the lot is.</param>
+    /// <param name="lot">The lot that the samples follow from; null for a measurement alone. Its residuals show less than the scatter of
+    /// one measured point, because they follow from many pieces, and the field does not know how sure the lot is.</param>
     internal static SurfacePrediction Of(
         string method,
         IReadOnlyList<ErrorSample> samples,

@@ -39,7 +39,8 @@ public sealed class PieceProgramTests : IDisposable
         var refusal = Assert.Single(outcome.Refusals);
         Assert.Equal((Code, compensated, 1), (refusal.Code, refusal.Place.File, refusal.Place.Line));
         Assert.Contains(
-            "Measure a piece that the nominal program cut (errormatch surface toolpath", refusal.Message, StringComparison.Ordinal);
+            "measure a piece that the nominal program cut (errormatch surface toolpath", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains("by --previous", refusal.Message, StringComparison.Ordinal);
 
         // A damaged marker is one.
         File.WriteAllText(_folder["compensated.nc"], File.ReadAllText(compensated).Replace("BASE=", "BASE", StringComparison.Ordinal));
