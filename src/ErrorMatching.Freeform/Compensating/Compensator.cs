@@ -82,7 +82,8 @@ public static class Compensator
             return new Refusal("beyond-limit", string.Create(
                 CultureInfo.InvariantCulture,
                 $"The compensated surface would lie up to "
-                    + $"{PieceErrors.Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
+                    + $"{PieceErrors.Beyond(surface.LargestMoveMm, job.Compensation.LimitMm).TrimStart('+')} mm from the nominal one; "
+                    + $"compensation.limitMm allows {job.Compensation.LimitMm:0.####} mm. Between the points the fit "
                     + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
