@@ -38,7 +38,7 @@ public sealed record CompensationResult
     /// <summary>The field that is compensated, before the gain.</summary>
     public required ErrorField Compensated { get; init; }
 
-    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if the errors have no structure and the
+    /// <summary>The error that a modified tool radius compensates, before the gain: the mean, or zero if they have no structure and the
     /// mean is not significant.</summary>
     public required ConstantField Mean { get; init; }
 

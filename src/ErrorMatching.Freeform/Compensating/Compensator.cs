@@ -197,8 +197,8 @@ public static class Compensator
             if (field is FittedField { Kind: FieldModelKind.Interpolant })
             {
                 warnings.Add(
-                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise of "
-                        + "each. Measure the piece again, or more points.");
+                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise "
+                        + "of each. Measure the piece again, or more points.");
             }
 
             return field;
@@ -212,8 +212,8 @@ public static class Compensator
         warnings.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"No test finds a structure in the errors (neighbors, plane, quadratic, waves; p "
-                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise and "
-                + $"is not mirrored. {decided}"));
+                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise "
+                + $"and is not mirrored. {decided}"));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
 }
