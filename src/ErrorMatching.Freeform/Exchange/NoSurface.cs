@@ -7,7 +7,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>Recognizes files that are often taken for surfaces: meshes and clouds of points.</summary>
 internal static class NoSurface
 {
-    private static readonly string[] Axes = ["x", "y", "z"];
     private static readonly string[] Meshes = [".stl", ".obj", ".ply", ".3mf", ".off"];
 
     /// <summary>Throws if a file is a mesh, or a table of points without a grid.</summary>
@@ -56,7 +55,7 @@ internal static class NoSurface
         var end = line.IndexOfAny((byte)'\n', (byte)'\r');
         var names = Encoding.Latin1.GetString(end < 0 ? line : line[..end]).ToLowerInvariant()
             .Split([',', ';', '\t']).Select(n => n.Trim().Trim('"').Trim()).ToHashSet(StringComparer.Ordinal);
-        return Axes.All(a => names.Contains(a) || names.Contains(a + "_mm"))
+        return "xyz".All(a => names.Contains($"{a}") || names.Contains($"{a}_mm"))
             && !names.Contains("i")
             && !names.Contains("j");
     }

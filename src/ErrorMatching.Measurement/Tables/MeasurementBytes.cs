@@ -7,8 +7,6 @@ namespace ErrorMatching.Measurement;
 /// (<c>.dfd</c>).</summary>
 public sealed class MeasurementBytes
 {
-    private static readonly string[] DescriptionEnds = ["d", "D"];
-
     private readonly byte[] _both;
 
     /// <summary>The bytes of a measurement that is one file.</summary>
@@ -60,8 +58,7 @@ public sealed class MeasurementBytes
 
     private static string? DescriptionOf(string path) =>
         path.EndsWith(".dfx", StringComparison.OrdinalIgnoreCase)
-            ? DescriptionEnds
-                .Select(end => string.Concat(path.AsSpan(0, path.Length - 1), end))
+            ? "dD".Select(last => path[..^1] + last)
                 .FirstOrDefault(p => new FileInfo(p) is { Exists: true, LinkTarget: null })
             : null;
 }

@@ -123,7 +123,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
     // A file for other systems has one piece.
     private IEnumerable<(string Path, ReadOnlyMemory<byte> Bytes)> Results(EvaluatedPiece piece, int at)
     {
-        var result = EvaluatedResult.Of(report.Job, stock, piece);
+        var result = EvaluatedResult.Of(report.Job, stock, report.Tolerance, piece);
         return [(In(Named(at, "qif")), QifWriter.Write(result)), (In(Named(at, "dfq")), AqdefWriter.Write(result))];
     }
 

@@ -29,7 +29,9 @@ internal sealed class CalypsoReader(MeasurementBytes source)
             if (line.Text.AsSpan().Count('\t') >= MostColumns)
             {
                 throw line.Fail(
-                    MeasurementError.TooManyCells, $"a line of more than {MostColumns} cells", "a table of CALYPSO: is this the right file?");
+                    MeasurementError.TooManyCells,
+                    $"a line of more than {MostColumns} cells",
+                    "a table of CALYPSO: is this the right file?");
             }
 
             if (_hasEnded)
