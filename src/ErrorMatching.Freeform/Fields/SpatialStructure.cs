@@ -22,6 +22,11 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// <summary>Minimum number of points for the normal distribution to be meaningful.</summary>
     public const int LeastPoints = 10;
 
+    // With 999 permutations, probabilities are stated to a thousandth. Of many points, fewer permutations show all that matters.
+    private const int Permutations = 999;
+    private const int FewPermutations = 199;
+    private const int Many = 300;
+
     /// <summary>What each test found; empty if there are too few values, or in a document that is older than the tests.</summary>
     public IReadOnlyList<StructureTest> Tests { get; init; } = [];
 
@@ -64,7 +69,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
 
         var (mmU, mmV) = (LengthMm(samples, s => s.J, s => s.U), LengthMm(samples, s => s.I, s => s.V));
         StructureTest[] tests = [
-            .. StructureTests.Of(data, StructureTests.Permutations)
+            .. StructureTests.Of(data, samples.Count > Many ? FewPermutations : Permutations)
                 .Select(t => t with { WaveMm = (mmU / t.Waves.U, mmV / t.Waves.V) })];
         return moran with
         {

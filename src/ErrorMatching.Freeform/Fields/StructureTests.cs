@@ -8,14 +8,8 @@ namespace ErrorMatching.Freeform;
 /// therefore that of the level, whatever the distribution of the noise and however much the tests depend on each other.</remarks>
 internal sealed class StructureTests
 {
-    /// <summary>Number of permutations with which a probability is stated to a thousandth.</summary>
-    public const int Permutations = 999;
-
-    private const int LeastPermutations = 199;
-    private const double MostWork = 5e8;
-
-    /// <summary>Number of lines in one direction that suffice to see a structure. More would take seconds and change nothing.</summary>
-    private const int EnoughLines = 60;
+    /// <summary>Number of lines in one direction that suffice to see a structure. More would take time and change nothing.</summary>
+    private const int EnoughLines = 30;
 
     private const ulong Seed = 0x9E3779B97F4A7C15;
 
@@ -39,7 +33,7 @@ internal sealed class StructureTests
 
     /// <summary>Tests values, one result for each kind of structure.</summary>
     /// <param name="data">The values; not all equal.</param>
-    /// <param name="permutations">Number of permutations; of many values only as many as take acceptable time.</param>
+    /// <param name="permutations">Number of permutations.</param>
     public static StructureTest[] Of(FieldData data, int permutations)
     {
         var few = data.Thinned(EnoughLines);
@@ -48,10 +42,8 @@ internal sealed class StructureTests
         return new StructureTests(few.Only(order)).Run(permutations);
     }
 
-    private StructureTest[] Run(int permutations)
+    private StructureTest[] Run(int count)
     {
-        var work = (double)_values.Length * (_waves.Columns + _plane.Length + _quadratic.Length + 4);
-        var count = (int)Math.Clamp(MostWork / work, LeastPermutations, permutations);
         // One row for each test; column 0 is of the values as they are.
         var statistics = Array.ConvertAll(new double[4][], _ => new double[count + 1]);
         var values = (double[])_values.Clone();

@@ -6,15 +6,12 @@ namespace ErrorMatching.Freeform;
 internal sealed class WaveBasis
 {
     /// <summary>Largest number of frequencies along one direction.</summary>
-    private const int MostFrequencies = 12;
+    private const int MostFrequencies = 9;
 
     private readonly (double U, double V, double[][] Columns)[] _waves;
     private readonly int _count;
 
     private WaveBasis((double U, double V, double[][] Columns)[] waves, int count) => (_waves, _count) = (waves, count);
-
-    /// <summary>Number of functions.</summary>
-    public int Columns => _waves.Sum(w => w.Columns.Length);
 
     /// <summary>Prepares the waves over values.</summary>
     public static WaveBasis Of(FieldData data)
