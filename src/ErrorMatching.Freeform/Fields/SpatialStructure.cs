@@ -2,12 +2,13 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>Whether values on a grid have a structure or are noise: Moran's I, and several tests with one error rate.</summary>
 /// <remarks>The verdict is that of <see cref="Tests"/>, which look for neighbors that are alike or opposite, a plane, a quadratic and waves.
-/// Moran's I alone takes waves of two or three points for noise. I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the
-/// same curve and, on the previous and next curves, the point nearest in u (the relation is made symmetric). All other weights are zero.
+/// Moran's I alone takes waves of two or three points for noise.
+/// I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the same
+/// curve and, on the previous and next curves, the point nearest in u (the relation is made symmetric). All other weights are zero.
 /// Expectation and variance are those under randomization (A. D. Cliff and J. K. Ord, Spatial Processes: Models and Applications, 1981,
 /// section 2.3), taken over all permutations of the values among the places. The trend of a systematic error counts as structure. Noise
-/// about a fitted field is judged by its residuals, whose I is slightly below the expectation because a fit absorbs part of what neighbors
-/// share.</remarks>
+/// about a fitted field is judged by its residuals, whose I is slightly below the expectation because a fit absorbs part of what
+/// neighbors share.</remarks>
 /// <param name="I">Moran's I: about 0 for noise, towards 1 for smooth fields, below 0 if neighbors alternate.</param>
 /// <param name="Expectation">-1 / (n - 1).</param>
 /// <param name="Variance">Variance of I under randomization.</param>

@@ -2,8 +2,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
-/// <summary>What the tests of structure found, in the document of a report. The variance is not in it, and nothing but the verdict if that is
-/// undetermined.</summary>
+/// <summary>What the tests of structure found, in the document of a report. The variance is not in it, and nothing but the verdict if that
+/// is undetermined.</summary>
 internal static class StructureJson
 {
     public static void Write(ReportWriter json, SpatialStructure structure)
@@ -54,7 +54,8 @@ internal static class StructureJson
             StructureKind.Wave => test with
             {
                 WaveMm = (
-                    json.OptionalNumber("lengthUMm") ?? double.PositiveInfinity, json.OptionalNumber("lengthVMm") ?? double.PositiveInfinity),
+                    json.OptionalNumber("lengthUMm") ?? double.PositiveInfinity,
+                    json.OptionalNumber("lengthVMm") ?? double.PositiveInfinity),
             },
             _ => test,
         };
