@@ -3,7 +3,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Whether the residuals of a fit have a structure: the fit then misses a part of what was measured.</summary>
 internal static class LeftStructure
 {
-    /// <summary>Probability of noise up to which a structure is believed. A good fit must not be given up for the noise of one piece.</summary>
+    /// <summary>Probability of noise up to which a structure is believed. Noise must not replace a good fit.</summary>
     private const double Level = 0.003;
 
     // Each of four tests may have its best rank in another permutation, so that 5 of 2000 is the least probability.

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Freeform;
 
 /// <summary>Whether values on a grid have a structure or are noise: Moran's I, and several tests with one error rate.</summary>
-/// <remarks>The verdict is that of <see cref="Tests"/>, which look for neighbors that are alike or opposite, a plane, a quadratic and waves.
+/// <remarks>The verdict is that of <see cref="Tests"/>, which look for alike or opposite neighbors, a plane, a quadratic and waves.
 /// Moran's I alone takes waves of two or three points for noise.
 /// I = n / W * sum w_ij z_i z_j / sum z_i^2, with z the values minus their mean. Neighbors have weight 1: the next points on the same
 /// curve and, on the previous and next curves, the point nearest in u (the relation is made symmetric). All other weights are zero.

@@ -121,7 +121,7 @@ internal sealed class StructureTests
         });
     }
 
-    /// <summary>Fisher and Yates' shuffle with the numbers of SplitMix64 (Steele, Lea and Flood, 2014), the same on every computer.</summary>
+    /// <summary>Fisher and Yates' shuffle with the numbers of SplitMix64 (Steele, Lea and Flood, 2014).</summary>
     private static void Shuffle(double[] values, ref ulong state)
     {
         for (var k = values.Length - 1; k > 0; k--)

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Freeform.Tests;
 
-/// <summary>The best linear prediction of a family of errors from noisy values: it knows the covariance of the family, from many draws, and
-/// the noise (Rasmussen and Williams, Gaussian Processes for Machine Learning, equation 2.23). No linear fit leaves less on average.</summary>
+/// <summary>The best linear prediction of a family of errors from noisy values: it knows the covariance, from many draws, and the
+/// noise (Rasmussen and Williams, Gaussian Processes for Machine Learning, equation 2.23). No linear fit leaves less on average.</summary>
 internal sealed class BestLinear
 {
     private const int Draws = 1500;

@@ -41,7 +41,7 @@ internal static class ProcessSearch
             : ProcessModel.Fit(few == data ? trend : ProcessTrend.Of(data, terms), Improved(trend, KernelShape.Smooth, start));
     }
 
-    /// <summary>Returns a process about the same polynomial with a likelier kernel of another shape; null if none is likely enough.</summary>
+    /// <summary>Returns a process about the same polynomial with a kernel of another shape; null if none is likely enough.</summary>
     /// <remarks>The likelihoods are compared with Akaike's penalty for each parameter.</remarks>
     public static ProcessModel? OfOtherShape(ProcessModel smooth)
     {

@@ -12,7 +12,9 @@ internal static class BestFit
         var mesh = Task.Run(() => SurfaceFitter.Fit(grid, FitMethod.ThroughCurveMesh, curveToleranceMm));
         var best = BestSurface.Fit(grid);
         var through = mesh.GetAwaiter().GetResult();
-        return through.LeaveLineOutMm < best.LeaveLineOutMm && !(best.IsThroughPoints && Misses(through, grid)) ? through with { Method = FitMethod.Best } : best;
+        return through.LeaveLineOutMm < best.LeaveLineOutMm && !(best.IsThroughPoints && Misses(through, grid))
+            ? through with { Method = FitMethod.Best }
+            : best;
     }
 
     /// <summary>True if the points lie off a surface by more than noise.</summary>

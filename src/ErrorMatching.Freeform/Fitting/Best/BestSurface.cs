@@ -36,7 +36,7 @@ internal static class BestSurface
         };
     }
 
-    /// <summary>What the smooth models miss: of those that a spline through the values replaced, or that have too many lines for one.</summary>
+    /// <summary>What the smooth models miss, whether a spline through the values replaced them or not.</summary>
     private static double Missed(FieldModel[] models)
     {
         var sum = 0.0;
