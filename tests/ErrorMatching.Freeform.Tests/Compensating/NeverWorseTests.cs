@@ -3,8 +3,9 @@ using System.Globalization;
 namespace ErrorMatching.Freeform.Tests;
 
 /// <summary>Compensation against the paper's plain mirror, the surface through the mirrored points, on errors whose truth is known.</summary>
-/// <remarks>The suite tries a few pieces. <c>REFEREE_SEEDS=20 dotnet test tests/ErrorMatching.Freeform.Tests -c Release --filter
-/// NeverWorse --logger "console;verbosity=detailed"</c> prints the table of docs/decisions/0011-several-tests-and-kernels.md.</remarks>
+/// <remarks>The suite tries a few pieces. This prints the table of docs/decisions/0011-several-tests-and-kernels.md:
+/// <c>REFEREE_SEEDS=20 dotnet test tests/ErrorMatching.Freeform.Tests -c Release --filter NeverWorse --logger
+/// "console;verbosity=detailed"</c>.</remarks>
 public sealed class NeverWorseTests(ITestOutputHelper output)
 {
     private const double Deviation = 0.004;
