@@ -35,7 +35,7 @@ public static class FieldFit
             [.. samples.Select(s => u.ToUnit(s.U))],
             [.. samples.Select(s => v.ToUnit(s.V))],
             [.. samples.Select(s => s.ErrorMm)]);
-        return new(ModelChoice.Best(data), u, v, pointUncertaintyMm);
+        return new(ModelChoice.Best(data, ModelChoice.FarWorseOnErrors), u, v, pointUncertaintyMm);
     }
 
     private static void Check(IReadOnlyList<ErrorSample> samples)

@@ -131,7 +131,8 @@ public static class CompensationReportHtml
             html,
             () => maps.Write(html, "maps", ColorScale.OfErrors(measured.Shown.Concat(left.Shown)), [measured, left]),
             "Seen against z. Colors: the systematic error, before and as expected after the compensation, at one scale; brown is material "
-                + $"that is left, blue is too much removed. Numbers: {name}.");
+                + "that is left, blue is too much removed. Numbers: "
+                + (result.Lot is null ? "what was measured." : "what all pieces say of each point."));
         var uncertain = maps.Panel(
             "Standard uncertainty of the systematic error", (u, v) => 1000 * result.Systematic.StandardUncertaintyAt(u, v), []);
         Figure(
@@ -142,7 +143,7 @@ public static class CompensationReportHtml
 
     // What the surface to cut corrects: the measured piece, or with a lot what the next piece would be like without corrections.
     private static (string Name, IReadOnlyList<ErrorSample> Samples) Corrected(CompensationResult result) =>
-        result.Lot is null ? ("measured", result.Samples) : ("without corrections, from all pieces", result.Expected);
+        result.Lot is null ? ("measured", result.Samples) : ("without corrections", result.Expected);
 
     // A surface through points leaves its own distance, which is known on the net of the document only: it is slow to calculate.
     private static MapPanel Expected(SurfaceMaps maps, CompensationResult result)

@@ -48,7 +48,7 @@ public sealed class FieldFitTests
                 [.. samples.Select(s => (2 * s.U) - 1)],
                 [.. samples.Select(s => (2 * s.V) - 1)],
                 [.. samples.Select(s => s.ErrorMm)]);
-            chosen += MeanUm(shape, ModelChoice.Best(data));
+            chosen += MeanUm(shape, ModelChoice.Best(data, ModelChoice.FarWorseOnErrors));
             process += MeanUm(shape, ProcessSearch.Run(data, ProcessSearch.Trend(1))!);
         }
 

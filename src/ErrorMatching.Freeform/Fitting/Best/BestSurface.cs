@@ -22,7 +22,7 @@ internal static class BestSurface
         ArgumentNullException.ThrowIfNull(grid);
         Check(grid);
         var placed = PlacedGrid.Of(grid);
-        var models = Array.ConvertAll(placed.Values, ModelChoice.Best);
+        var models = Array.ConvertAll(placed.Values, v => ModelChoice.Best(v, ModelChoice.FarWorseOnPoints));
         var surface = ModelSurface.Of(placed, models);
         return new(
             FitMethod.Best,
