@@ -6,7 +6,7 @@ namespace ErrorMatching.Geometry;
 /// uncertainty (JCGM 106:2012, section 7).</summary>
 /// <remarks>The true value is normally distributed about the measured one; nothing is known about it in advance. The same formula serves
 /// before and after a compensation: before with the measured deviation and the limits of the part, after with what is left over, its
-/// own uncertainty and <see cref="ToleranceBand.OfMatingError"/>.</remarks>
+/// own uncertainty and <see cref="ToleranceBand.Opposite()"/>.</remarks>
 public static class Conformance
 {
     /// <summary>The probability that the true value is within the limits.</summary>

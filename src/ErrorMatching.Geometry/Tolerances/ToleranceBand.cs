@@ -30,9 +30,9 @@ public readonly record struct ToleranceBand
     /// <summary>The distance between the limits; 0 asks for a correction of every deviation.</summary>
     public double WidthMm => UpperMm - LowerMm;
 
-    /// <summary>The limits of the same deviation with the opposite sign: a mating job limits part - counterpart; a mating error is
+    /// <summary>The limits of the deviation with the opposite sign: a mating job limits part - counterpart; a mating error is
     /// counterpart - part.</summary>
-    public ToleranceBand OfMatingError => new(-UpperMm, -LowerMm);
+    public ToleranceBand Opposite() => new(-UpperMm, -LowerMm);
 
     /// <summary>True if a deviation is between the limits or on one of them.</summary>
     public bool Contains(double deviationMm) => ExcessOf(deviationMm) == 0;

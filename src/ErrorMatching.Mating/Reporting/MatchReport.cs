@@ -118,7 +118,7 @@ public sealed record MatchReport
 
     private OutsideLimits OutsideOf(IEnumerable<ReportKeyPoint> points)
     {
-        var bands = Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
+        var bands = Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
         return OutsideLimits.Of(points.Select(
             p => (p.Point, bands.TryGetValue(p.Feature, out var band) ? band : (ToleranceBand?)null, p.UncompensatedMm, p.PredictedMm)));
     }

@@ -54,7 +54,7 @@ public static class MatchReporter
         Conformance.OfIndependent(predicted.Points.Select(p => ProbabilityAfter(map, p)));
 
     private static double? ProbabilityAfter(FeatureMap map, PredictedError predicted) =>
-        Conformance.Probability(map.Feature.Tolerance.Band.OfMatingError, predicted.AfterMm, predicted.StandardUncertaintyMm);
+        Conformance.Probability(map.Feature.Tolerance.Band.Opposite(), predicted.AfterMm, predicted.StandardUncertaintyMm);
 
     private static FeatureEvaluation Evaluate(MatchResult result, FeatureMap map) => FeatureEvaluator.Evaluate(
         map.Feature,

@@ -59,7 +59,7 @@ public sealed record MatchVerdict
     /// <summary>The verdict on a report.</summary>
     internal static MatchVerdict Of(MatchReport report)
     {
-        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
+        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
         ReportKeyPoint[] judged = [.. report.KeyPoints.Where(p => LimitsOf(p).WidthMm > 0)];
         var rule = report.Rule ?? DecisionRule.Simple;
         IReadOnlyList<string> outside = [.. judged.Where(p => !LimitsOf(p).Contains(p.PredictedMm)).Select(p => p.Point)];
@@ -139,7 +139,7 @@ public sealed record ErrorLeft(
     {
         ArgumentNullException.ThrowIfNull(feature);
         return feature.WorstBetween is { } e
-            ? new(feature.Name, null, e.Place, e.Normal, e.AfterMm, e.Interval95Mm, feature.Tolerance.Band.OfMatingError)
+            ? new(feature.Name, null, e.Place, e.Normal, e.AfterMm, e.Interval95Mm, feature.Tolerance.Band.Opposite())
             : null;
     }
 

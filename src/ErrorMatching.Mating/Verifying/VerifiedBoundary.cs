@@ -11,5 +11,5 @@ public sealed record VerifiedBoundary(
     string Name, ToleranceBand Band, IReadOnlyList<(string Label, Point2 Theoretical)> Points, IReadOnlyList<Point2> Outline)
 {
     /// <summary>The limits of a mating error.</summary>
-    public ToleranceBand ErrorBand => Band.OfMatingError;
+    public ToleranceBand ErrorBand => Band.Opposite();
 }

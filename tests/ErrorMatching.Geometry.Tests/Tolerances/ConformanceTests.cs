@@ -49,7 +49,7 @@ public sealed class ConformanceTests
     public void Before_and_after_are_the_same_question_about_part_and_mating_error()
     {
         var limits = new ToleranceBand(-0.02, 0.05);
-        Assert.Equal(Conformance.Probability(limits, 0.03, 0.01), Conformance.Probability(limits.OfMatingError, -0.03, 0.01));
+        Assert.Equal(Conformance.Probability(limits, 0.03, 0.01), Conformance.Probability(limits.Opposite(), -0.03, 0.01));
     }
 
     [Fact]

@@ -16,7 +16,7 @@ public sealed class OutsideLimitsTests
     public void A_point_that_the_compensation_drives_out_is_told_from_one_that_was_outside(
         double lower, double upper, string drivenOut, string staying)
     {
-        var limits = new ToleranceBand(lower, upper).OfMatingError;
+        var limits = new ToleranceBand(lower, upper).Opposite();
         var outside = OutsideLimits.Of([
             ("1", limits, -0.09, -0.04),
             ("2", limits, 0.03, 0.08),

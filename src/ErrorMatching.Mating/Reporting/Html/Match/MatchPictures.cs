@@ -17,7 +17,7 @@ internal static class MatchPictures
 
     private static PlotPoint[] Plot(MatchReport report)
     {
-        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.OfMatingError, StringComparer.Ordinal);
+        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
         return [
             .. report.KeyPoints.Select(p => new PlotPoint(
                 p.Point, p.Feature, p.UncompensatedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null)
