@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
@@ -24,7 +23,6 @@ public static class Compensator
         ArgumentNullException.ThrowIfNull(input);
         MeasuredPoints.ThrowIfTwice([.. input.Earlier.SelectMany(p => p), .. input.Measured]);
         var (job, nominal) = (input.Job, input.Surface);
-        var stock = job.Stock.Of(job.Measuring.After);
         var notes = new List<string>();
         List<string> warnings = [.. input.Earlier.Append(input.Measured).SelectMany(p => p).SelectMany(m => m.Warnings)];
         var all = new List<PieceErrors>();
@@ -42,26 +40,16 @@ public static class Compensator
         var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
         var measured = samples;
         var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
-        Lot? lot = null;
-        SurfaceLot? pieces = null;
-        if (input.Previous is not null || all.Count > 1)
+        if (Follow(input, all, out var pieces) is { } notOfLot)
         {
-            // The program of the lot has not cut a piece that still has its stock.
-            var corrections = stock > 0 ? null : input.Previous?.CorrectionsMm;
-            pieces = input.Previous ?? new([.. samples.Select(s => s.Point)], [], []);
-            foreach (var piece in all)
-            {
-                if (pieces.Refuse(piece.Samples, piece.Sha256) is { } notOfLot)
-                {
-                    return notOfLot;
-                }
+            return notOfLot;
+        }
 
-                pieces = pieces.With(piece.Sha256, piece.Samples, corrections);
-            }
-
-            lot = pieces.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count));
+        var lot = pieces?.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count));
+        if (lot is not null)
+        {
             samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
-            LotWords.Tell(pieces, lot, notes, warnings);
+            LotWords.Tell(pieces!, lot, notes, warnings);
         }
 
         var statistics = lot is null ? before : DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
@@ -130,6 +118,31 @@ public static class Compensator
         }
 
         return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
+    }
+
+    // The lot with all measured pieces; none for a single piece that a nominal program cut.
+    private static Refusal? Follow(CompensationInput input, List<PieceErrors> all, out SurfaceLot? pieces)
+    {
+        pieces = input.Previous;
+        if (pieces is null && all.Count == 1)
+        {
+            return null;
+        }
+
+        // The program of the lot has not cut a piece that still has its stock.
+        var corrections = input.Job.Stock.Of(input.Job.Measuring.After) > 0 ? null : pieces?.CorrectionsMm;
+        pieces ??= new([.. all[0].Samples.Select(s => s.Point)], [], []);
+        foreach (var piece in all)
+        {
+            if (pieces.Refuse(piece.Samples, piece.Sha256) is { } notOfLot)
+            {
+                return notOfLot;
+            }
+
+            pieces = pieces.With(piece.Sha256, piece.Samples, corrections);
+        }
+
+        return null;
     }
 
     // From one piece to the next a process moves little. A large step is a mixed-up report or measurement.
