@@ -1,3 +1,4 @@
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -39,7 +40,7 @@ public static class WarningForms
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
-        [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere, GaugeCoarse];
+        [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere, GaugeCoarse, LotWords.Outlier, LotWords.Moved];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>
     /// <param name="warning">The warning of a report.</param>

@@ -14,7 +14,7 @@ internal static class CorrectionIdentity
     private const int Digits = 64;
 
     /// <summary>The identity as 64 lower-case hexadecimal digits.</summary>
-    /// <param name="measurements">SHA-256 of each measurement, the compensated one first, and of the report before for a surface that
+    /// <param name="measurements">SHA-256 of each measurement, the compensated one first, and of the report before for a job that
     /// accumulates.</param>
     /// <param name="jobSha256">SHA-256 of the job (<see cref="OfJob"/>).</param>
     /// <param name="baseSha256">SHA-256 of the base program; null if the program is generated.</param>

@@ -24,8 +24,8 @@ public sealed record CorrectionRequest
     /// <summary>For a surface: the last program sent, which may have cut the measured piece; null if none was sent.</summary>
     public StoredFile? LastSent { get; init; }
 
-    /// <summary>For a surface whose job accumulates: the report of the correction whose program cut the measured piece; null if a nominal
-    /// program did.</summary>
+    /// <summary>If the job accumulates: the report of the correction whose program cut the measured piece; null if a nominal program
+    /// did.</summary>
     public StoredFile? Previous { get; init; }
 
     /// <summary>The correction's identity from recognition; null if it has none yet. If the final identity differs, the correction is

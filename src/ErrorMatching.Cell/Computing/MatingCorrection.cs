@@ -100,6 +100,8 @@ internal sealed class MatingCorrection
                 Part = IsFeedback ? new(_request.Part!.Name, _request.Part.Bytes) : measured,
                 Counterpart = IsFeedback ? measured : null,
                 Program = Base,
+                Previous = IsFeedback && _request.Previous is { } previous ? new(previous.Name, previous.Bytes) : null,
+                MayBeginAnew = true,
                 Gain = _policy.Gain,
             },
             cancellation);
@@ -144,7 +146,7 @@ internal sealed class MatingCorrection
     {
         var baseSha256 = new StoredFile("", program).Sha256;
         string[] measurements = MakesProgram && IsFeedback
-            ? [_request.Measurement.Sha256, _request.Part!.Sha256]
+            ? [_request.Measurement.Sha256, _request.Part!.Sha256, .. _request.Previous is { } p ? [p.Sha256] : Array.Empty<string>()]
             : [_request.Measurement.Sha256];
         return new(
             CorrectionIdentity.Of(measurements, CorrectionIdentity.OfJob(_files.Job.Sha256, inputs), baseSha256, _policy.Gain),

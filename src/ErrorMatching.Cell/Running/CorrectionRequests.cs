@@ -26,7 +26,10 @@ internal static class CorrectionRequests
             ? CorrectionSums.FromJson(flow.Store.Content(sums))
             : CorrectionSums.None,
         LastSent = job.IsFreeform ? LastSent(flow.Store, correction) : null,
-        Previous = job.Accumulates && job.IsFreeform ? ReportOf(flow.Store, CutProgram.Of(flow.Store, correction).By) : null,
+        Previous = !job.Accumulates ? null
+            : ReportOf(
+                flow.Store,
+                job.IsFreeform ? CutProgram.Of(flow.Store, correction).By : CutProgram.Before(flow.Store, correction)),
         Identity = correction.Identity,
     };
 
@@ -50,7 +53,7 @@ internal static class CorrectionRequests
         Base = job.Accumulates && !job.IsFreeform && CutProgram.Before(store, correction) is { ProgramSha256: { } cut }
             ? store.Content(cut)
             : default(ReadOnlyMemory<byte>?),
-        Previous = job.Accumulates && job.IsFreeform && correction.ReportSha256 is { } report
+        Previous = job.Accumulates && correction.ReportSha256 is { } report
             ? PreviousOf(store, report)
             : null,
     };

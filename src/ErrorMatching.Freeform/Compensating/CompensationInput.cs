@@ -1,3 +1,5 @@
+using ErrorMatching.Measurement;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The inputs of a compensation.</summary>
@@ -9,7 +11,7 @@ public sealed record CompensationInput(FreeformJob Job, PartSurface Surface, Mea
 {
     /// <summary>The lot with the pieces before this one, and with what the program that cut it had corrected; null for the first
     /// piece.</summary>
-    public SurfaceLot? Previous { get; init; }
+    public MeasuredLot? Previous { get; init; }
 
     /// <summary>Earlier pieces that the same program cut, oldest first, each with its measurements. All of them compensate
     /// together.</summary>

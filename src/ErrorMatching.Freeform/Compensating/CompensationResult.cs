@@ -24,7 +24,7 @@ public sealed record CompensationResult
     public required Measurement.Lot? Lot { get; init; }
 
     /// <summary>The lot with this piece, and what the surface to cut corrects.</summary>
-    public required SurfaceLot Pieces { get; init; }
+    public required Measurement.MeasuredLot Pieces { get; init; }
 
     /// <summary>Statistics of the measured errors.</summary>
     public required DeviationStatistics Before { get; init; }

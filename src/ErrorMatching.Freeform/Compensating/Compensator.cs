@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform;
@@ -49,7 +50,8 @@ public static class Compensator
         if (lot is not null)
         {
             samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
-            LotWords.Tell(pieces!, lot, notes, warnings);
+            warnings.AddRange(LotWords.Warnings(lot).Select(w => w.Form.With([.. w.Values]).Sentence));
+            notes.AddRange(LotWords.Notes(lot));
         }
 
         var statistics = lot is null ? before : DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
@@ -82,7 +84,7 @@ public static class Compensator
             Samples = measured,
             Expected = samples,
             Lot = lot,
-            Pieces = pieces ?? new([.. samples.Select(s => s.Point)], [SurfacePiece.Of(all[^1].Sha256, samples, systematic)], []),
+            Pieces = pieces ?? new(SurfacePieces.Names(samples), [SurfacePieces.Only(all[^1].Sha256, samples, systematic)], []),
             Before = before,
             Structure = structure,
             Systematic = systematic,
@@ -121,7 +123,7 @@ public static class Compensator
     }
 
     // The lot with all measured pieces; none for a single piece that a nominal program cut.
-    private static Refusal? Follow(CompensationInput input, List<PieceErrors> all, out SurfaceLot? pieces)
+    private static Refusal? Follow(CompensationInput input, List<PieceErrors> all, out MeasuredLot? pieces)
     {
         pieces = input.Previous;
         if (pieces is null && all.Count == 1)
@@ -131,10 +133,10 @@ public static class Compensator
 
         // The program of the lot has not cut a piece that still has its stock.
         var corrections = input.Job.Stock.Of(input.Job.Measuring.After) > 0 ? null : pieces?.CorrectionsMm;
-        pieces ??= new([.. all[0].Samples.Select(s => s.Point)], [], []);
+        pieces ??= new(SurfacePieces.Names(all[0].Samples), [], []);
         foreach (var piece in all)
         {
-            if (pieces.Refuse(piece.Samples, piece.Sha256) is { } notOfLot)
+            if (pieces.Refuse(SurfacePieces.Names(piece.Samples), piece.Sha256) is { } notOfLot)
             {
                 return notOfLot;
             }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
@@ -20,7 +21,7 @@ public static class CompensationReportHtml
                 new("summary", "Summary", html => WriteSummary(html, report)),
                 new("predicted", "Before, and what is expected after", html => WritePredictions(html, report.Result)),
                 new("maps", "Where the error is, and what is left", html => WriteMaps(html, report.Result)),
-                .. LotSection.Of(report.Result),
+                .. LotSection.Of(report.Result.Pieces, report.Result.Lot),
                 new("sections", "Along a line", html => WriteSections(html, report.Result)),
                 new("plots", "Error by point", html => WritePlots(html, report.Result)),
                 new("fit", "How the error was fitted", html => WriteFit(html, report.Result)),

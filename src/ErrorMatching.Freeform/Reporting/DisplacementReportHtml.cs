@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
@@ -14,7 +15,7 @@ public static class DisplacementReportHtml
         "displaced finishing program",
         [
             new("summary", "Summary", html => WriteSummary(html, report)),
-            .. LotSection.Of(report.Compensation),
+            .. LotSection.Of(report.Compensation.Pieces, report.Compensation.Lot),
             new("points", "Measured points", html => WritePoints(html, report)),
             new("blocks", "Changed blocks", html => WriteBlocks(html, report)),
             new(

@@ -70,7 +70,7 @@ public sealed record SurfaceFindings
     public required ErrorMap Map { get; init; }
 
     /// <summary>The lot with this piece, for the next compensation; null in older reports.</summary>
-    public required SurfaceLot? Pieces { get; init; }
+    public required MeasuredLot? Pieces { get; init; }
 
     /// <summary>What the lot says about the next piece; null for its first piece and in older reports.</summary>
     public required Lot? Lot { get; init; }

@@ -15,6 +15,14 @@ public sealed record MatingRequest
     /// <summary>The counterpart's program; null for the job's.</summary>
     public GivenFile? Program { get; init; }
 
+    /// <summary>In feedback, the report of the match whose program cut the measured counterpart: its lot goes on. Null if there is
+    /// none.</summary>
+    public GivenFile? Previous { get; init; }
+
+    /// <summary>True to begin a new lot where <see cref="Previous"/> has other key points or none, because a job was changed or the report
+    /// is of an older version; false to refuse it.</summary>
+    public bool MayBeginAnew { get; init; }
+
     /// <summary>Replaces the job's gain, more than 0 and at most 2; null keeps it.</summary>
     public double? Gain { get; init; }
 

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -29,9 +30,11 @@ public static class MatingRun
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
+        var previous = Previous(request, job, theoretical, NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax));
         try
         {
-            var outcome = Matcher.Match(new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect });
+            var outcome = Matcher.Match(
+                new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect, Previous = previous });
             if (outcome.Result is not { } result)
             {
                 return Outcome.Refused<MatchedProgram>(InputRefusals.Of(outcome.Refusals, job.File, program));
@@ -53,6 +56,33 @@ public static class MatingRun
         catch (GeometryException e)
         {
             throw InputRefusals.Of(e, part.File);
+        }
+    }
+
+    private static PreviousMatch? Previous(MatingRequest request, MatingJob job, MeasurementFile theoretical, NcProgram program)
+    {
+        if (request.Previous is not { } given)
+        {
+            return null;
+        }
+
+        if (job.Compensation.From != CompensationSource.Counterpart)
+        {
+            throw new InputException(Refusal.Of(
+                "previous-not-feedback",
+                "a previous report for a job that follows the measured part, whose program starts from the nominal one each time",
+                "a job with \"from\": \"counterpart\" in its compensation",
+                new() { File = job.File }));
+        }
+
+        try
+        {
+            return PreviousMatchReport.Of(given, job, theoretical, program);
+        }
+        catch (InputException e) when (
+            request.MayBeginAnew && e.Code is PreviousMatchReport.LotMissing or PreviousMatchReport.OtherPoints)
+        {
+            return null;
         }
     }
 

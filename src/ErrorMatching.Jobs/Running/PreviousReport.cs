@@ -1,4 +1,5 @@
 using ErrorMatching.Freeform;
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -7,12 +8,13 @@ namespace ErrorMatching.Jobs;
 /// <summary>The report of the compensation before: what its program corrected, and the pieces that it knew.</summary>
 /// <param name="File">The report.</param>
 /// <param name="Lot">The lot.</param>
-public sealed record PreviousReport(string File, SurfaceLot Lot)
+public sealed record PreviousReport(string File, MeasuredLot Lot)
 {
     /// <summary>Its role in the new report.</summary>
     public const string Role = "previous";
 
-    private const long MaxBytes = 64L << 20;
+    /// <summary>The size up to which a report is read.</summary>
+    internal const long MaxBytes = 64L << 20;
 
     /// <summary>Reads it.</summary>
     /// <param name="files">The job's files.</param>

@@ -10,7 +10,8 @@ namespace ErrorMatching.Mating;
 /// <para>A feature is outside its tolerance if the normal deviation of any of its points is outside the acceptance limits
 /// (<see cref="DecisionRule"/>). All its points are then compensated, because moving only part of a line would bend it.</para>
 /// <para>The deviation of such a point must also be significant (<see cref="Significance"/>) against the combined standard uncertainty u
-/// of a normal deviation (<see cref="MatingJob.DeviationUncertaintyMm"/>).</para>
+/// of a normal deviation (<see cref="MatingJob.DeviationUncertaintyMm"/>; less in feedback with several counterparts,
+/// <see cref="CounterpartLot"/>).</para>
 /// <para>Limits that are wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times a significant deviation
 /// of the feature are refused, because they are probably micrometers entered as millimeters. A tolerance may well be wider than the
 /// deviations of a good piece: by a factor of 50 if 0.05 mm are allowed and 1 um is found. Micrometers read as millimeters are off by a
@@ -28,13 +29,14 @@ internal static class Decider
     /// <summary>Decides on all features of a job.</summary>
     /// <param name="job">The job, with features, tolerances, uncertainty and compensation.</param>
     /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of the deviation of a point; null for that of the job.</param>
     /// <exception cref="ArgumentException">The lists do not match the job's features and points.</exception>
-    public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points)
+    public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points, double? uncertaintyMm = null)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(points);
-        var u = job.DeviationUncertaintyMm;
-        var acceptance = job.Features.Select(f => job.Rule.AcceptanceLimits(f.Tolerance.Band, u)
+        var u = uncertaintyMm ?? job.DeviationUncertaintyMm;
+        var acceptance = job.Features.Select(f => job.Rule.AcceptanceLimits(f.Tolerance.Band, Math.Min(u, job.DeviationUncertaintyMm))
             ?? throw new ArgumentException($"The guard bands of {f.Name} overlap; expected a checked job.", nameof(job))).ToArray();
         var significant = u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u);
         var features = new List<FeatureDecision>();

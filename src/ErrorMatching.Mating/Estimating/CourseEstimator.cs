@@ -47,7 +47,7 @@ internal sealed class CourseEstimator
             }
         }
 
-        var u = job.Gauge.Uncertainty.CombinedMm * (job.Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+        var u = decision.Features[0].StandardUncertaintyMm;
         for (var f = 0; f < maps.Count; f++)
         {
             foreach (var pass in maps[f].Passes.Where(p => _elements[p].Count == 0))

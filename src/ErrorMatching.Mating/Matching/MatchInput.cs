@@ -24,6 +24,10 @@ public sealed record MatchInput(
     /// names a built-in dialect.</summary>
     public NcDialect? OwnDialect { get; init; }
 
+    /// <summary>In feedback, the match whose program cut the measured counterpart; null if none is known, or a nominal program
+    /// did.</summary>
+    public PreviousMatch? Previous { get; init; }
+
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
     public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
 

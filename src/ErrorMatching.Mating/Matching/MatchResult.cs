@@ -29,6 +29,9 @@ public sealed record MatchResult(
     Marker? Marker,
     NcProof Proof)
 {
+    /// <summary>In feedback, the counterparts measured so far, and what the program to cut corrects; otherwise null.</summary>
+    public CounterpartLot? Lot { get; init; }
+
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 

@@ -31,15 +31,27 @@ public static class Matcher
         var counterpart = input.Counterpart is null
             ? null
             : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
-        var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart));
+        CounterpartLot? lot = null;
+        if (job.Compensation.From == CompensationSource.Counterpart)
+        {
+            var following = CounterpartLot.Of(job, maps, input.Theoretical, counterpart!, input.Previous);
+            if (following.Result is null)
+            {
+                return Outcome.Refused<MatchResult>(following.Refusals);
+            }
+
+            lot = following.Result;
+        }
+
+        var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart, lot), lot?.UncertaintyMm(job));
         if (!decision.IsUsable)
         {
             return Outcome.Refused<MatchResult>(decision.Refusals);
         }
 
         return decision.Compensates
-            ? Compensate(input, path, maps, part, counterpart, decision)
-            : Unchanged(input, path, maps, part, counterpart, decision);
+            ? Compensate(input, path, maps, part, counterpart, lot, decision)
+            : Unchanged(input, path, maps, part, counterpart, lot, decision);
     }
 
     private static Refusal? CheckBefore(MatchInput input, NcPath path)
@@ -79,16 +91,21 @@ public static class Matcher
     };
 
     private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(
-        MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement? counterpart)
+        MatchInput input,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        CounterpartLot? lot)
     {
-        var present = input.Job.Compensation.From == CompensationSource.Counterpart ? counterpart!.Points : null;
-        return [.. maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) => new BoundaryPoint(
-            label,
-            present is null
-                ? ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position
-                : present[label],
-            part.Points[label],
-            map.Normals[i]))])];
+        var number = 0;
+        return [.. maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
+        {
+            var design = ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position;
+            var present = lot is null ? design
+                : lot.ExpectedMm(number++) is { } expected ? design + (expected * map.Normals[i])
+                : counterpart!.Points[label];
+            return new BoundaryPoint(label, present, part.Points[label], map.Normals[i]);
+        })])];
     }
 
     private static Outcome<MatchResult> Compensate(
@@ -97,6 +114,7 @@ public static class Matcher
         IReadOnlyList<FeatureMap> maps,
         AlignedMeasurement part,
         AlignedMeasurement? counterpart,
+        CounterpartLot? lot,
         MatingDecision decision)
     {
         var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
@@ -110,7 +128,7 @@ public static class Matcher
         if (rewrite.Patches.Count == 0)
         {
             // Every correction is less than half an increment, so the program is already right.
-            return Unchanged(input, path, maps, part, counterpart, decision);
+            return Unchanged(input, path, maps, part, counterpart, lot, decision);
         }
 
         var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
@@ -122,6 +140,7 @@ public static class Matcher
         }
 
         var after = NcInterpreter.Run(program, path.Dialect);
+        var prediction = estimator.Predict(after);
         return new MatchResult(
                 input,
                 path,
@@ -130,11 +149,14 @@ public static class Matcher
                 part,
                 counterpart,
                 decision,
-                estimator.Predict(after),
+                prediction,
                 wish,
                 rewrite,
                 marker,
-                proof);
+                proof)
+        {
+            Lot = lot?.After(prediction.Features.SelectMany(f => f.Points.Select(p => p.AfterMm - p.BeforeMm))),
+        };
     }
 
     // Adds the name of the feature that owns the refused block, if any.
@@ -149,11 +171,12 @@ public static class Matcher
         IReadOnlyList<FeatureMap> maps,
         AlignedMeasurement part,
         AlignedMeasurement? counterpart,
+        CounterpartLot? lot,
         MatingDecision decision)
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
         var prediction = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical).Predict(path);
-        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof);
+        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof) { Lot = lot };
     }
 }

@@ -63,6 +63,9 @@ public sealed record MatchReport
     /// <summary>The tool-radius wear value equivalent to the whole correction (<see cref="UniformOffset"/>), or null.</summary>
     public double? RadiusWearMm { get; init; }
 
+    /// <summary>In feedback, the counterparts measured so far, for the next match; null in feed-forward and in older reports.</summary>
+    public CounterpartLot? Lot { get; init; }
+
     /// <summary>Warnings to read before using the program, in sentences.</summary>
     public IReadOnlyList<ReportWarning> Warnings { get; init; } = [];
 

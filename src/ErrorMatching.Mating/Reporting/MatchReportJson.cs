@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -39,6 +40,7 @@ public static class MatchReportJson
             w.Object("proof", () => report.Proof.Write(w));
             w.Object("time", () => report.Time.Write(w));
             w.Number("radiusWearMm", report.RadiusWearMm);
+            w.Optional("lot", report.Lot, l => LotJson.Write(w, l.Pieces, l.Next));
             w.Warnings(report.Warnings);
             w.Texts("notes", report.Notes);
         });
@@ -53,6 +55,7 @@ public static class MatchReportJson
     {
         ArgumentNullException.ThrowIfNull(document);
         var features = ReadFeatures(document);
+        var (pieces, next) = LotJson.Read(document);
         return new()
         {
             Job = document.Job(),
@@ -71,6 +74,7 @@ public static class MatchReportJson
             Proof = ReportProof.Read(document.Object("proof")),
             Time = ReportTime.Read(document.Object("time")),
             RadiusWearMm = document.OptionalNumber("radiusWearMm"),
+            Lot = pieces is null ? null : new(pieces, next),
             Warnings = document.Warnings(),
             Notes = document.Texts("notes"),
         };

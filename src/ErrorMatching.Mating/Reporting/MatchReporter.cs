@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
@@ -45,6 +46,7 @@ public static class MatchReporter
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
             RadiusWearMm = UniformOffset.RadiusWearMm(result.Decision),
+            Lot = result.Lot,
             Warnings = [.. evaluations.SelectMany(e => e.Warnings), .. Warnings(result)],
             Notes = Notes(result),
         };
@@ -80,6 +82,11 @@ public static class MatchReporter
         }
 
         inputs.Add(new("program", input.ProgramFile, input.ProgramSha256));
+        if (input.Previous is { } previous)
+        {
+            inputs.Add(new("previous", previous.File, previous.Sha256));
+        }
+
         inputs.AddRange(input.OwnDialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []);
         return inputs;
     }
@@ -210,6 +217,11 @@ public static class MatchReporter
             yield return warning;
         }
 
+        foreach (var (form, values) in result.Lot?.Next is { } lot ? LotWords.Warnings(lot) : [])
+        {
+            yield return WarningForms.Warning(form, values);
+        }
+
         var rms = result.Part.Alignment.Rms;
         if (result.Input.Job.Alignment.Kind != JobAlignmentKind.None && result.Decision.Compensates)
         {
@@ -225,6 +237,11 @@ public static class MatchReporter
         {
             notes.Add(string.Create(
                 CultureInfo.InvariantCulture, $"Point {label} stands {height:+0.000;-0.000} mm out of its feature's plane."));
+        }
+
+        if (result.Lot?.Next is { } lot)
+        {
+            notes.AddRange(LotWords.Notes(lot));
         }
 
         foreach (var map in result.Maps.Where(m => m.Passes.Count > 1))

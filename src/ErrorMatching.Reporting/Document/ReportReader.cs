@@ -124,6 +124,12 @@ public sealed class ReportReader
     /// <summary>Reads a list of counts.</summary>
     public IReadOnlyList<int> Counts(string name) => [.. Each(name, JsonItemKind.Number, "a number", Whole)];
 
+    /// <summary>Reads a list of names, which may be written as texts or as counts.</summary>
+    public IReadOnlyList<string> Labels(string name) =>
+        Member(name, JsonItemKind.List, "a list").Items is [{ Kind: JsonItemKind.Number }, ..]
+            ? [.. Counts(name).Select(c => c.ToString(CultureInfo.InvariantCulture))]
+            : Texts(name);
+
     /// <summary>Reads a point in the plane.</summary>
     public Point2 Point(string name) => Point2.Origin + Vector(name);
 

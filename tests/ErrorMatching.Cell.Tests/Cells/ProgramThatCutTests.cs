@@ -30,7 +30,7 @@ public sealed class ProgramThatCutTests
         await cell.Until(3, CorrectionState.Recorded);
         cell.Drop("SN2_cp.csv", PairedCell.Counterpart + "\n");
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(4, CorrectionState.Verified)).BaseSha256);
-        cell.Drop("SN1_cp_again.csv", PairedCell.Counterpart + "\n\n");
+        cell.Drop("SN1_cp_again.csv", NextCounterpart.Of(cell.Store.Content(cell.Store.Find(2)!.ReportSha256!), 1, 1));
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(5, CorrectionState.Approved)).BaseSha256);
         cell.Drop("SN2_cp_again.csv", PairedCell.Counterpart + "\n\n\n");
         Assert.Equal("not-released", (await cell.Until(6, CorrectionState.Refused)).Code);

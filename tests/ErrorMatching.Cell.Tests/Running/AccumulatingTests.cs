@@ -28,14 +28,25 @@ public sealed class AccumulatingTests
         var again = await feedback.Until(3, CorrectionState.Refused);
         Assert.Equal("already-known", again.Code);
 
-        cell.DropText("f_cp_2.csv", Counterpart + "\n");
-        var second = await feedback.Until(4, CorrectionState.Verified);
-        Assert.Equal(first.ProgramSha256, second.BaseSha256);
+        // One piece that is off by as much again may be a chip; two of them are the process.
+        cell.DropText("f_cp_2.csv", NextCounterpart.Of(feedback.Store.Content(first.ReportSha256!), 2, 1));
+        var outlier = await feedback.Until(4, CorrectionState.Verified);
+        Assert.Equal(first.ProgramSha256, outlier.BaseSha256);
+        Assert.InRange(outlier.SumMm!.Value / first.SumMm.Value, 0.8, 1.2);
+        Assert.Contains(
+            feedback.Store.AuditEntries(0, 1000), e => e.Basis.Sentence.Contains("does not fit the 1 before it", StringComparison.Ordinal));
+        new CorrectionDecisions(feedback.Store).Release(4, "olga", null);
+        cell.DropText("f_cp_3.csv", NextCounterpart.Of(feedback.Store.Content(outlier.ReportSha256!), 2, 2));
+        var second = await feedback.Until(5, CorrectionState.Verified);
+        Assert.Equal(outlier.ProgramSha256, second.BaseSha256);
 
-        // The normal of the displaced path is another one by a little, and its corners lie a little beyond the ends that were measured.
-        Assert.InRange(second.SumMm!.Value / first.SumMm.Value, 1.99, 2.03);
-        var sums = CorrectionSums.FromJson(feedback.Store.Content(second.SumsSha256!));
-        Assert.InRange(sums.Largest!.LengthMm, 0.2, second.SumMm.Value);
+        // At a point that no corner is near, the sum has grown by what the first counterpart was off: (0.2325, 0.2965) in the sample.
+        var (once, twice) = (SumsOf(first), SumsOf(second));
+        var grown = twice.Points.Single(p => p.Point == "3b").LengthMm - once.Points.Single(p => p.Point == "3b").LengthMm;
+        Assert.Equal(0.3768, grown, 0.003);
+        Assert.InRange(twice.Largest!.LengthMm, 0.2, second.SumMm!.Value);
+
+        CorrectionSums SumsOf(Correction correction) => CorrectionSums.FromJson(feedback.Store.Content(correction.SumsSha256!));
     }
 
     [Fact]
@@ -59,9 +70,12 @@ public sealed class AccumulatingTests
         cell.DropText("f_cp_1.csv", Counterpart);
         Assert.InRange((await feedback.Until(2, CorrectionState.Verified)).SumMm!.Value, 0.46, 0.9);
         new CorrectionDecisions(feedback.Store).Release(2, "olga", null);
-        cell.DropText("f_cp_2.csv", Counterpart + "\n");
-        Assert.Equal("over-sum-limit", (await feedback.Until(3, CorrectionState.Refused)).Code);
-        Assert.Equal(feedback.Store.Find(2)!.ProgramSha256, RunningCell.Hash(cell.Machine["m1"].Files[RunningCell.Program]));
+        cell.DropText("f_cp_2.csv", NextCounterpart.Of(feedback.Store.Content(feedback.Store.Find(2)!.ReportSha256!), 2, 1));
+        var outlier = await feedback.Until(3, CorrectionState.Verified);
+        new CorrectionDecisions(feedback.Store).Release(3, "olga", null);
+        cell.DropText("f_cp_3.csv", NextCounterpart.Of(feedback.Store.Content(outlier.ReportSha256!), 2, 2));
+        Assert.Equal("over-sum-limit", (await feedback.Until(4, CorrectionState.Refused)).Code);
+        Assert.Equal(outlier.ProgramSha256, RunningCell.Hash(cell.Machine["m1"].Files[RunningCell.Program]));
     }
 
     [Fact]

@@ -17,15 +17,15 @@ public sealed partial class FolderTests
         ["Json"] = ["Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
-        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "Writing"],
+        ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "LotReports", "Writing"],
         ["Nc"] =
         [
             "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Wishes", "Rewriting", "Proof", "Comparison",
         ],
         ["Mating"] =
         [
-            "", "Tolerances", "Measuring", "Cutting", "Displacing", "Features", "Job", "Mapping", "Aligning", "Deciding", "Estimating",
-            "Matching", "Verifying", "Reporting",
+            "", "Tolerances", "Measuring", "Cutting", "Displacing", "Features", "Job", "Mapping", "Aligning", "Lots", "Deciding",
+            "Estimating", "Matching", "Verifying", "Reporting",
         ],
         ["Freeform"] =
         [

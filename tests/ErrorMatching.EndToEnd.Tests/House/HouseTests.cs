@@ -18,7 +18,7 @@ public sealed partial class HouseTests
         ["Geometry"] = [],
         ["Refusals"] = [],
         ["Json"] = ["Refusals"],
-        ["Measurement"] = ["Geometry", "Json", "Refusals"],
+        ["Measurement"] = ["Geometry", "Json", "Refusals", "Reporting"],
         ["Nc"] = ["Geometry", "Json", "Refusals"],
         ["Reporting"] = ["Geometry", "Json", "Refusals"],
         ["Mating"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting"],

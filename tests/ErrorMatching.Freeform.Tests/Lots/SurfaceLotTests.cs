@@ -102,13 +102,13 @@ public sealed class SurfaceLotTests
         var (first, measured) = Pair(design);
 
         Assert.Equal("other-points", Code(first with { Points = [.. first.Points.SkipLast(1)] }));
-        Assert.Equal("other-points", Code(first with { Points = [.. first.Points, 1000] }));
+        Assert.Equal("other-points", Code(first with { Points = [.. first.Points, "1000"] }));
         Assert.Equal("other-points", Code(first with { Points = [.. first.Points.Reverse()] }));
         Assert.Equal(
             "same-measurement",
             Code(first with { Pieces = [first.Pieces[0] with { MeasuredSha256 = MeasuredPoints.Sha256Of([measured]) }] }));
 
-        string Code(SurfaceLot lot) => Next(design, lot, measured).Refusal!.Code;
+        string Code(MeasuredLot lot) => Next(design, lot, measured).Refusal!.Code;
     }
 
     [Fact]
@@ -116,11 +116,11 @@ public sealed class SurfaceLotTests
     {
         var design = NewLimit("0.2");
         var (first, measured) = Pair(design);
-        var lot = first with { Pieces = [.. Enumerable.Repeat(first.Pieces[0], SurfaceLot.MostPieces)] };
+        var lot = first with { Pieces = [.. Enumerable.Repeat(first.Pieces[0], MeasuredLot.MostPieces)] };
 
         var next = Next(design, lot, measured).Result!.Pieces;
 
-        Assert.Equal(SurfaceLot.MostPieces, next.Pieces.Count);
+        Assert.Equal(MeasuredLot.MostPieces, next.Pieces.Count);
         Assert.Equal(MeasuredPoints.Sha256Of([measured]), next.Pieces[^1].MeasuredSha256);
     }
 
@@ -151,7 +151,7 @@ public sealed class SurfaceLotTests
         new(PaperDesign.One, "\"limitMm\": 0.2", $"\"limitMm\": 0.2, \"stepLimitMm\": {mm}");
 
     // The first piece of a design, and a measurement of the second.
-    private static (SurfaceLot First, MeasuredPoints Measured) Pair(MeasuredDesign design)
+    private static (MeasuredLot First, MeasuredPoints Measured) Pair(MeasuredDesign design)
     {
         var noise = new Noise(4);
         var first = design.Compensate(design.With((u, v) => _bowl(u, v) + (NoiseMm * noise.Next()))).Result!;
@@ -175,7 +175,7 @@ public sealed class SurfaceLotTests
         return made;
     }
 
-    private static Outcome<CompensationResult> Next(MeasuredDesign design, SurfaceLot? previous, MeasuredPoints measured) =>
+    private static Outcome<CompensationResult> Next(MeasuredDesign design, MeasuredLot? previous, MeasuredPoints measured) =>
         Compensator.Compensate(new(design.Job, design.Surface, design.Plan, [measured]) { Previous = previous });
 
     // The root mean square of the true error that the next piece will have.
@@ -194,6 +194,6 @@ public sealed class SurfaceLotTests
         return Math.Sqrt(sum);
     }
 
-    private static SurfaceLot Stored(SurfaceLot lot, Lot? state) => LotJson.Read(ReportReader.Document(
+    private static MeasuredLot Stored(MeasuredLot lot, Lot? state) => LotJson.Read(ReportReader.Document(
         ReportWriter.Document("errormatch/test/1", json => json.Object("lot", () => LotJson.Write(json, lot, state))))).Pieces!;
 }

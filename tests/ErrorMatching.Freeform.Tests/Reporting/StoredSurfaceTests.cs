@@ -104,7 +104,7 @@ public sealed class StoredSurfaceTests
             .. Enumerable.Range(0, 3).Select(i => new ErrorSample(
                 i + 1, i, 0, r.NextDouble(), r.NextDouble(), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), Mm(r)))];
         var verdict = (SpatialVerdict)r.Next(3);
-        var pieces = r.Next(3) == 0 ? null : new SurfaceLot([1, 2, 3], [Piece(r), Piece(r)], [Mm(r), Mm(r), Mm(r)]);
+        var pieces = r.Next(3) == 0 ? null : new MeasuredLot(["1", "2", "3"], [Piece(r), Piece(r)], [Mm(r), Mm(r), Mm(r)]);
         return new()
         {
             CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd") { Previous = r.Next(2) == 0 ? null : "before/report.json" },
@@ -137,7 +137,7 @@ public sealed class StoredSurfaceTests
         };
     }
 
-    private static SurfacePiece Piece(Random r) => new("ee", Mm(r), new([Mm(r), Mm(r), Mm(r)], [Mm(r), Mm(r), Mm(r)]));
+    private static RecordedPiece Piece(Random r) => new("ee", Mm(r), new([Mm(r), Mm(r), Mm(r)], [Mm(r), Mm(r), Mm(r)]));
 
     private static LotFinding Found(Random r) => new(Mm(r), Mm(r), r.NextDouble(), r.NextDouble());
 

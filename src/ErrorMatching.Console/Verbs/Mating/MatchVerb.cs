@@ -11,6 +11,13 @@ internal sealed class MatchVerb : Verb
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<string> _counterpart = FileOption("--counterpart", "The measured counterpart, instead of the job's.");
     private readonly Option<string> _program = FileOption("--program", "The counterpart's program, instead of the job's.");
+    private readonly Option<string> _previous = new("--previous")
+    {
+        Description = "In feedback, the report.json of the match whose program cut the measured counterpart: all counterparts measured so "
+            + "far count.",
+        HelpName = "REPORT",
+    };
+
     private readonly WishOption _wish = new();
     private readonly Option<string> _out = new("--out")
     {
@@ -28,6 +35,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_part);
         Options.Add(_counterpart);
         Options.Add(_program);
+        Options.Add(_previous);
         Options.Add(_out);
         Options.Add(_wish);
     }
@@ -44,6 +52,7 @@ internal sealed class MatchVerb : Verb
                 Part = GivenFile.At(arguments.GetValue(_part)),
                 Counterpart = GivenFile.At(arguments.GetValue(_counterpart)),
                 Program = GivenFile.At(arguments.GetValue(_program)),
+                Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },

@@ -1,3 +1,4 @@
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -21,6 +22,7 @@ public static class MatchReportHtml
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
                 new("key-points", "Key points", html => MatchKeyPoints.Write(html, report)),
                 new("quantities", "Lengths and angles", html => MatchQuantities.Write(html, report)),
+                .. report.Lot is { } lot ? LotSection.Of(lot.Pieces, lot.Next) : [],
                 new("proof", "Proof", html => MatchProof.Write(html, report)),
                 new("program", "Program", html => MatchProgram.Write(html, report)),
                 new("measuring", "Measuring", html => MatchMeasuring.Write(html, report)),
@@ -34,7 +36,8 @@ public static class MatchReportHtml
                         "match",
                         ("--part", "part"),
                         ("--counterpart", "counterpart"),
-                        ("--program", "program"))),
+                        ("--program", "program"),
+                        ("--previous", "previous"))),
                 new("paper", "As in the paper", html => MatchAsInPaper.Write(html, report)),
             ],
             html => MatchLead.Write(html, report));

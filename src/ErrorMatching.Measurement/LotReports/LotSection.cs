@@ -1,19 +1,16 @@
 using System.Globalization;
-using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Freeform;
+namespace ErrorMatching.Measurement;
 
 /// <summary>The section of a report that shows what the pieces of a lot did, and why the next correction is what it is.</summary>
 public static class LotSection
 {
     /// <summary>The section; none for the first piece.</summary>
-    /// <param name="result">The compensation.</param>
-    public static IEnumerable<PageSection> Of(CompensationResult result)
-    {
-        ArgumentNullException.ThrowIfNull(result);
-        return result.Lot is not { } lot ? [] : [new("lot", "The pieces so far", html => Write(html, result.Pieces, lot))];
-    }
+    /// <param name="pieces">The pieces.</param>
+    /// <param name="lot">What they say about the next one; null for a first piece.</param>
+    public static IEnumerable<PageSection> Of(MeasuredLot pieces, Lot? lot) =>
+        lot is null ? [] : [new("lot", "The pieces so far", html => Write(html, pieces, lot))];
 
     /// <summary>The word for what happened at a piece.</summary>
     internal static string Word(LotEvent happened) => happened switch
@@ -24,7 +21,7 @@ public static class LotSection
         _ => throw new ArgumentOutOfRangeException(nameof(happened), happened, "Unknown event."),
     };
 
-    private static void Write(HtmlText html, SurfaceLot pieces, Lot lot)
+    private static void Write(HtmlText html, MeasuredLot pieces, Lot lot)
     {
         using (html.In("figure"))
         {
@@ -47,11 +44,11 @@ public static class LotSection
             (row, k) =>
         {
             var (values, found) = (pieces.Pieces[k].Values, lot.Pieces[k]);
-            var left = DeviationStatistics.Of([.. values.ErrorsMm]);
+            var (mean, deviation) = Left(values.ErrorsMm);
             row.Header((k + 1).ToString(CultureInfo.InvariantCulture));
             row.Number(Micrometres.SignedOfMm(values.CorrectionsMm.Average()));
-            row.Number(Micrometres.SignedOfMm(left.MeanMm));
-            row.Number(Micrometres.OfMm(left.StandardDeviationMm));
+            row.Number(Micrometres.SignedOfMm(mean));
+            row.Number(Micrometres.OfMm(deviation));
             row.Number(Micrometres.SignedOfMm(found.ShownMm));
             row.Number(Micrometres.SignedOfMm(found.ExpectedMm));
             row.Text(found.Event switch
@@ -61,5 +58,11 @@ public static class LotSection
                 _ => Word(found.Event),
             });
         });
+    }
+
+    private static (double Mean, double Deviation) Left(IReadOnlyList<double> errors)
+    {
+        var mean = errors.Average();
+        return (mean, errors.Count > 1 ? Math.Sqrt(errors.Sum(e => (e - mean) * (e - mean)) / (errors.Count - 1)) : 0);
     }
 }

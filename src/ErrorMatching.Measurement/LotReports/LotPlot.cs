@@ -1,14 +1,13 @@
 using System.Globalization;
-using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Freeform;
+namespace ErrorMatching.Measurement;
 
 /// <summary>Plots the pieces of a lot: what each would have shown without corrections, what was expected of it, and what was left of
 /// it.</summary>
 /// <param name="pieces">The pieces.</param>
 /// <param name="lot">What was found at each.</param>
-internal sealed class LotPlot(SurfaceLot pieces, Lot lot)
+internal sealed class LotPlot(MeasuredLot pieces, Lot lot)
 {
     private readonly PointPlot _plot = new(
         PlotAxis.Around(lot.Pieces.SelectMany((p, k) => new[]

@@ -1,9 +1,9 @@
 using System.Globalization;
 
-namespace ErrorMatching.Freeform;
+namespace ErrorMatching.Reporting;
 
 /// <summary>Formats lengths in micrometers for reports, without a negative zero.</summary>
-internal static class Micrometres
+public static class Micrometres
 {
     /// <summary>A size, with two decimals.</summary>
     public static string Plain(double um) => um.ToString("0.00;-0.00;0.00", CultureInfo.InvariantCulture);

@@ -1,15 +1,19 @@
-using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
-namespace ErrorMatching.Freeform;
+namespace ErrorMatching.Measurement;
 
 /// <summary>Writes a lot into a report, and reads it.</summary>
 public static class LotJson
 {
     /// <summary>Writes it into the open object.</summary>
-    internal static void Write(ReportWriter json, SurfaceLot pieces, Lot? lot)
+    /// <param name="json">The open object.</param>
+    /// <param name="pieces">The pieces.</param>
+    /// <param name="lot">What they say about the next one; null for a first piece.</param>
+    public static void Write(ReportWriter json, MeasuredLot pieces, Lot? lot)
     {
-        json.Numbers("points", pieces.Points.Select(p => (double)p));
+        ArgumentNullException.ThrowIfNull(json);
+        ArgumentNullException.ThrowIfNull(pieces);
+        json.Texts("points", pieces.Points);
         json.Numbers("correctionsUm", pieces.CorrectionsMm.Select(c => c * 1000));
         json.List("pieces", Enumerable.Range(0, pieces.Pieces.Count), k =>
         {
@@ -44,7 +48,7 @@ public static class LotJson
     /// <param name="report">The report of a compensation.</param>
     /// <returns>The pieces, and what they say about the next one; null for what the report does not have.</returns>
     /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
-    public static (SurfaceLot? Pieces, Lot? Lot) Read(ReportReader report)
+    public static (MeasuredLot? Pieces, Lot? Lot) Read(ReportReader report)
     {
         ArgumentNullException.ThrowIfNull(report);
         if (report.OptionalObject("lot") is not { } json)
@@ -52,8 +56,8 @@ public static class LotJson
             return (null, null);
         }
 
-        var points = json.Counts("points");
-        var pieces = json.List("pieces", p => new SurfacePiece(
+        var points = json.Labels("points");
+        var pieces = json.List("pieces", p => new RecordedPiece(
             p.Text("measuredSha256"),
             p.Micrometers("noiseUm"),
             new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))));
@@ -62,7 +66,7 @@ public static class LotJson
             throw json.Refusal(points.Count == 0 ? "points" : "pieces", "too-few-items", "at least one");
         }
 
-        var lot = new SurfaceLot(points, pieces, Mm(json, "correctionsUm", points.Count));
+        var lot = new MeasuredLot(points, pieces, Mm(json, "correctionsUm", points.Count));
         return (lot, json.OptionalObject("next") is not { } next ? null : new Lot(
             Mm(next, "expectedUm", points.Count),
             Mm(next, "uncertaintyUm", points.Count),

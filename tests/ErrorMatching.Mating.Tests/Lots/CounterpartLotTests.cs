@@ -1,0 +1,149 @@
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Mating.Tests;
+
+/// <summary>Counterparts cut and measured one after the other, each by the program that the one before it led to. The boundary is a line
+/// that the tool follows above; the part is as designed.</summary>
+public sealed class CounterpartLotTests(ITestOutputHelper output)
+{
+    private const double U = 0.001;
+
+    // The machine scatters from piece to piece by more than the gauge.
+    private const double ScatterMm = 0.003;
+    private static readonly double[] _x = [5, 15, 25, 35, 45];
+
+    [Fact]
+    public void What_is_left_falls_below_the_scatter_of_one_counterpart()
+    {
+        var (single, lot) = (0.0, 0.0);
+        for (var seed = 0; seed < 3; seed++)
+        {
+            single += Cost(Cut(20, _ => 0.03, seed, goesOn: false));
+            lot += Cost(Cut(20, _ => 0.03, seed, goesOn: true));
+        }
+
+        // A program that corrects the last counterpart cuts its scatter into the next one. The mean of n counterparts has an nth of its
+        // square; from the fifth to the twentieth, that is 0.09 on average.
+        output.WriteLine($"{lot / single:0.000} of the squares of single corrections");
+        Assert.InRange(lot / single, 0.05, 0.25);
+    }
+
+    [Fact]
+    public void A_new_tool_is_followed_and_reported()
+    {
+        var made = Cut(12, k => k < 6 ? 0.02 : 0.05, 3, goesOn: true);
+
+        Assert.Equal(LotEvent.Step, made[7].Match.Lot!.Next!.Pieces[6].Event);
+        var warning = Assert.Single(
+            MatchReporter.Report(made[7].Match, "out/counterpart.nc", null).Warnings, w => w.Code == LotWords.Moved.Name);
+        Assert.Contains("moved before piece 7 of 8", warning.Message, StringComparison.Ordinal);
+
+        // Of 30 um, no more is left than is significant.
+        Assert.InRange(Math.Abs(made[9].LeftMm), 0, made[9].Match.Decision.Features[0].SignificantMm);
+    }
+
+    [Fact]
+    public void A_measurement_that_does_not_fit_hardly_counts()
+    {
+        var made = Cut(8, k => k == 6 ? 0.2 : 0.02, 5, goesOn: true);
+
+        var warning = Assert.Single(
+            MatchReporter.Report(made[6].Match, "out/counterpart.nc", null).Warnings, w => w.Code == LotWords.Outlier.Name);
+        Assert.StartsWith("This piece does not fit the 6 before it", warning.Message, StringComparison.Ordinal);
+        Assert.InRange(Math.Abs(made[6].Now + 0.02), 0, ScatterMm);
+    }
+
+    [Fact]
+    public void The_uncertainty_falls_with_the_pieces_to_that_of_the_part()
+    {
+        var made = Cut(15, _ => 0.02, 7, goesOn: true, scatterMm: 0);
+        double Uncertainty(int k) => made[k].Match.Decision.Features[0].StandardUncertaintyMm;
+
+        Assert.Equal(Math.Sqrt(2) * U, Uncertainty(0), 12);
+        Assert.InRange(Uncertainty(14), U, 1.1 * U);
+    }
+
+    [Fact]
+    public void A_report_carries_the_lot()
+    {
+        var made = Cut(3, _ => 0.02, 9, goesOn: true)[^1].Match;
+        var report = MatchReporter.Report(made, "out/counterpart.nc", null);
+        var read = MatchReportJson.Read(Reporting.ReportReader.Document(MatchReportJson.Write(report)));
+
+        Assert.Equal(made.Input.Job.KeyPoints, read.Lot!.Pieces.Points);
+        Assert.Equal(3, read.Lot.Pieces.Pieces.Count);
+        Assert.Equal(3, read.Lot.Next!.Pieces.Count);
+        Assert.Equal(
+            made.Lot!.Pieces.CorrectionsMm.Select(c => Math.Round(c, 9)), read.Lot.Pieces.CorrectionsMm.Select(c => Math.Round(c, 9)));
+        Assert.Contains("The pieces so far", System.Text.Encoding.UTF8.GetString(MatchReportHtml.Write(report)), StringComparison.Ordinal);
+        Assert.Contains(report.Notes, n => n.StartsWith("The compensation follows 3 pieces.", StringComparison.Ordinal));
+    }
+
+    // The corrections of a program are where its boundary is, by the words that it contains.
+    [Fact]
+    public void The_corrections_are_those_of_the_program()
+    {
+        foreach (var made in Cut(4, k => 0.02 + (0.005 * k), 11, goesOn: true))
+        {
+            foreach (var correction in made.Match.Lot!.Pieces.CorrectionsMm)
+            {
+                Assert.Equal(made.Now, correction, 0.002);
+            }
+        }
+    }
+
+    [Fact]
+    public void The_same_measurement_counts_once()
+    {
+        var first = Case(Line(0.03), Programs.ToolAbove).Match();
+        var lot = first.Lot!.Pieces;
+        var outcome = Matcher.Match(Case(Line(0.03), Programs.ToolAbove).Input with { Previous = new("report.json", "", lot) });
+
+        Assert.Equal("same-measurement", outcome.Refusal!.Code);
+    }
+
+    private static List<(MatchResult Match, double LeftMm, double Now)> Cut(
+        int pieces, Func<int, double> process, int seed, bool goesOn, double scatterMm = ScatterMm)
+    {
+        var random = new Random(seed);
+        var made = new List<(MatchResult Match, double LeftMm, double Now)>();
+        var program = Programs.ToolAbove;
+        for (var k = 0; k < pieces; k++)
+        {
+            var now = made.Count == 0 ? 0 : made[^1].Now;
+            var shift = now + process(k) + (scatterMm * Noise(random));
+            var measured = string.Join("; ", _x.Select(
+                (x, i) => FormattableString.Invariant($"{i + 1} {x} {shift + (U * Noise(random)):R}")));
+            var input = Case(measured, program).Input;
+            var outcome = Matcher.Match(
+                input with { Previous = goesOn && made.Count > 0 ? new("report.json", "", made[^1].Match.Lot!.Pieces) : null });
+            Assert.True(outcome.Result is not null, string.Join('\n', outcome.Refusals));
+            var match = outcome.Result;
+            program = System.Text.Encoding.Latin1.GetString(match.Program.Span);
+
+            // Where the new program has the middle of the line, from its words.
+            var line = match.After.Motions[match.Maps[0].Passes[0].Feet[2].Motion];
+            var at = ((line.Start.Y + line.End.Y) / 2) - 3;
+            made.Add((match, at + process(k + 1), at));
+        }
+
+        return made;
+    }
+
+    private static double Cost(List<(MatchResult Match, double LeftMm, double Now)> made) => made.Skip(4).Sum(m => m.LeftMm * m.LeftMm);
+
+    private static string Line(double y) => string.Join("; ", _x.Select((x, i) => FormattableString.Invariant($"{i + 1} {x} {y}")));
+
+    private static MatchCase Case(string counterpart, string program) => new(program)
+    {
+        Theoretical = Line(0),
+        Part = Line(0),
+        Counterpart = counterpart,
+        Features = [MatchCase.Feature("line", "L1", "N50", """["1", "2", "3", "4", "5"]""")],
+        Compensation = """{ "from": "counterpart", "limitMm": 1 }""",
+        Gauge = """ "uncertaintyMm": 0.001 """,
+    };
+
+    private static double Noise(Random random) =>
+        Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+}
