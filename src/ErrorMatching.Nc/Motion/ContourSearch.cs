@@ -2,7 +2,8 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Finds where a contour returns to a place. A few searches walk along the contour. For many, all joints of the path are sorted
+/// <summary>Finds where a contour closes: where it returns to a place and has not touched itself in between. A few
+/// searches walk along the contour. For many, all joints of the path are sorted
 /// by place once, so the cost grows linearly with the program, not with its square.</summary>
 internal sealed class ContourSearch
 {
@@ -17,6 +18,7 @@ internal sealed class ContourSearch
     private readonly bool _isSorted;
     private readonly Func<int, bool>? _passes;
     private readonly int[] _breaks = [];
+    private readonly Dictionary<int, ContourTouches?> _touches = [];
     private ulong[]? _ends;
     private ulong[]? _starts;
 
@@ -43,11 +45,45 @@ internal sealed class ContourSearch
         }
     }
 
-    /// <summary>The first motion from a position on that ends at a place, with only cuts of one contour before it; -1 if none.</summary>
+    /// <summary>The first motion from a position on that ends at a place, with only cuts of one contour before it, which do not touch;
+    /// -1 if none.</summary>
     /// <param name="place">The place.</param>
     /// <param name="from">The first motion to check.</param>
-    /// <param name="like">A motion with the plane and frame of the contour.</param>
-    public int FirstEndingAt(Point3 place, int from, int like)
+    /// <param name="first">The motion that begins at the place.</param>
+    public int FirstEndingAt(Point3 place, int from, int first) =>
+        EndingAt(place, from, first) is >= 0 and var found && AreApart(Math.Max(from, first + 1), found) ? found : -1;
+
+    /// <summary>The last motion up to a position that begins at a place, with only cuts of one contour after it, which do not touch; -1 if
+    /// none.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="from">The motion from which to search backwards.</param>
+    /// <param name="last">The motion that ends at the place.</param>
+    public int LastStartingAt(Point3 place, int from, int last) =>
+        StartingAt(place, from, last) is >= 0 and var found && AreApart(found + 1, Belongs(last, from) ? last : from) ? found : -1;
+
+    // The cut that begins at the place is left out: the one that closes the contour touches it.
+    private bool AreApart(int first, int last)
+    {
+        if (last - first < 2)
+        {
+            return true;
+        }
+
+        if (!_isSorted)
+        {
+            return ContourTouches.Of(_motions, first, last)?.IsSimple(first, last) ?? true;
+        }
+
+        var begin = FirstOf(first);
+        if (!_touches.TryGetValue(begin, out var touches))
+        {
+            _touches.Add(begin, touches = ContourTouches.Of(_motions, begin, LastOf(first)));
+        }
+
+        return touches?.IsSimple(first, last) ?? true;
+    }
+
+    private int EndingAt(Point3 place, int from, int like)
     {
         if (from >= _motions.Length || !Belongs(from, like))
         {
@@ -63,11 +99,7 @@ internal sealed class ContourSearch
         return WalkAhead(place, from, like);
     }
 
-    /// <summary>The last motion up to a position that begins at a place, with only cuts of one contour after it; -1 if none.</summary>
-    /// <param name="place">The place.</param>
-    /// <param name="from">The motion from which to search backwards.</param>
-    /// <param name="like">A motion with the plane and frame of the contour.</param>
-    public int LastStartingAt(Point3 place, int from, int like)
+    private int StartingAt(Point3 place, int from, int like)
     {
         if (from < 0 || !Belongs(from, like))
         {

@@ -12,8 +12,8 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
     /// <summary>Sine of the smallest angle at which two elements with different displacements fix each other's ends.</summary>
     private const double SmallestCornerSine = 0.0089;
 
-    /// <summary>Displacements that differ by no more count as equal, mm.</summary>
-    private const double TangentStep = 0.0004;
+    /// <summary>Displacements that differ by no more count as equal, in increments.</summary>
+    private const double TangentStep = 0.4;
 
     /// <summary>Joints that may move: those of named motions, those inside a fillet between named motions, those that positioning shares
     /// with them, and the other end of a closed contour.</summary>
@@ -136,7 +136,7 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
             var isReversal = leaving.Dot(arriving) < 0;
             var otherWished = atStart ? element.Start : element.End;
             var step = Math.Abs(wished.Dot(leaving.Left) - otherWished.Dot(arriving.Left));
-            var meets = step > TangentStep && Math.Abs(tangent.Cross(other)) > SmallestCornerSine;
+            var meets = step > TangentStep * task.Increment && Math.Abs(tangent.Cross(other)) > SmallestCornerSine;
             return !isTangent || isReversal || meets || fillets.Is(neighbor)
                 || IsOnCommonNormal(leaving, arriving, moved, wished, otherWished);
         }

@@ -9,6 +9,8 @@ namespace ErrorMatching.Nc;
 /// <param name="wishes">The wishes for named elements, in path order.</param>
 internal sealed class DisplacedElements(NcPath path, IReadOnlyList<ElementWish> wishes)
 {
+    private const int MostSampled = 100;
+
     private readonly MotionRuns _asked = new();
 
     // The wishes of fillets, and of full circles with both ends made exactly alike; the new circles of fillets.
@@ -17,6 +19,10 @@ internal sealed class DisplacedElements(NcPath path, IReadOnlyList<ElementWish> 
 
     /// <summary>The path before the displacement.</summary>
     public NcPath Path => path;
+
+    /// <summary>The least increment of the named blocks, mm: the control's, or a finer one if they are written with more decimals. The
+    /// first of them speak for all.</summary>
+    public double Increment { get; } = IncrementGrid.Of(path, [.. wishes.Take(MostSampled).Select(w => w.Motion)]);
 
     /// <summary>The displaced elements as runs of consecutive motions.</summary>
     public MotionRuns Runs { get; } = new();

@@ -114,6 +114,8 @@ internal sealed class ElementDisplacer
         return null;
     }
 
+    // Rounding leaves an end up to 0.7 increments off its circle. An end that is off by as much more is still meant to slide: a circle
+    // that follows it would move its middle by half of what the end slides.
     private bool SlidesOnCircle(int motion)
     {
         var arc = _path.Motions[motion];
@@ -123,7 +125,8 @@ internal sealed class ElementDisplacer
 
         // An end whose radius differs from the start's within the control's tolerance still counts as on the circle.
         bool IsAlong(Point2 end, Vector2 move) =>
-            Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + 1e-6;
+            move == default
+                || Math.Abs(circle.SignedDistance(end + move)) <= Math.Abs(circle.SignedDistance(end)) + (1.4 * _elements.Increment);
     }
 
     // No element may reverse: that is a loop in the path, and a mark on the piece.

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
@@ -11,9 +12,9 @@ internal sealed class ElementJoints(DisplacedElements elements)
     /// <summary>Sine of the angle below which the curvature of its elements does not affect a joint.</summary>
     private const double RoundSine = 0.001;
 
-    /// <summary>Largest difference of the displacements of two elements that meet tangentially, mm: less than half a least
-    /// increment.</summary>
-    private const double TangentStep = 0.0004;
+    /// <summary>Largest difference of the displacements of two elements that meet tangentially, in least increments: less than
+    /// half.</summary>
+    private const double TangentStep = 0.4;
 
     /// <summary>Sine of the smallest angle at which two elements with different displacements count as meeting: half a degree.</summary>
     private const double SmallestCornerSine = 0.009;
@@ -45,7 +46,7 @@ internal sealed class ElementJoints(DisplacedElements elements)
 
         var (tangentA, tangentB) = (_path.Motions[before].TangentAt(1), _path.Motions[behind].TangentAt(0));
         var (left, right) = (moveA.Dot(tangentA.Left), moveB.Dot(tangentB.Left));
-        if (!IsTangent(tangentA, tangentB) || Math.Abs(left - right) > TangentStep)
+        if (!IsTangent(tangentA, tangentB) || Math.Abs(left - right) > TangentStep * elements.Increment)
         {
             return null;
         }
@@ -76,6 +77,39 @@ internal sealed class ElementJoints(DisplacedElements elements)
         return elements.CarrierOf(before).Meet(elements.CarrierOf(behind), guess) is { } point && IsNear(point, place, amount)
             ? point
             : null;
+    }
+
+    /// <summary>Why two displaced elements do not meet near their joint, and what helps.</summary>
+    public string WhyApart(int before, int behind)
+    {
+        var (a, b) = (_path.Motions[before], _path.Motions[behind]);
+        var (tangentA, tangentB) = (a.TangentAt(1), b.TangentAt(0));
+        var (left, right) = (elements.WishOf(before).End.Dot(tangentA.Left), elements.WishOf(behind).Start.Dot(tangentB.Left));
+        var (sine, cosine) = (tangentA.Cross(tangentB), tangentA.Dot(tangentB));
+        if (Math.Abs(sine) < SmallestCornerSine && cosine < 0)
+        {
+            return "the two go there and back on one line, a reversal by 180 degrees. Left of travel is the other side on the way back, so "
+                + "they move apart. Name only one of them, and the other follows.";
+        }
+
+        // An unnamed arc between two moving lines stays tangent to both: it is a corner, not a piece of one of them.
+        var advice = IsTangent(tangentA, tangentB) && a.IsArc != b.IsArc
+            ? $"Where the arc {elements.NameOf(a.IsArc ? before : behind)} rounds a corner, do not name it: it then stays tangent to both "
+                + "of its neighbors. Else displace both alike."
+            : "Displace both alike, or displace less.";
+        if (Math.Abs(left - right) > TangentStep * elements.Increment)
+        {
+            var decimals = Math.Abs(left - right) >= 0.002 ? "0.000" : "0.000000";
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"the two are displaced by different amounts ({left.ToString(decimals, CultureInfo.InvariantCulture)} and "
+                    + $"{right.ToString(decimals, CultureInfo.InvariantCulture)} mm). {advice}");
+        }
+
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"they turn by {Math.Atan2(Math.Abs(sine), cosine) * 180 / Math.PI:0.0} degrees there, and the displaced ones come together "
+                + $"only further away than {Nearby} times the displacement, or not at all. Displace less, or name one of the two.");
     }
 
     // If one element is round, the tangents at the old joint meet away from the new joint. So the concentric circles through the displaced

@@ -18,7 +18,33 @@ internal sealed class IncrementGrid(PathChange change, bool isInch, int decimals
     public double Unit { get; } = isInch ? 25.4 : 1;
 
     /// <summary>The least increment, mm.</summary>
-    public double Increment { get; } = Math.Pow(10, -decimals) * (isInch ? 25.4 : 1);
+    public double Increment { get; } = Size(isInch, decimals);
+
+    /// <summary>The least increment of some blocks, mm.</summary>
+    /// <param name="path">The path.</param>
+    /// <param name="motions">The motions of the blocks, at least one.</param>
+    public static double Of(NcPath path, List<int> motions)
+    {
+        var isInch = path.Motions[motions[0]].Has(MotionFlags.Inch);
+        var least = isInch ? path.Dialect.InchDecimals : path.Dialect.MetricDecimals;
+        return Size(isInch, Spelling(path, motions, motions.Count, least).Decimals);
+    }
+
+    /// <summary>The decimals of the words in some blocks, at least those of the control's least increment, and whether words are written
+    /// with all decimals.</summary>
+    public static (int Decimals, bool IsFixed) Spelling(NcPath path, List<int> motions, int count, int leastDecimals)
+    {
+        var spelling = (leastDecimals, false);
+        for (var i = 0; i < count; i++)
+        {
+            foreach (ref readonly var token in path.Program.Tokens(path.Program[path.Motions.BlockOf(motions[i])]))
+            {
+                spelling = BlockEdit.SpellingWith(spelling, token);
+            }
+        }
+
+        return spelling;
+    }
 
     /// <summary>The displacement of a joint along an axis, in increments.</summary>
     public long Steps(int joint, byte axis) =>
@@ -33,6 +59,8 @@ internal sealed class IncrementGrid(PathChange change, bool isInch, int decimals
             place.X + (Steps(joint, (byte)'X') * Increment),
             place.Y + (Steps(joint, (byte)'Y') * Increment),
             place.Z + (Steps(joint, (byte)'Z') * Increment)));
+
+    private static double Size(bool isInch, int decimals) => Math.Pow(10, -decimals) * (isInch ? 25.4 : 1);
 
     /// <summary>A coordinate of a place.</summary>
     public static double Coordinate(Point3 point, byte axis) => axis switch { (byte)'X' => point.X, (byte)'Y' => point.Y, _ => point.Z };

@@ -96,20 +96,9 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
             }
         }
 
-        var (a, b) = (_path.Motions[joint - 1], _path.Motions[joint]);
-        var (moveA, moveB) = (elements.WishOf(joint - 1).End, elements.WishOf(joint).Start);
-        var (left, right) = (moveA.Dot(a.TangentAt(1).Left), moveB.Dot(b.TangentAt(0).Left));
-        var (name, other) = (elements.NameOf(joint), elements.NameOf(joint - 1));
-
-        // An unnamed arc between two moving lines stays tangent to both: it is a corner, not a piece of one of them.
-        var advice = ElementJoints.IsTangent(a.TangentAt(1), b.TangentAt(0)) && a.IsArc != b.IsArc
-            ? $"Where the arc {(a.IsArc ? other : name)} rounds a corner, do not name it: it then stays tangent to both of its neighbors. "
-                + "Else displace both alike."
-            : "Displace both alike, or displace less.";
-        var amounts = FormattableString.Invariant($"({left:0.000} and {right:0.000} mm)");
         return elements.At(
-            b,
+            _path.Motions[joint],
             NcRefusalCodes.NoIntersection,
-            $"displaced as asked, it no longer meets {other} nearby: the two are displaced by different amounts {amounts}. {advice}");
+            $"displaced as asked, it no longer meets {elements.NameOf(joint - 1)} nearby: {joints.WhyApart(joint - 1, joint)}");
     }
 }

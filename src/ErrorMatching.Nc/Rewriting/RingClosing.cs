@@ -20,7 +20,7 @@ internal sealed class RingClosing(DisplacedElements elements, PathChange change,
         var isRun = first < last;
         return (
             contours.FirstEndingAt(_path.Motions.StartOf(first), isRun ? first : last + 1, first),
-            contours.LastStartingAt(_path.Motions.EndOf(last), isRun ? last : first - 1, first));
+            contours.LastStartingAt(_path.Motions.EndOf(last), isRun ? last : first - 1, last));
     }
 
     /// <summary>Closes the rings inside a run, and those that it closes with another named cut.</summary>
@@ -48,7 +48,9 @@ internal sealed class RingClosing(DisplacedElements elements, PathChange change,
         if (Closing(first, last) is not { } move)
         {
             return elements.At(
-                motion, NcRefusalCodes.NoIntersection, $"displaced as asked, the contour no longer closes with {elements.NameOf(last)}.");
+                motion,
+                NcRefusalCodes.NoIntersection,
+                $"displaced as asked, the contour no longer closes with {elements.NameOf(last)}: {joints.WhyApart(last, first)}");
         }
 
         if ((Lead(first - 1, "leads in to", first, last, move) ?? Lead(last + 1, "leads out of", first, last, move)) is { } refusal)

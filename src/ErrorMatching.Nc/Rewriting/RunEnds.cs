@@ -145,9 +145,11 @@ internal sealed class RunEnds(DisplacedElements elements, PathChange change, Sho
 
         var wished = atStart ? elements.WishOf(element).Start : elements.WishOf(element).End;
         var guess = joint + ElementJoints.CornerMove(tangent.Left, wished.Dot(tangent.Left), other.Left, 0);
+
+        // Rounding takes up to 1.4 increments of the neighbor; more must be left of it, or it would vanish or turn round.
         while (elements.CarrierOf(element).Meet(Carrier.Of(n), guess) is { } point
             && ElementJoints.IsNear(point, joint, wished.Length)
-            && point.DistanceTo(joint) < n.PlaneLength)
+            && point.DistanceTo(joint) < n.PlaneLength - (2 * elements.Increment))
         {
             if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
             {

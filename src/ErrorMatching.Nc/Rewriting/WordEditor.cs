@@ -29,7 +29,7 @@ internal sealed class WordEditor
         var dialect = _path.Dialect;
         var isInch = _path.Motions[_affected.Find(i => change.IsSet(i + 1))].Has(MotionFlags.Inch);
         var least = isInch ? dialect.InchDecimals : dialect.MetricDecimals;
-        (var decimals, _programIsFixed) = Spelling(spelledLike, least);
+        (var decimals, _programIsFixed) = IncrementGrid.Spelling(_path, _affected, spelledLike, least);
         _grid = new(change, isInch, decimals);
         _words = new(change, keepRadii, _grid, new(_path.Program, _programIsFixed, dialect.IntegersAreIncrements ? least : -1));
     }
@@ -100,20 +100,6 @@ internal sealed class WordEditor
         }
 
         return false;
-    }
-
-    private (int Decimals, bool IsFixed) Spelling(int count, int leastDecimals)
-    {
-        var spelling = (leastDecimals, false);
-        for (var i = 0; i < count; i++)
-        {
-            foreach (ref readonly var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(_affected[i])]))
-            {
-                spelling = BlockEdit.SpellingWith(spelling, token);
-            }
-        }
-
-        return spelling;
     }
 
     // Each block is edited independently, so two concurrent halves give the same result as a sequential run.
