@@ -475,7 +475,8 @@ class Comparison:
         (start, end), (now_start, now_end) = self.was[i].ends(), self.now[i].ends()
         self.need(i, self.was[i].kind == "G1" and start != end and now_start == now_end, "it did not shrink to a point")
         self.need(i, (end - start).norm() <= self.reach, "it is too long to vanish")
-        self.need(i, self.beside(i - 1, -1) in self.named and self.beside(i + 1, 1) in self.named, "it is not between named ones")
+        sides = {self.beside(i - 1, -1), self.beside(i + 1, 1)}
+        self.need(i, None not in sides and sides & set(self.named), "it is not between two cuts, of which one is named")
         self.check_ends(i, entry)
     def fillet_of(self, i):
         """The arcs of one fillet, between two named lines that it touches."""

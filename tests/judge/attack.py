@@ -124,10 +124,9 @@ class Numbers(json.JSONEncoder):
         return float(value)
 
 
-def measured(base, result, certificate, dice):
+def measured(was, now, result, certificate, dice):
     """The attacker repairs all that the certificate measured: rest, what fixes the ends, and how neighbors moved."""
     document = judge.read_certificate(certificate)
-    was, now = interpreted(base, document, is_base=True), interpreted(result, document)
     index = {m.line: i for i, m in enumerate(was)}
     with localcontext(judge.ROUNDED):
         def by(i, end, size):
@@ -257,7 +256,7 @@ def main():
         unsure[answer] += 1
         if answer != "yes":
             wrong.append(f"{name}: a true result was not accepted: {answer}: {reason}")
-    print(f"true: {len(cases)}, accepted {unsure['yes']} ({time.monotonic() - clock:.1f} s)")
+    print(f"true: {len(cases)}, accepted {unsure['yes']} ({time.monotonic() - clock:.1f} s)", flush=True)
     moving = [case for case in cases if case[1][0] != case[1][1]]
 
     clock, answers = time.monotonic(), Counter()
@@ -283,11 +282,12 @@ def main():
                 if fact is None:
                     wrong.append(f"{name}: {mode}, {kind} of {('base', 'result', 'certificate')[file]} was accepted: "
                                  f"{difference(files[file], true[file])}")
+        print(*wrong[:20], sep="\n", end="\n" if wrong else "")
         print(f"{mode}: {done} mutants, rejected {answers['no'] + answers['cannot judge']} (no {answers['no']}, cannot judge "
               f"{answers['cannot judge']}), accepted with another fact of the dialect {answers['fact']}, other digits "
-              f"below 0.00001 {answers['digit']}, other blanks {answers['blank']} ({time.monotonic() - clock:.1f} s)")
+              f"below 0.00001 {answers['digit']}, other blanks {answers['blank']} ({time.monotonic() - clock:.1f} s)", flush=True)
 
-    clock, done, found, missed, inside, largest = time.monotonic(), 0, 0, 0, 0, 0.0
+    clock, done, found, missed, inside, largest, cache = time.monotonic(), 0, 0, 0, 0, 0.0, {}
     while done < options.mutants:
         name, true = dice.choice(moving)
         at = any_of(COORDINATE, true[1], dice)
@@ -296,10 +296,13 @@ def main():
         text = true[1][start:end]
         new = stepped(text, dice.choice((size, -size)), dice) if size else text[1:] if text[:1] == b"-" else b"-" + text
         result = replaced(true[1], start, end, new)
-        document = judge.read_certificate(true[2])
+        if name not in cache:
+            document = judge.read_certificate(true[2])
+            cache[name] = document, interpreted(true[0], document, is_base=True), interpreted(true[1], document)
+        document, base, was = cache[name]
         try:
-            was, now = interpreted(true[1], document), interpreted(result, document)
-            certificate = measured(true[0], result, true[2], dice)
+            now = interpreted(result, document)
+            certificate = measured(base, now, result, true[2], dice)
         except (judge.No, judge.Beyond):
             done, found = done + 1, found + 1
             continue
@@ -317,7 +320,7 @@ def main():
         else:
             found += 1
     print(f"measured: {done} mutants, rejected {found}, accepted inside the tolerance {inside}, accepted beyond it {missed}; the largest "
-          f"accepted {largest:.3f} of two tolerances ({time.monotonic() - clock:.1f} s)")
+          f"accepted {largest:.3f} of two tolerances ({time.monotonic() - clock:.1f} s)", flush=True)
     for line in wrong[:20]:
         print(line)
     print(f"{len(wrong)} wrong")
