@@ -443,9 +443,10 @@ class Comparison:
             self.need(i, self.moves[i + at_end][self.was[i].plane[2]] == 0, "an end moved along the tool axis")
             self.need(i, moved.norm() <= self.reach, "an end went further than any displacement explains")
             rests.append((n, moved))
-            self.need(i, by in ("wish", "meets") or self.role(i) in ("fillet", "shrunk"), "nothing is said to fix an end")
-            held = by is None or ((moved - vector(entry[n])).norm() <= self.at_place if by == "wish" else self.meets(i, at_end))
-            self.need(i, held, "an end is neither where the wish nor where a neighbor puts it")
+            near_wish = (moved - vector(entry[n])).norm() <= self.at_place
+            fixed = None if self.role(i) in ("fillet", "shrunk") else "wish" if near_wish else "meets"
+            self.need(i, fixed != "meets" or self.meets(i, at_end), "an end is neither where the wish nor where a neighbor puts it")
+            self.need(i, by == fixed, "the certificate says that something else fixes an end")
         if self.was[i].is_arc():
             rests.append(("middle", self.arc(i, True).middle - self.arc(i).middle))
         self.need(i, set(entry["rest"]) == set(dict(rests)), "the certificate measured other places")
@@ -527,13 +528,14 @@ class Comparison:
             self.need(i, near(vector(entry["moved"][n], 3), self.moves[joint], SAME), "it moved otherwise than the certificate says")
             self.need(i, not self.moves[joint][was.plane[2]] or self.points and joint == i, "it moved along the tool axis")
         stays = not was.in_plane() and self.move(i, False) == self.move(i, True)
+        slides = was.cuts() and by.norm() <= 3 * self.increment and all(
+            self.own(i).distance(place) <= self.tolerance(i) for place in self.now[i].ends())
         if entry["as"] == "positioning":
             self.need(i, was.kind == "G0" or stays, "it cuts elsewhere")
         elif entry["as"] == "slides":
-            self.need(i, was.cuts() and by.norm() <= 3 * self.increment, "it does not cut, or its center moved")
-            self.need(i, all(self.own(i).distance(p) <= self.tolerance(i) for p in self.now[i].ends()), "it left its own place")
+            self.need(i, slides, "it left its own place, or its center moved")
         elif entry["as"] == "follows":
-            self.need(i, was.cuts() or self.points, "it does not cut")
+            self.need(i, self.points or was.cuts() and not slides, "it does not follow: it does not cut, or it slides")
             self.check_following(i)
     check_slides = check_follows = check_positioning = check_moved
     def check_following(self, i):

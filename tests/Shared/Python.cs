@@ -28,6 +28,7 @@ internal static class Python
         var start = new ProcessStartInfo("python3", [Repository.PathTo(script), .. arguments])
         {
             WorkingDirectory = folder,
+            UseShellExecute = false,
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };

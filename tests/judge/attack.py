@@ -124,7 +124,18 @@ class Numbers(json.JSONEncoder):
         return float(value)
 
 
-def measured(was, now, result, certificate, dice):
+def slides(was, now, increment):
+    """Whether a neighbor is where it was, so that the attacker has to call it so."""
+    if was.is_arc():
+        arc = judge.Arc(was)
+        on_it = all(arc.circle.distance(p) <= Decimal("1.6") * increment + judge.NOISE + arc.mismatch for p in now.ends())
+        return on_it and (now.center - was.center).norm() <= 3 * increment
+    start, end = was.ends()
+    line = judge.Line(start, (end - start).unit())
+    return all(line.distance(p) <= Decimal("0.75") * increment + judge.NOISE for p in now.ends())
+
+
+def measured(was, now, result, certificate):
     """The attacker repairs all that the certificate measured: rest, what fixes the ends, and how neighbors moved."""
     document = judge.read_certificate(certificate)
     index = {m.line: i for i, m in enumerate(was)}
@@ -143,7 +154,8 @@ def measured(was, now, result, certificate, dice):
         for e in list(document["moved"]):
             i = index[e["line"]]
             if "moved" in e:
-                e["as"] = "follows" if e["as"] == "slides" and dice.random() < 0.5 else e["as"]
+                if e["as"] in ("slides", "follows") and document["wish"] == "elements":
+                    e["as"] = "slides" if slides(was[i], now[i], document["leastIncrementMm"]) else "follows"
                 e["moved"] = {"start": by(i, False, 3), "end": by(i, True, 3)}
                 if was[i].is_arc():
                     e["moved"]["center"] = list(now[i].center - was[i].center)
@@ -277,15 +289,17 @@ def main():
             answer, _ = judge.judge(*files)
             answers[answer] += 1
             if answer == "yes":
-                fact = harmless(files[2], true[2]) if mode == "hashed" and file == 2 else None
+                fact = None if mode == "kept" else harmless(files[2], true[2]) if file == 2 else spelling(files[file], true[file])
                 answers[fact] += 1
                 if fact is None:
                     wrong.append(f"{name}: {mode}, {kind} of {('base', 'result', 'certificate')[file]} was accepted: "
                                  f"{difference(files[file], true[file])}")
         print(*wrong[:20], sep="\n", end="\n" if wrong else "")
         print(f"{mode}: {done} mutants, rejected {answers['no'] + answers['cannot judge']} (no {answers['no']}, cannot judge "
-              f"{answers['cannot judge']}), accepted with another fact of the dialect {answers['fact']}, other digits "
-              f"below 0.00001 {answers['digit']}, other blanks {answers['blank']} ({time.monotonic() - clock:.1f} s)", flush=True)
+              f"{answers['cannot judge']}); accepted with another fact of the dialect {answers['fact']}, other digits below 0.00001 "
+              f"{answers['digit']}, other true words {answers['word']}, other blanks {answers['blank']}, same numbers spelled otherwise "
+              f"{answers['spelling']} "
+              f"({time.monotonic() - clock:.1f} s)", flush=True)
 
     clock, done, found, missed, inside, largest, cache = time.monotonic(), 0, 0, 0, 0, 0.0, {}
     while done < options.mutants:
@@ -302,7 +316,7 @@ def main():
         document, base, was = cache[name]
         try:
             now = interpreted(result, document)
-            certificate = measured(base, now, result, true[2], dice)
+            certificate = measured(base, now, result, true[2])
         except (judge.No, judge.Beyond):
             done, found = done + 1, found + 1
             continue
@@ -332,13 +346,23 @@ def difference(a, b):
     return " instead of ".join(ascii(line.decode("latin-1")) for line in lines[0]) if lines else "another length"
 
 
+def spelling(program, true):
+    """The word for a mutant of a program in which all numbers are the same, only spelled otherwise: +.404 for 0.404."""
+    texts = [re.sub(judge.DIGITS, lambda n: b"%.9f" % float(n.group()), data) for data in (program, true)]
+    return "spelling" if texts[0] == texts[1] else None
+
+
 def harmless(certificate, true):
-    """Why a sealed mutant of a certificate may stay: only blanks, a fact of the dialect, or numbers below the noise differ."""
+    """Why a sealed mutant of a certificate may stay: only blanks, a fact of the dialect, a word for a neighbor that is true as well, or
+    numbers below the noise differ."""
     if json.loads(certificate) | {"seal": ""} == json.loads(true) | {"seal": ""}:
         return "blank"
     lines = [(a, b) for a, b in zip(certificate.splitlines(), true.splitlines()) if a != b and not b.startswith(b'  "seal"')]
     if all(b.startswith(b'  "dialect"') for _, b in lines):
         return "fact"
+    words = re.compile(rb'"(slides|follows|followed-fillet|positioning)"')
+    if all(words.sub(b"", a) == words.sub(b"", b) for a, b in lines):
+        return "word"
     for a, b in lines:
         numbers = [[Decimal(n.decode()) for n in JSON_NUMBER.findall(line)] for line in (a, b)]
         rest = [JSON_NUMBER.sub(b"", line) for line in (a, b)]

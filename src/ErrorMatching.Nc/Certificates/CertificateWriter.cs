@@ -9,7 +9,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Writes a certificate with one member or moved motion per line. Measured lengths have nine decimals, wishes all digits that
 /// distinguish a double from its neighbors.</summary>
-internal sealed class CertificateWriter
+internal sealed class CertificateWriter : IDisposable
 {
     private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
@@ -26,10 +26,13 @@ internal sealed class CertificateWriter
 
     public static byte[] Write(Certificate certificate)
     {
-        var writer = new CertificateWriter(certificate);
+        using var writer = new CertificateWriter(certificate);
         writer.Write();
         return writer._bytes.WrittenSpan.ToArray();
     }
+
+    /// <inheritdoc/>
+    public void Dispose() => _json.Dispose();
 
     private void Write()
     {

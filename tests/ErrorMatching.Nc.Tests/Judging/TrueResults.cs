@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc.Tests;
