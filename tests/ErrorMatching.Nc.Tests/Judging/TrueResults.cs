@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc.Tests;
 
