@@ -47,4 +47,8 @@ public sealed record MatchResult(
         Wish ?? DisplacementWish.OfElements([]),
         LeastIncrementMm,
         Marker?.TextIn(Before.Dialect.Syntax));
+
+    /// <summary>What an independent judge needs to check the program to cut.</summary>
+    public Certificate Certificate() =>
+        Nc.Certificate.Of(Before, After.Program, Wish ?? DisplacementWish.OfElements([]), LeastIncrementMm, Proof);
 }

@@ -50,7 +50,7 @@ internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCh
 
     // An arc whose ends and middle have the same offset keeps its center. Any other passes through its displaced start, middle and end.
     // For a full circle, the displaced start and middle are the ends of a diameter.
-    private static Circle2? WantedCircle(in NcMotion was, ElementWish wish)
+    internal static Circle2? WantedCircle(in NcMotion was, ElementWish wish)
     {
         if (was.PlaneStart == was.Center || was.PlaneEnd == was.Center)
         {

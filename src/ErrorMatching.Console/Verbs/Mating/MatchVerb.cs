@@ -19,6 +19,7 @@ internal sealed class MatchVerb : Verb
     };
 
     private readonly WishOption _wish = new();
+    private readonly CertificateOption _certificate = new();
     private readonly Option<string> _out = new("--out")
     {
         Description = "The folder to write the program and the reports to. Without it nothing is written.",
@@ -38,6 +39,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_previous);
         Options.Add(_out);
         Options.Add(_wish);
+        Options.Add(_certificate);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
@@ -63,7 +65,8 @@ internal sealed class MatchVerb : Verb
         }
 
         var answer = new MatchAnswer(matched, folder);
-        _wish.WriteWith(folder is null ? [] : answer.Files, matched.Match.WishFile, arguments, files.Read, cancellation);
+        var outputs = _certificate.Before(folder is null ? [] : answer.Files, matched.Match.Certificate, arguments);
+        _wish.WriteWith(outputs, matched.Match.WishFile, arguments, files.Read, cancellation);
         return answer;
     }
 }

@@ -27,6 +27,7 @@ internal sealed class NcDisplace : NcVerb
         HelpName = "POINTS.csv"
     };
     private readonly WishOption _wish = new();
+    private readonly CertificateOption _certificate = new();
     private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
 
     public NcDisplace()
@@ -42,6 +43,7 @@ internal sealed class NcDisplace : NcVerb
         Options.Add(_along);
         Options.Add(_out);
         Options.Add(_wish);
+        Options.Add(_certificate);
         Demand(_by, text => Numbers(text) is { Length: 2 or 3 }, "two or three numbers such as 0.1,-0.05");
         Demand(_normal, text => Numbers(text) is { Length: 1 }, "a number such as -0.02");
         Validators.Add(result =>
@@ -107,8 +109,12 @@ internal sealed class NcDisplace : NcVerb
         {
             try
             {
+                // A certificate states the proof, so it waits for it.
+                var outputs = arguments.GetValue(_certificate) is null || Proof().Holds
+                    ? _certificate.Before([(output, rewrite.Result.Program.Bytes)], Certified, arguments)
+                    : [];
                 _wish.WriteWith(
-                    [(output, rewrite.Result.Program.Bytes)],
+                    outputs,
                     () => WishFile.Of(path, wish, rewrite.Result.LeastIncrementMm),
                     arguments,
                     inputs,
@@ -126,6 +132,8 @@ internal sealed class NcDisplace : NcVerb
             : FailureOf.Refused(file, Proof().Failures);
 
         NcProof Proof() => proving.GetAwaiter().GetResult();
+
+        Certificate Certified() => Certificate.Of(path, rewrite.Result.Program, wish, rewrite.Result.LeastIncrementMm, Proof());
     }
 
     private static List<DisplacedPoint> Points(string file)

@@ -22,6 +22,8 @@ internal sealed class NcProve : Verb
         HelpName = "FILE.json",
     };
 
+    private readonly CertificateOption _certificate = new();
+
     public NcProve()
         : base(
             "prove",
@@ -32,6 +34,7 @@ internal sealed class NcProve : Verb
         Arguments.Add(_after);
         Options.Add(_wish);
         Options.Add(_dialect);
+        Options.Add(_certificate);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
@@ -60,8 +63,18 @@ internal sealed class NcProve : Verb
         var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
-        return proof.Holds
-            ? new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now))
-            : FailureOf.NotProved(before, after, proof);
+        if (!proof.Holds)
+        {
+            return FailureOf.NotProved(before, after, proof);
+        }
+
+        string[] inputs = [before, after, file, .. was.Dialect.Files.Select(f => f.File)];
+        var outputs = _certificate.Before([], () => Certificate.Of(was, now.Program, wish.Wish, wish.LeastIncrementMm, proof), arguments);
+        if (outputs.Count > 0)
+        {
+            OutputFile.WriteAll(outputs, inputs, () => true, cancellation);
+        }
+
+        return new NcProveAnswer(before, after, file, wish, proof, MotionComparison.Of(was, now));
     }
 }
