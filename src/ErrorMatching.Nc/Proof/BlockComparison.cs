@@ -56,6 +56,13 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             changed |= _original.Number(letter).SameValue(_result.Number(letter)) ? 0 : 1u << letter;
         }
 
+        // A word is either a number in both programs or computed in both.
+        for (var rest = _original.Computed & _result.Computed & changeable; rest != 0; rest &= rest - 1)
+        {
+            var letter = BitOperations.TrailingZeroCount(rest);
+            changed |= ComputedSum.Extends(_original.ComputedValue(letter), _result.ComputedValue(letter)) ? 1u << letter : 0;
+        }
+
         var isRadiusReplaced = was.Has(MotionFlags.ByRadius) && !now.Has(MotionFlags.ByRadius);
         var dropped = isRadiusReplaced ? RadiusWords : 0;
         var inserted = 0u;

@@ -15,6 +15,23 @@ internal sealed class BlockRemainder(NcProgram program)
     /// <summary>Letters that have a word with a plain number, one bit each; bit 0 is A.</summary>
     public uint Letters { get; private set; }
 
+    /// <summary>Letters that have a word with a computed value, one bit each.</summary>
+    public uint Computed { get; private set; }
+
+    /// <summary>The text of the computed value of a letter.</summary>
+    public ReadOnlySpan<byte> ComputedValue(int letter)
+    {
+        for (var i = 0; i < _count; i++)
+        {
+            if (_tokens[i].Kind == NcTokenKind.ExpressionWord && _tokens[i].Letter - 'A' == letter)
+            {
+                return program.Bytes.Span.Slice(_tokens[i].ValueStart, _tokens[i].ValueLength);
+            }
+        }
+
+        return default;
+    }
+
     /// <summary>The number of the last word with a letter.</summary>
     public NcNumber Number(int letter) => _numbers[letter];
 
@@ -22,7 +39,7 @@ internal sealed class BlockRemainder(NcProgram program)
     public void Read(int block)
     {
         _block = program[block];
-        (_count, Letters) = (0, 0);
+        (_count, Letters, Computed) = (0, 0, 0);
         foreach (ref readonly var token in program.Tokens(_block))
         {
             if (_count == _tokens.Length)
@@ -35,6 +52,10 @@ internal sealed class BlockRemainder(NcProgram program)
             {
                 Letters |= 1u << (token.Letter - 'A');
                 _numbers[token.Letter - 'A'] = token.Number;
+            }
+            else if (token.Kind == NcTokenKind.ExpressionWord && token.Letter is >= (byte)'A' and <= (byte)'Z')
+            {
+                Computed |= 1u << (token.Letter - 'A');
             }
         }
     }
@@ -56,7 +77,9 @@ internal sealed class BlockRemainder(NcProgram program)
         for (var i = 0; i < _count; i++)
         {
             ref readonly var token = ref _tokens[i];
-            var letter = token.Kind == NcTokenKind.Word ? 1u << (token.Letter - 'A') : 0;
+            var letter = token.Kind == NcTokenKind.Word || (token.Kind == NcTokenKind.ExpressionWord && token.Letter is >= (byte)'A' and <= (byte)'Z')
+                ? 1u << (token.Letter - 'A')
+                : 0;
             if ((letter & changed) != 0)
             {
                 length = Append(bytes[token.Start..token.ValueStart], length);

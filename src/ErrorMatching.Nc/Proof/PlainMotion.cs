@@ -7,5 +7,9 @@ internal static class PlainMotion
     private const MotionFlags Plain = MotionFlags.Inch | MotionFlags.Incremental | MotionFlags.AbsoluteCenter | MotionFlags.ByRadius
         | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere;
 
-    public static bool Is(in NcMotion motion) => (motion.Flags | Plain) == Plain && (motion.IsCut || motion.Kind == MotionKind.Rapid);
+    // A computed word does so, too, if its value is known: the rest of the program says which value its variables have.
+    public static bool Is(in NcMotion motion) =>
+        ((motion.Flags & ~MotionFlags.Expression) | Plain) == Plain
+            && (motion.IsCut || motion.Kind == MotionKind.Rapid)
+            && (!motion.Has(MotionFlags.Expression) || (motion.UnknownEnd & motion.Plane.Axes()) == AxisSet.None);
 }

@@ -120,6 +120,29 @@ internal sealed class BlockEdit
         return null;
     }
 
+    /// <summary>Adds a number to a word that the control computes.</summary>
+    /// <returns>False if the program's spelling has no place for a sum.</returns>
+    public bool Add(byte letter, NcNumber constant)
+    {
+        foreach (ref readonly var word in _words.AsSpan(0, _wordCount))
+        {
+            if (word.Kind != NcTokenKind.ExpressionWord || word.Letter != letter)
+            {
+                continue;
+            }
+
+            if (AddedTerm.To(_program.Bytes.Span.Slice(word.ValueStart, word.ValueLength), _program.Syntax, constant) is not { } sum)
+            {
+                return false;
+            }
+
+            Patch(new(word.ValueStart, word.ValueLength, sum));
+            return true;
+        }
+
+        return false;
+    }
+
     /// <summary>Whether a letter's word itself says that it is a position or an increment.</summary>
     public WordDistance Distance(byte letter) => PlaceOf(letter) is >= 0 and var place ? _words[place].Distance : WordDistance.Modal;
 

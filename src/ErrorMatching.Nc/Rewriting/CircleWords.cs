@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -12,14 +13,14 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
     private readonly NcPath _path = change.Path;
 
     /// <summary>Sets the words of an arc.</summary>
-    public void Set(int index, in NcMotion motion)
+    /// <returns>The reason why one cannot be set, or null.</returns>
+    public Refusal? Set(int index, in NcMotion motion)
     {
         var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
         var exact = change.CenterOf(index, motion);
         if (IsShift(index, motion, exact - motion.Center))
         {
-            ShiftCenter(index, motion);
-            return;
+            return ShiftCenter(index, motion);
         }
 
         var wanted = Arc2.Between(
@@ -30,21 +31,30 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < grid.Increment)
         {
             // The control cannot resolve so small a wish.
-            return;
+            return null;
+        }
+
+        var (first, second) = CenterLetters(motion.Plane);
+        foreach (var letter in (ReadOnlySpan<byte>)[first, second, (byte)'R', NcAddress.CircleRadius])
+        {
+            if (edit.Computed(letter) is not null)
+            {
+                return Obstacles.Computed(_path, motion);
+            }
         }
 
         if (motion.Has(MotionFlags.ByRadius))
         {
             SetRadius(motion, start, end, wanted);
-            return;
+            return null;
         }
 
-        var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start, first, second);
         var was = new Vector2((edit.Number(first)?.Value ?? 0) * grid.Unit, (edit.Number(second)?.Value ?? 0) * grid.Unit);
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, grid.Increment);
         SetCenterWord(first, i);
         SetCenterWord(second, j);
+        return null;
     }
 
     // Origin of the center words: the start, or the origin of the program's coordinates.
@@ -67,21 +77,34 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         (change.PlaneMoveOf(index, motion.Plane) - centerMove).Length < 1e-9
             && (change.PlaneMoveOf(index + 1, motion.Plane) - centerMove).Length < 1e-9;
 
-    private void ShiftCenter(int index, in NcMotion motion)
+    private Refusal? ShiftCenter(int index, in NcMotion motion)
     {
         if (motion.Has(MotionFlags.ByRadius))
         {
-            return;
+            return null;
         }
 
         var (first, second) = CenterLetters(motion.Plane);
         foreach (var letter in (ReadOnlySpan<byte>)[first, second])
         {
-            if (IsAbsolute(motion, letter) && grid.Steps(index, (byte)(letter - 'I' + 'X')) is not 0 and var steps)
+            var distance = edit.Computed(letter);
+            var isAbsolute = distance is null or WordDistance.Modal ? IsAbsolute(motion, letter) : distance == WordDistance.Absolute;
+            if (!isAbsolute || grid.Steps(index, (byte)(letter - 'I' + 'X')) is not (not 0 and var steps))
+            {
+                continue;
+            }
+
+            if (distance is null)
             {
                 edit.Set(letter, (edit.Number(letter) ?? new NcNumber(0, 0)) + grid.Number(steps));
             }
+            else if (!edit.Add(letter, grid.Number(steps)))
+            {
+                return Obstacles.Computed(_path, motion);
+            }
         }
+
+        return null;
     }
 
     private void SetCenterWord(byte letter, long? steps)

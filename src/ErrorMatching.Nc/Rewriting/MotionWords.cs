@@ -59,9 +59,9 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
             return unknown;
         }
 
-        if (motion.IsArc)
+        if (motion.IsArc && _circles.Set(index, motion) is { } computed)
         {
-            _circles.Set(index, motion);
+            return computed;
         }
 
         if (edit.Patches.Count == 0)
@@ -108,14 +108,14 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
                     edit.Set(axis, number + grid.Number(steps));
                 }
             }
-            else if (from != to && edit.Computed(axis) is { } distance)
+            else if (edit.Computed(axis) is { } distance)
             {
-                // A computed position stays. A computed increment, or a position that would move, cannot be written.
-                if (to != 0
-                    || distance == WordDistance.Incremental
-                    || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental)))
+                var by = distance == WordDistance.Incremental || (distance == WordDistance.Modal && motion.Has(MotionFlags.Incremental))
+                    ? to - from
+                    : to;
+                if (by != 0 && !edit.Add(axis, grid.Number(by)))
                 {
-                    return Obstacles.Of(_path, index);
+                    return Obstacles.Computed(_path, motion);
                 }
             }
             else if (from != to)

@@ -11,6 +11,17 @@ internal static class Obstacles
     /// <summary>The same for a motion that the caller has already read.</summary>
     public static Refusal? Of(NcPath path, in NcMotion motion)
     {
+        // A computed place that nobody knows before the control runs.
+        if (motion.Has(MotionFlags.Expression) && !motion.IsKnownInPlane && motion.IsCut)
+        {
+            return BlockRefusal.At(
+                path.Program,
+                motion.Block,
+                NcRefusalCodes.Expression,
+                "a coordinate is computed by the control from a value that only the machine knows. Post plain numbers for the blocks to "
+                    + "change.");
+        }
+
         var (code, why) = Reason(motion);
         return code is null ? null : BlockRefusal.At(path.Program, motion.Block, code, why!);
     }
@@ -21,6 +32,14 @@ internal static class Obstacles
         path.Motions[motion].Block,
         NcRefusalCodes.UnknownState,
         "the program does not say where this motion begins. State X, Y and Z before it.");
+
+    /// <summary>The refusal of a word that the control computes and to which nothing can be added.</summary>
+    public static Refusal Computed(NcPath path, in NcMotion motion) => BlockRefusal.At(
+        path.Program,
+        motion.Block,
+        NcRefusalCodes.Expression,
+        "a coordinate, center or radius that must change is computed by the control (variable or expression), and a number added to it "
+            + "would not do. Post plain numbers for the blocks to change.");
 
     private static (string? Code, string? Why) Reason(in NcMotion m)
     {
@@ -37,10 +56,6 @@ internal static class Obstacles
         {
             _ when m.Has(MotionFlags.Called) =>
                 (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
-            _ when m.Has(MotionFlags.Expression) =>
-                (
-                    NcRefusalCodes.Expression,
-                    "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
             _ when m.Has(MotionFlags.UnknownWord) =>
                 (
                     NcRefusalCodes.UnknownWord,
