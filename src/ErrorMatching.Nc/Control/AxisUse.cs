@@ -8,4 +8,5 @@ internal enum AxisUse
     Origin,
     Reference,
     MachineCoordinates,
+    Cycle,
 }

@@ -146,6 +146,9 @@ internal sealed class BlockCodes(
                 result.Note("smoothing",
                     "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
                 break;
+            case >= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc:
+                (intent.Use, intent.Code) = (AxisUse.Cycle, meaning);
+                break;
             case var _ when SetsOrigin(meaning):
                 (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);
                 break;

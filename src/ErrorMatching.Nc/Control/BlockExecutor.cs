@@ -22,6 +22,7 @@ internal sealed class BlockExecutor
     private readonly Corners _corners;
     private readonly Arcs _arcs;
     private readonly CannedCycles _canned;
+    private readonly BlockCycles _cycles;
     private readonly CycleCalls _calls;
     private readonly MachineMoves _machine;
     private readonly ModeMemory _memory;
@@ -43,6 +44,7 @@ internal sealed class BlockExecutor
         _corners = new(control, values, layers, result, _writer);
         _arcs = new(control, values, layers, result, _writer, _corners);
         _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
+        _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
         _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
         _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
 
@@ -55,6 +57,7 @@ internal sealed class BlockExecutor
 
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);
+        SystemLines = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
         _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls), Switches);
@@ -69,6 +72,8 @@ internal sealed class BlockExecutor
     public BlockReader Reader { get; }
 
     public MachineSwitches Switches { get; }
+
+    public SystemLines SystemLines { get; }
 
     public SteeringWords Steering { get; }
 
@@ -174,6 +179,9 @@ internal sealed class BlockExecutor
                 break;
             case AxisUse.Reference:
                 _machine.Return(flags);
+                break;
+            case AxisUse.Cycle:
+                _cycles.Run(flags);
                 break;
             case AxisUse.Origin:
                 _origins.Run();

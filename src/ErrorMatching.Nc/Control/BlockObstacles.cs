@@ -39,6 +39,12 @@ internal sealed class BlockObstacles(
             }
         }
 
+        if (values.Words.Computed != 0 && !values.Dialect.HasMacros)
+        {
+            flags |= result.UnknownWord("a computed value");
+            layers.Forget();
+        }
+
         if ((values.Words.Computed & (BlockWords.Bit('G') | BlockWords.Bit('M'))) != 0)
         {
             layers.Forget();

@@ -12,6 +12,6 @@ internal sealed class BlockReader(BlockValues values, ProgramRun run)
         var matters = role is LetterRole.Axis or LetterRole.Center or LetterRole.Radius or LetterRole.Feed or LetterRole.G or LetterRole.M
             or LetterRole.OpeningAngle or LetterRole.MoreTurns or LetterRole.IntermediatePoint
             || token.Letter is (byte)'P' or (byte)'Q' or (byte)'L' or (byte)'R' or (byte)'K';
-        return matters && token.ValueLength > 0 ? run.Compute(token.ValueStart, token.ValueLength) : double.NaN;
+        return matters && values.Dialect.HasMacros && token.ValueLength > 0 ? run.Compute(token.ValueStart, token.ValueLength) : double.NaN;
     }
 }

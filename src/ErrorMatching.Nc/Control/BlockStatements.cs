@@ -79,6 +79,12 @@ internal sealed class BlockStatements(
     private MotionFlags ReadAssignment(NcToken statement)
     {
         var bytes = run.BytesOf(statement);
+        if (!values.Dialect.HasMacros)
+        {
+            layers.Forget();
+            return result.UnknownWord(run.TextOf(statement));
+        }
+
         if (values.Dialect.Syntax != NcSyntax.Siemens)
         {
             return MotionFlags.None;

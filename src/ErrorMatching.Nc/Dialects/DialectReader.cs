@@ -41,6 +41,9 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "inchDecimals": tables.InchDecimals = (int)value.Number; break;
             case "arcMismatchMm": tables.ArcMismatchMm = value.Number; break;
             case "arcMismatchOfRadius": tables.ArcMismatchOfRadius = value.Number; break;
+            case "peckLetters": tables.PeckLetters = value.Text.Aggregate(0u, (bits, letter) => bits | BlockWords.Bit(letter)); break;
+            case "systemLines": tables.SystemLines = value.Flag; break;
+            case "macros": tables.HasMacros = value.Flag; break;
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
             case "commentLength": tables.CommentLength = (int)value.Number; break;
             case "turnsLetter": tables.TurnsLetter = value.Text.Length == 0 ? (byte)0 : (byte)value.Text[0]; break;

@@ -35,6 +35,12 @@ internal sealed class DialectTables
 
     public byte TurnsLetter { get; set; }
 
+    public uint PeckLetters { get; set; }
+
+    public bool SystemLines { get; set; }
+
+    public bool HasMacros { get; set; } = true;
+
     public bool CommentCapitals { get; set; }
 
     public int CommentLength { get; set; }

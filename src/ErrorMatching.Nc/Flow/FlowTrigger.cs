@@ -7,6 +7,11 @@ internal static class FlowTrigger
     /// time.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
+        if (!dialect.HasMacros)
+        {
+            return text.Contains((byte)'%');
+        }
+
         var syntax = dialect.Syntax;
         var lastClose = text.LastIndexOf((byte)')');
         for (var at = 0; at < text.Length; at++)
