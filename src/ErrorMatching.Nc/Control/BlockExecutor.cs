@@ -161,10 +161,11 @@ internal sealed class BlockExecutor
     }
 
     /// <summary>Executes any words that were just read.</summary>
-    public void Step()
+    /// <param name="flags">What is known of the block's motions before its words.</param>
+    public void Step(MotionFlags flags = MotionFlags.None)
     {
         _intent.Begin();
-        var flags = ReadModes();
+        flags |= ReadModes();
         switch (_intent.Use)
         {
             case AxisUse.Motion when _values.MovesAxes():

@@ -21,6 +21,7 @@ internal sealed class BlockStatements(
             {
                 NcTokenKind.Keyword => ReadKeyword(statement),
                 NcTokenKind.Assignment => ReadAssignment(statement),
+                NcTokenKind.Expression when run.BytesOf(statement)[0] == '<' => ReadProgramName(statement),
                 _ => MotionFlags.None,
             };
         }
@@ -67,6 +68,29 @@ internal sealed class BlockStatements(
                 codes.Apply(meaning, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
         }
+    }
+
+    // The flow reads the name of a called program, and that at the head of a program.
+    private MotionFlags ReadProgramName(NcToken statement)
+    {
+        foreach (var function in values.Words.Functions)
+        {
+            if (values.Dialect.FunctionOf(function) == FunctionRole.Call)
+            {
+                return MotionFlags.None;
+            }
+        }
+
+        foreach (var code in values.Words.Codes)
+        {
+            if (values.Dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall)
+            {
+                return MotionFlags.None;
+            }
+        }
+
+        layers.Forget();
+        return result.UnknownWord(run.TextOf(statement));
     }
 
     // CYCLE800() cancels what CYCLE800(..) set.

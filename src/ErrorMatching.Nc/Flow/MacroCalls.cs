@@ -20,6 +20,7 @@ internal sealed class MacroCalls(
     /// <summary>True while a macro is called after every motion.</summary>
     public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
 
+    // M98 P100, M98 <BORE>
     public FlowAction CallNumber(int block, NcValue program)
     {
         if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
@@ -32,8 +33,9 @@ internal sealed class MacroCalls(
             return FlowAction.Continue;
         }
 
-        return UnitOf(number) is { } unit ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
-            : report.Missing(block, FlowIndex.NumberName(number));
+        return UnitOf(NameOf(program, number)) is { } unit
+            ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
+            : report.Missing(block, NameOf(program, number));
     }
 
     // M97 P100: the blocks of this program from N100 on.
@@ -79,9 +81,9 @@ internal sealed class MacroCalls(
             return FlowAction.Stop;
         }
 
-        if (UnitOf(number) is not { } unit)
+        if (UnitOf(NameOf(program, number)) is not { } unit)
         {
-            return report.Missing(block, FlowIndex.NumberName(number));
+            return report.Missing(block, NameOf(program, number));
         }
 
         var arguments = Arguments(at);
@@ -151,13 +153,14 @@ internal sealed class MacroCalls(
     private bool TryProgram(int block, NcValue program, bool isLocal, out long number, out long passes)
     {
         (number, passes) = (0, 1);
-        if (program.IsVacant)
+        var isNamed = program.IsVacant && !isLocal && words.ProgramName is not null;
+        if (program.IsVacant && !isNamed)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block, $"the call names no {(isLocal ? "block" : "program")}: P is missing.");
             return false;
         }
 
-        if (!memory.TryCount(block, program, "the number of the called program", out number))
+        if (!isNamed && !memory.TryCount(block, program, "the number of the called program", out number))
         {
             return false;
         }
@@ -175,7 +178,7 @@ internal sealed class MacroCalls(
             }
         }
 
-        if (!isLocal && !hasCount && number > 9999 && UnitOf(number) is null)
+        if (!isLocal && !hasCount && number > 9999 && UnitOf(FlowIndex.NumberName(number)) is null)
         {
             (passes, number) = (number / 10_000, number % 10_000);
         }
@@ -190,12 +193,12 @@ internal sealed class MacroCalls(
         return report.Refusal is null;
     }
 
-    private FlowUnit? UnitOf(long number)
-    {
-        var name = FlowIndex.NumberName(number);
-        return calls.Unit.Index.Unit(name) ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
+    private string NameOf(NcValue program, long number) =>
+        program.IsVacant ? words.ProgramName ?? "" : FlowIndex.NumberName(number);
+
+    private FlowUnit? UnitOf(string name) => calls.Unit.Index.Unit(name)
+        ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
             ? index.Unit(name) ?? index.Main : null);
-    }
 
     // Assigns letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).
     private List<(VariablePlace, NcValue)> Arguments(int at)

@@ -253,10 +253,10 @@ public sealed class NcInterpreter
         var action = flow.ExecuteStatements(_run.At);
         if (action == FlowAction.Words)
         {
-            _executor.Reader.ReadTokens(block);
+            _executor.Reader.ReadTokens(block, flow.WordsFrom);
             if (flow.Refusal is null)
             {
-                _executor.Step();
+                _executor.Step(flow.WordsFrom > 0 ? MotionFlags.Conditional : MotionFlags.None);
                 if (_executor.Steering.CallMachineProgram())
                 {
                     _result.DependOnPlace();

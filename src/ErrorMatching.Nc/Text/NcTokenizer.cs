@@ -99,6 +99,8 @@ public ref struct NcTokenizer
                 return _text.NameAt(at, 0);
             case (byte)'[':
                 return BlockScanner.Plain(NcTokenKind.Expression, at, SyntaxBytes.BehindBracket(bytes, at, end));
+            case (byte)'<' when syntax == NcSyntax.Iso && SyntaxBytes.BehindProgramName(bytes, at, end) is > 0 and var behindName:
+                return BlockScanner.Plain(NcTokenKind.Expression, at, behindName);
             case (byte)'"':
                 return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at,
                     SyntaxBytes.BehindString(bytes, at, end));

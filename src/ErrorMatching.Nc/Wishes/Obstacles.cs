@@ -41,6 +41,8 @@ internal static class Obstacles
                 (
                     NcRefusalCodes.Expression,
                     "a coordinate is computed by the control (variable or expression). Post plain numbers for the blocks to change."),
+            _ when m.Has(MotionFlags.Conditional) =>
+                (NcRefusalCodes.Expression, "it is cut only under its condition (IF). Post it without one, or leave this block out."),
             _ when m.Has(MotionFlags.UnknownWord) =>
                 (
                     NcRefusalCodes.UnknownWord,
