@@ -54,10 +54,14 @@ public sealed class NcInterpreter
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    /// <summary>Interprets a program that is similar to one already interpreted. Equal motions share memory, and stretches with equal
-    /// bytes take little time.</summary>
-    internal static NcPath Run(NcProgram program, NcPath like)
+    /// <summary>Interprets a program that is similar to one already interpreted, in the same dialect and with the same library. Equal
+    /// motions share memory, and stretches with equal bytes take little time.</summary>
+    /// <param name="program">The program.</param>
+    /// <param name="like">The similar program, interpreted.</param>
+    public static NcPath Run(NcProgram program, NcPath like)
     {
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(like);
         program = program.In(like.Dialect.Syntax);
         var isSame = RunBorders.SameStretches(program, like);
 
@@ -138,6 +142,7 @@ public sealed class NcInterpreter
         {
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,
+            CalledPrograms = _run.CalledPrograms,
         };
     }
 
