@@ -9,4 +9,5 @@ internal enum AxisUse
     Reference,
     MachineCoordinates,
     Cycle,
+    Pole,
 }

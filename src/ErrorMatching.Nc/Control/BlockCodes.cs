@@ -146,6 +146,9 @@ internal sealed class BlockCodes(
                 result.Note("smoothing",
                     "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
                 break;
+            case >= NcMeaning.PoleFromPosition and <= NcMeaning.PoleFromPole:
+                (intent.Use, intent.Code) = (AxisUse.Pole, meaning);
+                break;
             case >= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc:
                 (intent.Use, intent.Code) = (AxisUse.Cycle, meaning);
                 break;

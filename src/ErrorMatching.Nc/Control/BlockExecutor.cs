@@ -23,6 +23,7 @@ internal sealed class BlockExecutor
     private readonly Arcs _arcs;
     private readonly CannedCycles _canned;
     private readonly BlockCycles _cycles;
+    private readonly PolarEnds _polar;
     private readonly CycleCalls _calls;
     private readonly MachineMoves _machine;
     private readonly ModeMemory _memory;
@@ -44,6 +45,7 @@ internal sealed class BlockExecutor
         _corners = new(control, values, layers, result, _writer);
         _arcs = new(control, values, layers, result, _writer, _corners);
         _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
+        _polar = new(control, values);
         _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
         _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
         _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
@@ -166,6 +168,11 @@ internal sealed class BlockExecutor
     {
         _intent.Begin();
         flags |= ReadModes();
+        if (_words.HasPolarEnd && (_intent.Use is not (AxisUse.Motion or AxisUse.Pole) || _control.State.Cycle != NcMeaning.Unknown))
+        {
+            flags |= LosePolarEnd();
+        }
+
         switch (_intent.Use)
         {
             case AxisUse.Motion when _values.MovesAxes():
@@ -180,6 +187,9 @@ internal sealed class BlockExecutor
                 break;
             case AxisUse.Reference:
                 _machine.Return(flags);
+                break;
+            case AxisUse.Pole:
+                _polar.SetPole(_intent.Code);
                 break;
             case AxisUse.Cycle:
                 _cycles.Run(flags);
@@ -248,10 +258,10 @@ internal sealed class BlockExecutor
             return;
         }
 
-        flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
+        flags |= _words.IsPolar || _words.HasPolarEnd ? MotionFlags.Transformed : MotionFlags.None;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
-        var (end, unknown) = _ends.Target();
+        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _ends.Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
             _arcs.Turn(kind, flags, end, unknown);
@@ -268,5 +278,24 @@ internal sealed class BlockExecutor
         {
             state.Unknown |= _values.GivenAxes();
         }
+    }
+
+    private (Point3 End, AxisSet Unknown) PolarTarget(MotionKind kind, ref MotionFlags flags)
+    {
+        var (given, unknown) = _ends.Target();
+        if (_polar.End(kind) is { } end)
+        {
+            return (end, unknown & ~_control.State.Plane.Axes());
+        }
+
+        flags |= LosePolarEnd();
+        return (given, unknown | _control.State.Plane.Axes());
+    }
+
+    // The end of the block is not followed.
+    private MotionFlags LosePolarEnd()
+    {
+        _control.State.Unknown |= _control.State.Plane.Axes();
+        return _result.UnknownWord("a polar end that the block does not state as a whole");
     }
 }

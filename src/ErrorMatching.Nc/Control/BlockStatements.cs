@@ -139,6 +139,19 @@ internal sealed class BlockStatements(
             case LetterRole.PolarEnd:
                 control.State.Unknown |= control.State.Plane.Axes();
                 return result.UnknownWord(run.TextOf(statement));
+            case LetterRole.PolarRadius or LetterRole.PolarAngle or LetterRole.LineAngle:
+                var role = values.Dialect.RoleOf(name);
+                var at = bytes.IndexOf((byte)'=') + 1;
+                var value = IsDistance(bytes[at..]) ? double.NaN
+                    : run.Compute(statement.Start + at, statement.Length - at) ?? double.NaN;
+                switch (role)
+                {
+                    case LetterRole.PolarRadius: values.Words.PoleRadius = value; break;
+                    case LetterRole.PolarAngle: values.Words.PoleAngle = value; break;
+                    default: values.Words.LineAngle = value; break;
+                }
+
+                return MotionFlags.None;
             case LetterRole.Harmless or LetterRole.Variable:
                 return MotionFlags.None;
         }
@@ -157,6 +170,13 @@ internal sealed class BlockStatements(
         // It could be an axis with another name.
         control.State.Unknown = AxisSet.All;
         return result.UnknownWord(run.TextOf(statement));
+    }
+
+    // AC(..) and IC(..)
+    private static bool IsDistance(ReadOnlySpan<byte> value)
+    {
+        value = value.TrimStart((byte)' ');
+        return value.Length > 1 && (value[0] | 0x20) is 'a' or 'i' && (value[1] | 0x20) == 'c';
     }
 
     // Tool data, outputs and markers are harmless; all others can be offsets and settings.

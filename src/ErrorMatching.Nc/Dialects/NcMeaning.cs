@@ -264,4 +264,13 @@ public enum NcMeaning : byte
 
     /// <summary>The same on an arc, with the angle K from hole to hole (Haas G71).</summary>
     BoltArc,
+
+    /// <summary>Sets the pole of polar ends from the tool's place (G110).</summary>
+    PoleFromPosition,
+
+    /// <summary>Sets it from the origin (G111).</summary>
+    PoleFromOrigin,
+
+    /// <summary>Sets it from the pole before (G112).</summary>
+    PoleFromPole,
 }
