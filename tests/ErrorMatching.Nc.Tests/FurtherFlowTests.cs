@@ -70,6 +70,17 @@ public sealed class FurtherFlowTests
     [InlineData("#<_g>=1\no1 sub\nx[exists[#<_g>]] y[exists[#<l>]]\no1 endsub\n#<l>=1\no1 call", "R1,0,0")]
     public void LinuxCnc_spellings_are_followed(string program, string moves) => Assert.Equal(moves, Moves.Of("linuxcnc", program + "\nm2"));
 
+    [Theory]
+    [InlineData("m3 $0 s100")]
+    [InlineData("#1=1 m3 $-1 s100")]
+    [InlineData("$[#1] m5")]
+    [InlineData("m67 e0 q1")]
+    public void Spindles_and_outputs_of_LinuxCnc_are_understood(string block)
+    {
+        var path = Bench.Read("g90 g17 g40 g0 x0 y0 z0\n" + block + "\nx1\n", NcDialects.LinuxCnc);
+        Assert.Equal(("R0,0,0 R1,0,0", 0, null), (Moves.Of(path), path.Problems.Count, path.Refusal));
+    }
+
     [Fact]
     public void Whether_the_configuration_has_a_value_only_the_machine_knows() =>
         Assert.Equal("R?,0,0", Moves.Of("linuxcnc", "x[exists[#<_ini[a]b>]]\nm2"));

@@ -75,6 +75,11 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
             {
                 (ProgramName, reader.At) = (name, end);
             }
+            else if (c == '$' && syntax == NcSyntax.LinuxCnc)
+            {
+                reader.At++;
+                reader.Operand();
+            }
             else if (c == '#')
             {
                 if (AssignOne(block, ref reader) == FlowAction.Stop)

@@ -92,6 +92,9 @@ public ref struct NcTokenizer
                 return CommaWordAt(at);
             case (byte)'@' or (byte)'^' when syntax == NcSyntax.LinuxCnc:
                 return PolarWordAt(at, c);
+            // The number of a spindle of LinuxCNC: M3 $1 S1000.
+            case (byte)'$' when syntax == NcSyntax.LinuxCnc && SpindleEnd(at) is > 0 and var behindSpindle:
+                return BlockScanner.Plain(NcTokenKind.Expression, at, behindSpindle);
             case (byte)'#':
                 return BlockScanner.Plain(NcTokenKind.Assignment, at,
                     syntax == NcSyntax.LinuxCnc ? _text.AssignmentEnd(at) : _text.ToCommentOrEnd(at + 1));
@@ -147,6 +150,13 @@ public ref struct NcTokenizer
         }
 
         return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
+    }
+
+    // 0 if no number follows.
+    private readonly int SpindleEnd(int at)
+    {
+        var valueAt = _text.SkipSpaces(at + 1);
+        return _text.ReadNumber(valueAt, out var behind, out _) ? behind : valueAt < _text.End ? _text.ComputedEnd(valueAt) : 0;
     }
 
     private readonly NcToken PolarWordAt(int at, byte sign)
