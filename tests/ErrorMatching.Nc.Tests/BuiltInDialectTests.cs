@@ -21,7 +21,9 @@ public sealed class BuiltInDialectTests
     [Fact]
     public void The_built_in_ones_have_names_in_order()
     {
-        Assert.Equal(["generic", "fanuc", "delta-nc300", "haas", "siemens-840d", "linuxcnc", "grbl"], NcDialects.Names);
+        Assert.Equal(
+            ["generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl"],
+            NcDialects.Names);
         Assert.Equal(NcDialects.Names, NcDialects.All.Select(d => d.Name));
         Assert.All(NcDialects.All, d => Assert.Empty(d.Files));
     }
@@ -114,6 +116,12 @@ public sealed class BuiltInDialectTests
     [InlineData("haas", "G71", NcMeaning.BoltArc)]
     [InlineData("haas", "G5.1", NcMeaning.Unknown)]
     [InlineData("grbl", "G41", NcMeaning.Unknown)]
+    [InlineData("mazak-eia", "G81", NcMeaning.DrillCycle)]
+    [InlineData("mazak-eia", "G72.1", NcMeaning.OpaqueLevelCycle)]
+    [InlineData("mitsubishi-m80", "G12", NcMeaning.OpaqueMotion)]
+    [InlineData("okuma-osp", "G56", NcMeaning.LengthOffset)]
+    [InlineData("okuma-osp", "G15", NcMeaning.WorkOffset)]
+    [InlineData("okuma-osp", "G43", NcMeaning.Unknown)]
     [InlineData("delta-nc300", "G51.1", NcMeaning.Mirroring)]
     [InlineData("siemens-840d", "G20", NcMeaning.Unknown)]
     [InlineData("siemens-840d", "G700", NcMeaning.Inch)]

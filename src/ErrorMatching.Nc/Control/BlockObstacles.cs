@@ -10,6 +10,8 @@ internal sealed class BlockObstacles(
     BlockStatements statements,
     MachineSwitches switches)
 {
+    private static readonly uint Feeds = BlockWords.Bit('F') | BlockWords.Bit('S');
+
     public MotionFlags Read()
     {
         var flags = MotionFlags.None;
@@ -39,7 +41,7 @@ internal sealed class BlockObstacles(
             }
         }
 
-        if (values.Words.Computed != 0 && !values.Dialect.HasMacros)
+        if ((values.Words.Computed & ~Feeds) != 0 && !values.Dialect.HasMacros)
         {
             flags |= result.UnknownWord("a computed value");
             layers.Forget();

@@ -58,6 +58,9 @@ internal sealed class BlockStatements(
             case NcMeaning.ModalCycle:
                 calls.BeginModal();
                 return MotionFlags.None;
+            case NcMeaning.OpaqueCall:
+                run.Flow.RefuseCall(run.At, NcText.Decode(name).ToUpperInvariant());
+                return MotionFlags.None;
             case NcMeaning.CycleCall:
                 calls.Call(statement);
                 return MotionFlags.None;

@@ -59,6 +59,7 @@ internal sealed class CannedCycles(
         }
 
         var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane;
+        isKnown &= control.State.Cycle != NcMeaning.OpaqueLevelCycle;
         if (!isKnown || _pecksVary || control.State.Cycle == NcMeaning.OpaqueCycle)
         {
             // It ends over the position, at the height of the retract mode.
@@ -104,7 +105,7 @@ internal sealed class CannedCycles(
 
     /// <summary>True if a cycle is active whose hole is followed, and whose words have no other meaning in a pattern of holes.</summary>
     public bool CanDrillAt => control.State.Cycle is not (NcMeaning.Unknown or NcMeaning.OpaqueCycle or NcMeaning.FineBoreCycle
-        or NcMeaning.BackBoreCycle or NcMeaning.TapCycle) && !_pecksVary;
+        or NcMeaning.OpaqueLevelCycle or NcMeaning.BackBoreCycle or NcMeaning.TapCycle) && !_pecksVary;
 
     /// <summary>Runs the active cycle at each of some places.</summary>
     public void DrillAt(MotionFlags flags, IReadOnlyList<Point2> places)

@@ -39,6 +39,12 @@ internal sealed class DialectTables
 
     public bool SystemLines { get; set; }
 
+    public byte SequenceLetter { get; set; }
+
+    public bool RepeatsInNumber { get; set; } = true;
+
+    public byte WorkOffsetLetter { get; set; } = (byte)'P';
+
     public bool HasMacros { get; set; } = true;
 
     public bool CommentCapitals { get; set; }

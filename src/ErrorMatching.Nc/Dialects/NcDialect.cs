@@ -63,6 +63,15 @@ public sealed class NcDialect
     /// them is no number of repetitions.</summary>
     public uint PeckLetters => _tables.PeckLetters;
 
+    /// <summary>Letter of the block number at which a called program begins (M98 P100 H20); 0 if the control has none.</summary>
+    public byte SequenceLetter => _tables.SequenceLetter;
+
+    /// <summary>True if digits in front of the last four of a program number are repetitions (M98 P51002).</summary>
+    public bool RepeatsInNumber => _tables.RepeatsInNumber;
+
+    /// <summary>Letter of the number of a work offset beside its code.</summary>
+    public byte WorkOffsetLetter => _tables.WorkOffsetLetter;
+
     /// <summary>True if a line that begins with a dollar sign is a command to the control, not a block.</summary>
     public bool SystemLines => _tables.SystemLines;
 

@@ -265,6 +265,10 @@ public enum NcMeaning : byte
     /// <summary>The same on an arc, with the angle K from hole to hole (Haas G71).</summary>
     BoltArc,
 
+    /// <summary>A canned cycle that is not followed and retracts to a level that is not known: it ends over its position (Okuma G81 with
+    /// M53).</summary>
+    OpaqueLevelCycle,
+
     /// <summary>Sets the pole of polar ends from the tool's place (G110).</summary>
     PoleFromPosition,
 

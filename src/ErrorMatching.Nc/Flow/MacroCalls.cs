@@ -2,7 +2,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Calls by number of ISO controls and LinuxCNC: M98, M97, G65, G66, and their returns.</summary>
 internal sealed class MacroCalls(
-    NcSyntax syntax,
+    NcDialect dialect,
     CallStack calls,
     FlowReport report,
     FlowMemory memory,
@@ -20,9 +20,20 @@ internal sealed class MacroCalls(
     /// <summary>True while a macro is called after every motion.</summary>
     public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
 
-    // M98 P100, M98 <BORE>
+    // M98 P100, M98 <BORE>, and from a block of it on: M98 P100 H20, M98 H20
     public FlowAction CallNumber(int block, NcValue program)
     {
+        var from = NcValue.Vacant;
+        foreach (var (letter, value) in words.Collected)
+        {
+            from = letter == dialect.SequenceLetter && letter != 0 ? value : from;
+        }
+
+        if (!from.IsVacant && program.IsVacant && words.ProgramName is null)
+        {
+            return CallLocal(block, from);
+        }
+
         if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
         {
             return FlowAction.Stop;
@@ -33,9 +44,28 @@ internal sealed class MacroCalls(
             return FlowAction.Continue;
         }
 
-        return UnitOf(NameOf(program, number)) is { } unit
-            ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
-            : report.Missing(block, NameOf(program, number));
+        if (UnitOf(NameOf(program, number)) is not { } unit)
+        {
+            return report.Missing(block, NameOf(program, number));
+        }
+
+        var first = unit.First;
+        if (!from.IsVacant)
+        {
+            if (!memory.TryCount(block, from, "the block at which the call begins", out var sequence))
+            {
+                return FlowAction.Stop;
+            }
+
+            first = unit.Index.FindNumber(unit, unit.First - 1, sequence, backward: false);
+            if (first < 0)
+            {
+                var message = FormattableString.Invariant($"the call goes to block N{sequence}, which the called program does not have.");
+                return report.Refuse(NcRefusalCodes.MissingLabel, block, message);
+            }
+        }
+
+        return course.Enter(new() { Unit = unit, First = first, Caller = block, Passes = passes });
     }
 
     // M97 P100: the blocks of this program from N100 on.
@@ -178,13 +208,13 @@ internal sealed class MacroCalls(
             }
         }
 
-        if (!isLocal && !hasCount && number > 9999 && UnitOf(FlowIndex.NumberName(number)) is null)
+        if (dialect.RepeatsInNumber && !isLocal && !hasCount && number > 9999 && UnitOf(FlowIndex.NumberName(number)) is null)
         {
             (passes, number) = (number / 10_000, number % 10_000);
         }
 
         // In LinuxCNC, L0 calls nothing.
-        if (passes < (syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
+        if (passes < (dialect.Syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block,
                 "the call has a number of repetitions, or of a program, that is not positive.");
@@ -197,7 +227,7 @@ internal sealed class MacroCalls(
         program.IsVacant ? words.ProgramName ?? "" : FlowIndex.NumberName(number);
 
     private FlowUnit? UnitOf(string name) => calls.Unit.Index.Unit(name)
-        ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
+        ?? (library.Find(dialect.Syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
             ? index.Unit(name) ?? index.Main : null);
 
     // Assigns letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).

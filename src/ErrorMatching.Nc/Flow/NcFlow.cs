@@ -39,7 +39,7 @@ internal sealed class NcFlow
         _structures = new(_syntax, _calls, _report, _memory, _course, alarms, new(_calls, _report, _memory, _course, library));
         _words = new(_syntax, _calls, _report, _memory, _course);
         _iso = new(_report, _memory, _course, alarms, _words);
-        _macros = new(_syntax, _calls, _report, _memory, _course, library, _words, settings);
+        _macros = new(dialect, _calls, _report, _memory, _course, library, _words, settings);
         _steering = new(dialect, _report, _memory, _course, _macros, _words);
 
         var arrays = new SiemensArrays(_report, _memory, _course);
