@@ -58,8 +58,8 @@ public sealed class LibraryTests
         var (program, wish) = (folder.File("p.nc", Calls), folder["wish.json"]);
         Library(folder, "lib", "X3.");
         string[] with = ["--dialect", "fanuc", "--library", folder["lib"]];
-        Assert.Equal(
-            0, Shell.Run(["nc", "displace", program, "--blocks", "N20", "--normal", "0.1", "--out", folder["o.nc"], "--wish", wish, .. with]).Exit);
+        string[] displace = ["nc", "displace", program, "--blocks", "N20", "--normal", "0.1", "--out", folder["o.nc"], "--wish", wish];
+        Assert.Equal(0, Shell.Run([.. displace, .. with]).Exit);
         string[] prove = ["nc", "prove", program, folder["o.nc"], "--wish", wish, "--library", folder["lib"]];
         Assert.Equal(0, Shell.Run(prove).Exit);
         Library(folder, "lib", "X3. (CHANGED)");

@@ -8,7 +8,8 @@ public sealed class FurtherFlowTests
     [InlineData("#1=2\nIF [#1 EQ 2] THEN X5.\nX7.", "R5,0,0 R7,0,0")]
     [InlineData("#1=2\nN5 IF [#1 EQ 2] M98 P10\nX7.\nM30\nO10\nX1.\nM99", "R1,0,0 R7,0,0")]
     [InlineData("M98 P10\nX7.\nM30\nO10\nX1.\nIF [1 EQ 1] M99\nX2.\nM99", "R1,0,0 R7,0,0")]
-    public void Words_behind_a_condition_run_where_it_holds(string program, string moves) => Assert.Equal(moves, Moves.Of("fanuc", program));
+    public void Words_behind_a_condition_run_where_it_holds(string program, string moves) =>
+        Assert.Equal(moves, Moves.Of("fanuc", program));
 
     [Theory]
     [InlineData("#2=3 X5.")]
@@ -68,7 +69,8 @@ public sealed class FurtherFlowTests
     [InlineData("#<a>=1\nx[exists[#<a>]] y[exists[#<b>]] z[exists[#<_x>]]", "R1,0,1")]
     [InlineData("#1=3\nx[exists[#1]] y[exists[#0]] z[exists[#5601]]\nx[exists[#5602]]", "R1,0,1 R0,0,1")]
     [InlineData("#<_g>=1\no1 sub\nx[exists[#<_g>]] y[exists[#<l>]]\no1 endsub\n#<l>=1\no1 call", "R1,0,0")]
-    public void LinuxCnc_spellings_are_followed(string program, string moves) => Assert.Equal(moves, Moves.Of("linuxcnc", program + "\nm2"));
+    public void LinuxCnc_spellings_are_followed(string program, string moves) =>
+        Assert.Equal(moves, Moves.Of("linuxcnc", program + "\nm2"));
 
     [Theory]
     [InlineData("m3 $0 s100")]

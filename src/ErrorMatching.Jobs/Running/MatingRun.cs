@@ -35,7 +35,12 @@ public static class MatingRun
         {
             var called = files.Called();
             var outcome = Matcher.Match(
-                new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect, Previous = previous, Library = called.Find });
+                new(job, theoretical, part, counterpart, program, bytes)
+                {
+                    OwnDialect = dialect,
+                    Previous = previous,
+                    Library = called.Find,
+                });
             files.Add(called.Opened);
             if (outcome.Result is not { } result)
             {

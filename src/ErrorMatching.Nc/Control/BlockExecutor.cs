@@ -59,7 +59,7 @@ internal sealed class BlockExecutor
 
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);
-        SystemLines = new(_dialect, run, layers, result, _writer, control);
+        SystemCommands = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
         _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls), Switches);
@@ -75,7 +75,7 @@ internal sealed class BlockExecutor
 
     public MachineSwitches Switches { get; }
 
-    public SystemLines SystemLines { get; }
+    public SystemCommands SystemCommands { get; }
 
     public SteeringWords Steering { get; }
 

@@ -41,7 +41,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "inchDecimals": tables.InchDecimals = (int)value.Number; break;
             case "arcMismatchMm": tables.ArcMismatchMm = value.Number; break;
             case "arcMismatchOfRadius": tables.ArcMismatchOfRadius = value.Number; break;
-            case "peckLetters": tables.PeckLetters = value.Text.Aggregate(0u, (bits, letter) => bits | BlockWords.Bit(letter)); break;
+            case "peckLetters": tables.PeckLetters = value.Text.Aggregate(0u, (bits, letter) => bits | (1u << (letter - 'A'))); break;
             case "sequenceLetter": tables.SequenceLetter = LetterOf(value); break;
             case "repeatsInNumber": tables.RepeatsInNumber = value.Flag; break;
             case "workOffsetLetter": tables.WorkOffsetLetter = LetterOf(value); break;

@@ -35,7 +35,9 @@ internal static class FlowTrigger
                 continue;
             }
 
-            if (c is (byte)'#' or (byte)'%' || (syntax == NcSyntax.Iso && c == '<') || (syntax == NcSyntax.Siemens && c is (byte)'=' or (byte)':' or (byte)'_'))
+            if (c is (byte)'#' or (byte)'%'
+                || (syntax == NcSyntax.Iso && c == '<')
+                || (syntax == NcSyntax.Siemens && c is (byte)'=' or (byte)':' or (byte)'_'))
             {
                 return true;
             }

@@ -224,7 +224,7 @@ public sealed class NcInterpreter
     private void RunAny(NcBlock block)
     {
         _borders.OnlyCuts = false;
-        if (_executor.SystemLines.Run(block) || _executor.Switches.PassesSkip(block))
+        if (_executor.SystemCommands.Run(block) || _executor.Switches.PassesSkip(block))
         {
             return;
         }

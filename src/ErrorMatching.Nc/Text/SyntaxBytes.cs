@@ -36,7 +36,8 @@ internal static class SyntaxBytes
     public static int BehindProgramName(ReadOnlySpan<byte> bytes, int at, int end)
     {
         var name = at + 1;
-        while (name < end && (IsLetter(bytes[name]) || IsDigit(bytes[name]) || bytes[name] is (byte)'+' or (byte)'-' or (byte)'_' or (byte)'.'))
+        while (name < end
+            && (IsLetter(bytes[name]) || IsDigit(bytes[name]) || bytes[name] is (byte)'+' or (byte)'-' or (byte)'_' or (byte)'.'))
         {
             name++;
         }

@@ -42,7 +42,7 @@ public sealed class CorporaTests
 
     private static (int Exit, string[] Table) Run(string folder, params string[] more)
     {
-        var start = new ProcessStartInfo(Repository.PathTo("tests", "corpora")) { RedirectStandardOutput = true };
+        var start = new ProcessStartInfo(Repository.PathTo("tests", "corpora")) { UseShellExecute = false, RedirectStandardOutput = true };
         foreach (var argument in (string[])[folder, "--console", ConsoleRun.Executable, .. more])
         {
             start.ArgumentList.Add(argument);

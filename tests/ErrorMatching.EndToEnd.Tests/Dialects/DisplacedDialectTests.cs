@@ -34,7 +34,7 @@ public sealed class DisplacedDialectTests
             var rewrite = Rewriter.Apply(path, wish.Result);
             Assert.True(rewrite.IsUsable, $"seed {seed}: {rewrite.Refusal}\n{program.Text}");
             var proof = Prover.Check(path, rewrite.Result.Program, wish.Result, rewrite.Result.LeastIncrementMm);
-            Assert.True(proof.Holds, $"seed {seed}: {proof.Failures.FirstOrDefault()}");
+            Assert.True(proof.Holds, $"seed {seed}: {string.Join("\n", proof.Failures)}");
             worst = Math.Max(worst, Judge(spelling, program, Encoding.Latin1.GetString(rewrite.Result.Program.Bytes.Span), seed));
         }
 

@@ -50,7 +50,9 @@ internal sealed class Understanding
                 : Blocks.Count == 0 ? "Everything is understood."
                 : Invariant($"{Blocks.Count} of {_path.Program.BlockCount} blocks {(Blocks.Count == 1 ? "is" : "are")} not understood.");
             text += Skipped > 0 ? Invariant($" Block skip passes over {Skipped}.") : "";
-            return text + (OfMachine > 0 ? Invariant($" Where {OfMachine} of {_path.Motions.Length} motions end, only the machine knows.") : "");
+            return OfMachine == 0
+                ? text
+                : text + Invariant($" Where {OfMachine} of {_path.Motions.Length} motions end, only the machine knows.");
         }
     }
 

@@ -2,7 +2,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Lines that begin with a dollar sign: commands to the control, which are no blocks. The dialect states what each does; one that
 /// it does not state can do anything.</summary>
-internal sealed class SystemLines(NcDialect dialect, ProgramRun run, CoordinateLayers layers, RunResult result, MotionWriter writer,
+internal sealed class SystemCommands(NcDialect dialect, ProgramRun run, CoordinateLayers layers, RunResult result, MotionWriter writer,
     ControlState control)
 {
     private const byte Mark = (byte)'$';
