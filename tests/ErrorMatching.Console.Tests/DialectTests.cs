@@ -9,7 +9,9 @@ public class DialectTests
 
     [Fact]
     public void All_are_listed() => Assert.Equal(
-        ["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"],
+        [
+            "generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl",
+        ],
         Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects").GetProperty("dialects").EnumerateArray().Select(d => d.Text("name")));
 
     [Fact]

@@ -19,9 +19,11 @@ public sealed class BuiltInDialectTests
     public static TheoryData<string> FileNames => [.. Files];
 
     [Fact]
-    public void Five_are_built_in()
+    public void The_built_in_ones_have_names_in_order()
     {
-        Assert.Equal(["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], NcDialects.Names);
+        Assert.Equal(
+            ["generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl"],
+            NcDialects.Names);
         Assert.Equal(NcDialects.Names, NcDialects.All.Select(d => d.Name));
         Assert.All(NcDialects.All, d => Assert.Empty(d.Files));
     }
@@ -109,7 +111,17 @@ public sealed class BuiltInDialectTests
     [InlineData("fanuc", "G76", NcMeaning.FineBoreCycle)]
     [InlineData("fanuc", "G87", NcMeaning.BackBoreCycle)]
     [InlineData("generic", "G87", NcMeaning.OpaqueCycle)]
-    [InlineData("linuxcnc", "G76", NcMeaning.OpaqueCycle)]
+    [InlineData("linuxcnc", "G76", NcMeaning.Unsure)]
+    [InlineData("linuxcnc", "G71", NcMeaning.Unsure)]
+    [InlineData("haas", "G71", NcMeaning.BoltArc)]
+    [InlineData("haas", "G5.1", NcMeaning.Unknown)]
+    [InlineData("grbl", "G41", NcMeaning.Unknown)]
+    [InlineData("mazak-eia", "G81", NcMeaning.DrillCycle)]
+    [InlineData("mazak-eia", "G72.1", NcMeaning.OpaqueLevelCycle)]
+    [InlineData("mitsubishi-m80", "G12", NcMeaning.OpaqueMotion)]
+    [InlineData("okuma-osp", "G56", NcMeaning.LengthOffset)]
+    [InlineData("okuma-osp", "G15", NcMeaning.WorkOffset)]
+    [InlineData("okuma-osp", "G43", NcMeaning.Unknown)]
     [InlineData("delta-nc300", "G51.1", NcMeaning.Mirroring)]
     [InlineData("siemens-840d", "G20", NcMeaning.Unknown)]
     [InlineData("siemens-840d", "G700", NcMeaning.Inch)]

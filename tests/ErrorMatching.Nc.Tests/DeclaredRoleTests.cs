@@ -19,7 +19,8 @@ public sealed class DeclaredRoleTests
 
     // Not every family has a code for these states: G556 and the codes behind it.
     private static readonly string Helpers = string.Concat(
-        new[] { "absolute-centers", "inch", "rotation", "scaling", "mirroring", "polar", "opaque-transform", "tool-length", "set-position" }
+        new[] { "absolute-centers", "inch", "rotation", "scaling", "mirroring", "polar", "opaque-transform", "tool-length", "set-position",
+            "compensation-left" }
             .Select((m, i) => ", " + Code(FormattableString.Invariant($"G{556 + i}"), m)));
 
     public static TheoryData<string> Bases => [.. NcDialects.Names];
@@ -162,6 +163,7 @@ public sealed class DeclaredRoleTests
             "{0}\nG2 X7 Y8 I1 J1\n", "G558 X0 Y0 R30\n{0}\nG1 X7 Y8\n", "G559 X0 Y0 P2\n{0}\nG1 X7 Y8\n",
             "G560 X0\n{0} X0\nG1 X7 Y8\n", "G561\n{0}\nG1 X7 Y8\n", "G562\n{0}\nG1 X7 Y8\n",
             "G0 Z0\nG563 Z5\n{0}\nG1 X7 Y8\n", "G0 X0\nG564 X5\n{0} X1\nG1 X7 Y8\n",
+            "G565\nG1 X1 Y2\n{0}\nX7 Y8\n",
         };
         var without = OwnDialect.Of($", \"codes\": [ {Code(code, "harmless")}{Helpers} ]", like);
         return states.Any(s => Run(s, dialect, code).Refusal is not null || Trace(s, dialect, code) != Trace(s, without, code));

@@ -14,7 +14,7 @@ public sealed class RefusalTests
         { NcRefusalCodes.NoMotion, "N10 M8\n", "N10", 3, "N10" },
         { NcRefusalCodes.NoMotion, "N10 G0 X5.\n", "N10", 3, "N10" },
         { NcRefusalCodes.Expression, "N10 G1 X#100 F100\n", "N10", 3, "N10" },
-        { NcRefusalCodes.Expression, "N10 G1 X10. F100\nN20 G1 X20. Y[1+2]\n", "N20", 4, "N20" },
+        { NcRefusalCodes.Expression, "N10 G1 X10. F100\nN20 G2 X20. I[2+3] J0.\n", "N20", 4, "N20" },
         { NcRefusalCodes.UnknownWord, "N10 G1 X10. E5 F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.UnknownWord, "N10 G1 X10. X11. F100\n", "N10", 3, "N10" },
         { NcRefusalCodes.ActiveTransform, "G68 X0. Y0. R30.\nN10 G1 X10. F100\n", "N10", 4, "N10" },

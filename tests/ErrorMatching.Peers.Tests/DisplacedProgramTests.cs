@@ -1,4 +1,6 @@
+using System.Globalization;
 using System.Text;
+using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -9,21 +11,25 @@ namespace ErrorMatching.Peers.Tests;
 /// LinuxCNC's own interpreter as the referee of displaced programs: it must accept the result, and the motions that it reads from it must
 /// be the wanted ones, measured against lines and circles that this test builds from the motions it read before.
 /// </summary>
-public sealed class DisplacedProgramTests
+public sealed partial class DisplacedProgramTests
 {
     private const int Seeds = 15;
 
     [Theory]
-    [InlineData(false, false, false, false)]
-    [InlineData(true, false, false, false)]
-    [InlineData(false, true, false, false)]
-    [InlineData(true, true, false, false)]
-    [InlineData(false, false, true, false)]
-    [InlineData(true, false, true, false)]
-    [InlineData(false, false, false, true)]
-    [InlineData(true, false, false, true)]
-    [InlineData(false, true, false, true)]
-    public void A_normal_displacement_is_what_rs274_cuts(bool incremental, bool byRadius, bool absoluteCenters, bool inch)
+    [InlineData(false, false, false, false, false)]
+    [InlineData(true, false, false, false, false)]
+    [InlineData(false, true, false, false, false)]
+    [InlineData(true, true, false, false, false)]
+    [InlineData(false, false, true, false, false)]
+    [InlineData(true, false, true, false, false)]
+    [InlineData(false, false, false, true, false)]
+    [InlineData(true, false, false, true, false)]
+    [InlineData(false, true, false, true, false)]
+    [InlineData(false, false, false, false, true)]
+    [InlineData(true, false, false, false, true)]
+    [InlineData(false, true, false, true, true)]
+    public void A_normal_displacement_is_what_rs274_cuts(
+        bool incremental, bool byRadius, bool absoluteCenters, bool inch, bool computed)
     {
         Rs274.IsNeeded();
         for (var seed = 1; seed <= Seeds; seed++)
@@ -31,7 +37,8 @@ public sealed class DisplacedProgramTests
             var contour = new DisplacedContour(seed, inch);
             var left = 0.05 + (0.01 * seed);
             left = seed % 2 == 0 ? left : -left;
-            var text = contour.Spell(incremental, byRadius, absoluteCenters);
+            var spelled = contour.Spell(incremental, byRadius, absoluteCenters);
+            var text = computed ? Computed(spelled) : spelled;
             var (before, after, result) = Displace(text, contour.Count, (p, blocks) => DisplacementWish.Normal(p, blocks, left));
             var worst = Tolerance(inch, byRadius);
             for (var i = 1; i < before.Count; i++)
@@ -122,4 +129,23 @@ public sealed class DisplacedProgramTests
     private static Point2 Plane(Point3 p) => new(p.X, p.Y);
 
     private static double Cross(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
+
+    // The same places, which the control computes: as sums, differences and products with variables.
+    private static string Computed(string program) =>
+        "#1=7.25 #<half>=0.5\n" + Coordinate().Replace(program, m =>
+        {
+            var value = decimal.Parse(m.Groups["number"].Value, CultureInfo.InvariantCulture);
+            var term = (m.Index % 4) switch
+            {
+                0 => string.Create(CultureInfo.InvariantCulture, $"[#1+{value - 7.25m}]"),
+                1 => string.Create(CultureInfo.InvariantCulture, $"[{value + 7.25m}-#1]"),
+                2 => string.Create(CultureInfo.InvariantCulture, $"[#<half>*{2 * value}]"),
+                _ => string.Create(CultureInfo.InvariantCulture, $"[[#1 GT 8]+{value}]"),
+            };
+            return m.Groups["letter"].Value + term;
+        });
+
+    [GeneratedRegex(
+        @"(?<=^N[1-8][0-9][0-9] .*)(?<letter>[XY])(?<number>-?[0-9.]+)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Coordinate();
 }

@@ -13,6 +13,7 @@ internal static class JobCheck
         try
         {
             NcDialect dialect;
+            ProgramFolder? called = null;
             if (job.IsFreeform)
             {
                 var files = new FreeformFiles(job.File);
@@ -24,6 +25,7 @@ internal static class JobCheck
                 var files = new JobFiles(job.File);
                 _ = files.Theoretical();
                 (program, dialect) = (files.Job.PathOf(files.Job.Counterpart.Program), InputFile.DialectOf(files.Job));
+                called = files.Called();
             }
 
             if (program is null)
@@ -32,7 +34,7 @@ internal static class JobCheck
             }
 
             var path = NcInterpreter.Run(
-                NcProgram.Read(InputFile.Program(program)), dialect, new ProgramFolder(program).Find, cancellation);
+                NcProgram.Read(InputFile.Program(program)), dialect, (called ?? new ProgramFolder(program)).Find, cancellation);
             return path.Refusal is { } refusal
                 ? new(job, program, null, new([refusal.In(program)]))
                 : new(job, program, path.Motions.Length, null);

@@ -32,7 +32,8 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
             var input = new VerifyInput(
                 files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes)
             {
-                OwnDialect = files.OwnDialect()
+                OwnDialect = files.OwnDialect(),
+                Library = files.Called().Find,
             };
             return VerifyRun.Report(input, out var refusals) is { } report
                 ? new(report, "")

@@ -1,5 +1,6 @@
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -44,9 +45,14 @@ internal sealed class MatingCorrection
         return new Identified(Basis(
             [
                 new("theoretical", theoretical.File, theoretical.Sha256),
+                .. Called(program, dialect).Select(c => new ReportInput("called", c.Name, c.Sha256)),
                 .. dialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []],
             program));
     }
+
+    // What the program calls is known only when it runs.
+    private IReadOnlyList<CalledProgram> Called(ReadOnlyMemory<byte> program, NcDialect? dialect) => NcInterpreter.Run(
+        NcProgram.Read(program), _files.Job.Counterpart.DialectOf(dialect), _files.Called().Find, CancellationToken.None).CalledPrograms;
 
     /// <summary>Computes it.</summary>
     public Computation Compute(CancellationToken cancellation)

@@ -14,7 +14,10 @@ public sealed class FinishingTemplate : ProgramTemplate
     {
         Extension = "finishing",
         Under = "toolpath",
-        BuiltIn = ["delta-nc300", "fanuc", "generic", "linuxcnc", "siemens-840d"],
+        BuiltIn =
+        [
+            "delta-nc300", "fanuc", "generic", "grbl", "haas", "linuxcnc", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d",
+        ],
         Sections = [Head, Tail],
         Needed = Head,
         NeededHint = "what stands before the moves, down to G0 Z{travel}",

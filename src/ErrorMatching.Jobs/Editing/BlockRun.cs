@@ -30,7 +30,7 @@ public static class BlockRun
         cancellation.ThrowIfCancellationRequested();
 
         // Interpreted as a match does it.
-        var path = NcInterpreter.Run(NcProgram.Read(text), dialect, null, cancellation);
+        var path = NcInterpreter.Run(NcProgram.Read(text), dialect, files.Called().Find, cancellation);
         if (path.Refusal is { } refusal)
         {
             return refusal.In(program);

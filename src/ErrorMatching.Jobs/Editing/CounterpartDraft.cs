@@ -11,6 +11,7 @@ namespace ErrorMatching.Jobs;
 /// <param name="TranslateY">Translation along Y after the rotation, mm.</param>
 /// <param name="Map">Allowed distance of a key point from the path of its blocks, mm.</param>
 /// <param name="BlockSkip">State of the block skip switch: <c>off</c>, <c>on</c>, or empty.</param>
+/// <param name="Libraries">Folders with called programs, relative to the job, with semicolons between them.</param>
 public sealed record CounterpartDraft(
     string Program = "",
     string Dialect = "",
@@ -21,4 +22,5 @@ public sealed record CounterpartDraft(
     string TranslateX = "",
     string TranslateY = "",
     string Map = "",
-    string BlockSkip = "");
+    string BlockSkip = "",
+    string Libraries = "");

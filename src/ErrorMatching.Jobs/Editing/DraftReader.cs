@@ -150,7 +150,8 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             by?[0].Text ?? "",
             by?[1].Text ?? "",
             Text(item, "mapMm"),
-            Text(item, "blockSkip"));
+            Text(item, "blockSkip"),
+            string.Join(';', item.Find("libraries")?.Items.Select(i => i.Text) ?? []));
     }
 
     private static CompensationDraft Compensation(JsonItem? item) => new(

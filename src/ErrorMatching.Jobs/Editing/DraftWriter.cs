@@ -173,6 +173,12 @@ internal sealed class DraftWriter(MatingDraft draft)
         counterpart["frame"] = frame;
         OptionalNumber(counterpart, "mapMm", c.Map);
         Optional(counterpart, "blockSkip", c.BlockSkip);
+        if (HasText(c.Libraries))
+        {
+            counterpart["libraries"] = Texts(
+                c.Libraries.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries));
+        }
+
         return counterpart;
     }
 

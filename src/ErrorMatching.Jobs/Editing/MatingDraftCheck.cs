@@ -48,7 +48,11 @@ public static class MatingDraftCheck
         {
             Map(
                 draft,
-                new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes) { OwnDialect = dialect },
+                new(job, theoretical, theoretical, theoretical, Path.GetFileName(job.Counterpart.Program), bytes)
+                {
+                    OwnDialect = dialect,
+                    Library = new JobFiles(job).Called().Find,
+                },
                 problems,
                 doubts);
             if (problems.Exists(p => p.Code == NcRefusalCodes.BlockNotFound))

@@ -110,6 +110,13 @@ public sealed class JobFiles
         return (file.File, InputFile.Program(file.File));
     }
 
+    /// <summary>Adds files that were read.</summary>
+    public void Add(IEnumerable<string> files) => _read.AddRange(files);
+
+    /// <summary>The folders of the programs that the job's program calls: its own, and the job's libraries.</summary>
+    public ProgramFolder Called() =>
+        new(Job.PathOf(Job.Counterpart.Program), [.. Job.Counterpart.Libraries.Select(Job.PathOf)]);
+
     /// <summary>The dialect of the program if the job names a dialect file; otherwise null.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public NcDialect? OwnDialect()

@@ -33,8 +33,15 @@ public static class MatingRun
         var previous = Previous(request, job, theoretical, NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax));
         try
         {
+            var called = files.Called();
             var outcome = Matcher.Match(
-                new(job, theoretical, part, counterpart, program, bytes) { OwnDialect = dialect, Previous = previous });
+                new(job, theoretical, part, counterpart, program, bytes)
+                {
+                    OwnDialect = dialect,
+                    Previous = previous,
+                    Library = called.Find,
+                });
+            files.Add(called.Opened);
             if (outcome.Result is not { } result)
             {
                 return Outcome.Refused<MatchedProgram>(InputRefusals.Of(outcome.Refusals, job.File, program));

@@ -22,6 +22,10 @@ public sealed record JobCounterpart(
     /// <summary>State of the machine's block skip switch; unstated if the job does not give it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
+    /// <summary>Folders with programs that the program calls, as the job writes them; searched in order, behind the program's own
+    /// folder.</summary>
+    public IReadOnlyList<string> Libraries { get; init; } = [];
+
     /// <summary>The dialect of the program, with the switch state from the job.</summary>
     /// <param name="own">The shop's dialect if the job names a file; null for a built-in one.</param>
     /// <exception cref="InputException">No dialect has the job's name.</exception>

@@ -130,7 +130,7 @@ internal sealed class CourseEstimator
             : new CourseEstimate(
                 wish,
                 rewrite.Result,
-                rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path.Dialect));
+                rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path));
     }
 
     /// <summary>Predicts the mating error that a program leaves.</summary>

@@ -118,6 +118,7 @@ internal sealed class JobReader(JsonItem root)
         item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm)
     {
         BlockSkip = Nc.BlockSkips.Of(item.Find("blockSkip")?.Text),
+        Libraries = [.. item.Find("libraries")?.Items.Select(i => i.Text) ?? []],
     };
 
     private static RigidTransform2 ReadFrame(JsonItem item)

@@ -121,7 +121,7 @@ public static class BoundarySearch
             var motion = path.Motions[m];
             if (motion is { IsCut: true, MovesInPlane: true, IsKnownInPlane: true }
                 && motion.Plane == plane
-                && !motion.Has(MotionFlags.Expression | MotionFlags.Transformed | MotionFlags.BadArc))
+                && !motion.Has(MotionFlags.Transformed | MotionFlags.BadArc))
             {
                 (first, last) = (first < 0 ? m : first, m);
             }

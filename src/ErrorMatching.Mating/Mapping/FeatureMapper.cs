@@ -149,10 +149,11 @@ internal static class FeatureMapper
     // Why the position of a motion in the feature's plane is unknown, or null.
     private static (string Code, string Message)? Unplaceable(in NcMotion motion, CoordinatePlane plane) => motion switch
     {
-        _ when motion.Has(MotionFlags.Expression) =>
+        _ when motion.Has(MotionFlags.Expression) && !motion.IsKnownInPlane =>
             (
                 NcRefusalCodes.Expression,
-                "the control computes where it goes (variable or expression). Post plain numbers for the blocks of a feature."),
+                "the control computes where it goes from a value that only the machine knows. Post plain numbers for the blocks of a "
+                    + "feature."),
         _ when motion.Has(MotionFlags.Transformed) =>
             (
                 NcRefusalCodes.ActiveTransform,

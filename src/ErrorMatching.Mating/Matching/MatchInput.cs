@@ -28,6 +28,10 @@ public sealed record MatchInput(
     /// did.</summary>
     public PreviousMatch? Previous { get; init; }
 
+    /// <summary>Returns a called program that is not in the file, by its name; null if there is none. The same name always gives the same
+    /// program. If the function itself is null, no other program is known.</summary>
+    public Func<string, NcProgram?>? Library { get; init; }
+
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
     public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
 
@@ -42,5 +46,6 @@ public sealed record MatchInput(
 
     /// <summary>Interprets the program in the job's dialect.</summary>
     /// <exception cref="InputException">The dialect is unknown, or the program is too large.</exception>
-    public NcPath Interpret() => NcInterpreter.Run(NcProgram.Read(Program), Job.Counterpart.DialectOf(OwnDialect));
+    public NcPath Interpret() =>
+        NcInterpreter.Run(NcProgram.Read(Program), Job.Counterpart.DialectOf(OwnDialect), Library, CancellationToken.None);
 }

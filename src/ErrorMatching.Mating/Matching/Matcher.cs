@@ -131,7 +131,7 @@ public static class Matcher
             return Unchanged(input, path, maps, part, counterpart, lot, decision);
         }
 
-        var marker = new Marker(input.Compensated.Sha256, input.ProgramSha256);
+        var marker = new Marker(input.Compensated.Sha256, path.Sha256);
         var program = NcProgram.Read(marker.InsertInto(rewrite.Program), path.Dialect.Syntax);
         var proof = Prover.Check(path, program, wish, rewrite.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         if (!proof.Holds)
@@ -139,7 +139,7 @@ public static class Matcher
             return Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
         }
 
-        var after = NcInterpreter.Run(program, path.Dialect);
+        var after = NcInterpreter.Run(program, path);
         var prediction = estimator.Predict(after);
         return new MatchResult(
                 input,

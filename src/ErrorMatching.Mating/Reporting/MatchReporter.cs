@@ -24,7 +24,7 @@ public static class MatchReporter
         return new()
         {
             Job = new(job.Name, job.WorkOrder, job.File, job.Sha256),
-            Inputs = Inputs(input),
+            Inputs = Inputs(input, result.Before),
             Alignments = [
                 .. new[]
                 {
@@ -69,7 +69,7 @@ public static class MatchReporter
             .. map.Feature.Points.Select(
                 l => ProjectedPoint.Of(result.Input.Theoretical[l], map.Feature.Plane, result.Input.Theoretical.File).Position)];
 
-    private static List<ReportInput> Inputs(MatchInput input)
+    private static List<ReportInput> Inputs(MatchInput input, NcPath path)
     {
         var inputs = new List<ReportInput>
         {
@@ -82,6 +82,7 @@ public static class MatchReporter
         }
 
         inputs.Add(new("program", input.ProgramFile, input.ProgramSha256));
+        inputs.AddRange(path.CalledPrograms.Select(c => new ReportInput("called", c.Name, c.Sha256)));
         if (input.Previous is { } previous)
         {
             inputs.Add(new("previous", previous.File, previous.Sha256));

@@ -23,4 +23,7 @@ public sealed record VerifyInput(
     /// <summary>The program's dialect if the job names a file of the shop (<see cref="NcDialects.IsFile"/>); otherwise null, and the job
     /// names a built-in dialect.</summary>
     public NcDialect? OwnDialect { get; init; }
+
+    /// <summary>Returns a called program that is not in the file, as for a match.</summary>
+    public Func<string, NcProgram?>? Library { get; init; }
 }

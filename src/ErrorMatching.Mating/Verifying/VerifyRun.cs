@@ -24,7 +24,8 @@ public static class VerifyRun
     {
         ArgumentNullException.ThrowIfNull(input);
         var job = input.Job;
-        var path = NcInterpreter.Run(NcProgram.Read(input.Program), job.Counterpart.DialectOf(input.OwnDialect));
+        var path = NcInterpreter.Run(
+            NcProgram.Read(input.Program), job.Counterpart.DialectOf(input.OwnDialect), input.Library, CancellationToken.None);
         IReadOnlyList<FeatureMap> maps = [];
         var refused = path.Refusal
             ?? UnitCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)

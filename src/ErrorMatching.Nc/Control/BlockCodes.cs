@@ -37,8 +37,9 @@ internal sealed class BlockCodes(
                     intent.HasUnknownCode = true;
                     break;
                 case NcMeaning.WorkOffset:
-                    var number = values.Words.Has('P') ? (int)Math.Clamp(values.Words.Value('P'), 0, 1000) : 0;
-                    offsets.Choose((tenths, number), (values.Words.Unknown & BlockWords.Bit('P')) == 0);
+                    var letter = values.Dialect.WorkOffsetLetter;
+                    var number = values.Words.Has(letter) ? (int)Math.Clamp(values.Words.Value(letter), 0, 1000) : 0;
+                    offsets.Choose((tenths, number), (values.Words.Unknown & BlockWords.Bit(letter)) == 0);
                     break;
                 case NcMeaning.Inch or NcMeaning.Metric:
                     control.Units(meaning == NcMeaning.Inch, values.Dialect.ScalesFeed(tenths));
@@ -146,6 +147,12 @@ internal sealed class BlockCodes(
                 result.Note("smoothing",
                     "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
                 break;
+            case >= NcMeaning.PoleFromPosition and <= NcMeaning.PoleFromPole:
+                (intent.Use, intent.Code) = (AxisUse.Pole, meaning);
+                break;
+            case >= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc:
+                (intent.Use, intent.Code) = (AxisUse.Cycle, meaning);
+                break;
             case var _ when SetsOrigin(meaning):
                 (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);
                 break;
@@ -177,7 +184,7 @@ internal sealed class BlockCodes(
                 control.Mode(meaning == NcMeaning.Spline ? MotionKind.Spline : MotionKind.ArcClockwise);
                 control.State.Form = meaning;
                 break;
-            case >= NcMeaning.DrillCycle and <= NcMeaning.OpaqueCycle: canned.Begin(meaning); break;
+            case (>= NcMeaning.DrillCycle and <= NcMeaning.OpaqueCycle) or NcMeaning.OpaqueLevelCycle: canned.Begin(meaning); break;
             case NcMeaning.CycleOff:
                 control.State.Cycle = NcMeaning.Unknown;
                 control.State.Unsure &= ~Unsure.Mode;

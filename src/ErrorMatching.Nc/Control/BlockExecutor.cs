@@ -22,6 +22,8 @@ internal sealed class BlockExecutor
     private readonly Corners _corners;
     private readonly Arcs _arcs;
     private readonly CannedCycles _canned;
+    private readonly BlockCycles _cycles;
+    private readonly PolarEnds _polar;
     private readonly CycleCalls _calls;
     private readonly MachineMoves _machine;
     private readonly ModeMemory _memory;
@@ -43,6 +45,8 @@ internal sealed class BlockExecutor
         _corners = new(control, values, layers, result, _writer);
         _arcs = new(control, values, layers, result, _writer, _corners);
         _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
+        _polar = new(control, values);
+        _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
         _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
         _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
 
@@ -55,6 +59,7 @@ internal sealed class BlockExecutor
 
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);
+        SystemCommands = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
         _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls), Switches);
@@ -69,6 +74,8 @@ internal sealed class BlockExecutor
     public BlockReader Reader { get; }
 
     public MachineSwitches Switches { get; }
+
+    public SystemCommands SystemCommands { get; }
 
     public SteeringWords Steering { get; }
 
@@ -156,10 +163,16 @@ internal sealed class BlockExecutor
     }
 
     /// <summary>Executes any words that were just read.</summary>
-    public void Step()
+    /// <param name="flags">What is known of the block's motions before its words.</param>
+    public void Step(MotionFlags flags = MotionFlags.None)
     {
         _intent.Begin();
-        var flags = ReadModes();
+        flags |= ReadModes();
+        if (_words.HasPolarEnd && (_intent.Use is not (AxisUse.Motion or AxisUse.Pole) || _control.State.Cycle != NcMeaning.Unknown))
+        {
+            flags |= LosePolarEnd();
+        }
+
         switch (_intent.Use)
         {
             case AxisUse.Motion when _values.MovesAxes():
@@ -174,6 +187,12 @@ internal sealed class BlockExecutor
                 break;
             case AxisUse.Reference:
                 _machine.Return(flags);
+                break;
+            case AxisUse.Pole:
+                _polar.SetPole(_intent.Code);
+                break;
+            case AxisUse.Cycle:
+                _cycles.Run(flags);
                 break;
             case AxisUse.Origin:
                 _origins.Run();
@@ -239,10 +258,10 @@ internal sealed class BlockExecutor
             return;
         }
 
-        flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
+        flags |= _words.IsPolar || _words.HasPolarEnd ? MotionFlags.Transformed : MotionFlags.None;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
-        var (end, unknown) = _ends.Target();
+        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _ends.Target();
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
             _arcs.Turn(kind, flags, end, unknown);
@@ -259,5 +278,24 @@ internal sealed class BlockExecutor
         {
             state.Unknown |= _values.GivenAxes();
         }
+    }
+
+    private (Point3 End, AxisSet Unknown) PolarTarget(MotionKind kind, ref MotionFlags flags)
+    {
+        var (given, unknown) = _ends.Target();
+        if (_polar.End(kind) is { } end)
+        {
+            return (end, unknown & ~_control.State.Plane.Axes());
+        }
+
+        flags |= LosePolarEnd();
+        return (given, unknown | _control.State.Plane.Axes());
+    }
+
+    // The end of the block is not followed.
+    private MotionFlags LosePolarEnd()
+    {
+        _control.State.Unknown |= _control.State.Plane.Axes();
+        return _result.UnknownWord("a polar end that the block does not state as a whole");
     }
 }

@@ -10,6 +10,8 @@ internal sealed class BlockObstacles(
     BlockStatements statements,
     MachineSwitches switches)
 {
+    private static readonly uint Feeds = BlockWords.Bit('F') | BlockWords.Bit('S');
+
     public MotionFlags Read()
     {
         var flags = MotionFlags.None;
@@ -37,6 +39,12 @@ internal sealed class BlockObstacles(
                 flags |= (given & values.UnknownLetters & BlockWords.Bit(letter)) != 0 ? result.UnknownWord(letter.ToString())
                     : MotionFlags.None;
             }
+        }
+
+        if ((values.Words.Computed & ~Feeds) != 0 && !values.Dialect.HasMacros)
+        {
+            flags |= result.UnknownWord("a computed value");
+            layers.Forget();
         }
 
         if ((values.Words.Computed & (BlockWords.Bit('G') | BlockWords.Bit('M'))) != 0)

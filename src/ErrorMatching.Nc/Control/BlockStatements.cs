@@ -21,6 +21,7 @@ internal sealed class BlockStatements(
             {
                 NcTokenKind.Keyword => ReadKeyword(statement),
                 NcTokenKind.Assignment => ReadAssignment(statement),
+                NcTokenKind.Expression when run.BytesOf(statement)[0] == '<' => ReadProgramName(statement),
                 _ => MotionFlags.None,
             };
         }
@@ -57,6 +58,9 @@ internal sealed class BlockStatements(
             case NcMeaning.ModalCycle:
                 calls.BeginModal();
                 return MotionFlags.None;
+            case NcMeaning.OpaqueCall:
+                run.Flow.RefuseCall(run.At, NcText.Decode(name).ToUpperInvariant());
+                return MotionFlags.None;
             case NcMeaning.CycleCall:
                 calls.Call(statement);
                 return MotionFlags.None;
@@ -69,6 +73,29 @@ internal sealed class BlockStatements(
         }
     }
 
+    // The flow reads the name of a called program, and that at the head of a program.
+    private MotionFlags ReadProgramName(NcToken statement)
+    {
+        foreach (var function in values.Words.Functions)
+        {
+            if (values.Dialect.FunctionOf(function) == FunctionRole.Call)
+            {
+                return MotionFlags.None;
+            }
+        }
+
+        foreach (var code in values.Words.Codes)
+        {
+            if (values.Dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall)
+            {
+                return MotionFlags.None;
+            }
+        }
+
+        layers.Forget();
+        return result.UnknownWord(run.TextOf(statement));
+    }
+
     // CYCLE800() cancels what CYCLE800(..) set.
     private bool HasNoArguments(NcToken statement)
     {
@@ -79,6 +106,12 @@ internal sealed class BlockStatements(
     private MotionFlags ReadAssignment(NcToken statement)
     {
         var bytes = run.BytesOf(statement);
+        if (!values.Dialect.HasMacros)
+        {
+            layers.Forget();
+            return result.UnknownWord(run.TextOf(statement));
+        }
+
         if (values.Dialect.Syntax != NcSyntax.Siemens)
         {
             return MotionFlags.None;
@@ -109,6 +142,19 @@ internal sealed class BlockStatements(
             case LetterRole.PolarEnd:
                 control.State.Unknown |= control.State.Plane.Axes();
                 return result.UnknownWord(run.TextOf(statement));
+            case LetterRole.PolarRadius or LetterRole.PolarAngle or LetterRole.LineAngle:
+                var role = values.Dialect.RoleOf(name);
+                var at = bytes.IndexOf((byte)'=') + 1;
+                var value = IsDistance(bytes[at..]) ? double.NaN
+                    : run.Compute(statement.Start + at, statement.Length - at) ?? double.NaN;
+                switch (role)
+                {
+                    case LetterRole.PolarRadius: values.Words.PoleRadius = value; break;
+                    case LetterRole.PolarAngle: values.Words.PoleAngle = value; break;
+                    default: values.Words.LineAngle = value; break;
+                }
+
+                return MotionFlags.None;
             case LetterRole.Harmless or LetterRole.Variable:
                 return MotionFlags.None;
         }
@@ -127,6 +173,13 @@ internal sealed class BlockStatements(
         // It could be an axis with another name.
         control.State.Unknown = AxisSet.All;
         return result.UnknownWord(run.TextOf(statement));
+    }
+
+    // AC(..) and IC(..)
+    private static bool IsDistance(ReadOnlySpan<byte> value)
+    {
+        value = value.TrimStart((byte)' ');
+        return value.Length > 1 && (value[0] | 0x20) is 'a' or 'i' && (value[1] | 0x20) == 'c';
     }
 
     // Tool data, outputs and markers are harmless; all others can be offsets and settings.

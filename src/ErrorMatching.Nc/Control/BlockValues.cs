@@ -34,7 +34,7 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
         var arc = control.State.Mode is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise
             && control.State.Cycle == NcMeaning.Unknown;
         var axes = control.State.Cycle == NcMeaning.Unknown ? BlockWords.LinearAxes : BlockWords.LinearAxes | BlockWords.Bit('R');
-        return (given & (axes | OtherAxes)) != 0 || Words.IsPolar || (arc && (given & BlockWords.CenterWords) != 0);
+        return (given & (axes | OtherAxes)) != 0 || Words.IsPolar || Words.HasPolarEnd || (arc && (given & BlockWords.CenterWords) != 0);
     }
 
     public bool StatesStraightMotion()

@@ -99,14 +99,15 @@ internal sealed partial class BlockWords
 
     /// <summary>Reads any block by its tokens.</summary>
     /// <param name="bytes">The program's bytes.</param>
-    /// <param name="block">The block.</param>
+    /// <param name="start">Start of the block's words.</param>
+    /// <param name="end">End of the block.</param>
     /// <param name="syntax">Its syntax.</param>
     /// <param name="compute">Returns the value of a computed word: NaN if only the machine knows it, null if it is a variable that was
     /// never set.</param>
-    public void ReadTokens(ReadOnlySpan<byte> bytes, NcBlock block, NcSyntax syntax, Func<NcToken, double?> compute)
+    public void ReadTokens(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax, Func<NcToken, double?> compute)
     {
         Clear();
-        foreach (var token in new NcTokenizer(bytes, block.Start, block.End, syntax))
+        foreach (var token in new NcTokenizer(bytes, start, end, syntax))
         {
             switch (token.Kind)
             {

@@ -60,6 +60,19 @@ internal sealed partial class BlockWords
     /// none.</summary>
     public double? PolarAngle { get; private set; }
 
+    /// <summary>Distance of the end from the pole (RP=), as programmed; NaN if only the machine knows it, null if the block has
+    /// none.</summary>
+    public double? PoleRadius { get; set; }
+
+    /// <summary>Angle of the end about the pole (AP=), degrees; NaN if only the machine knows it, null if the block has none.</summary>
+    public double? PoleAngle { get; set; }
+
+    /// <summary>Angle of a straight line (ANG=), degrees; NaN if only the machine knows it, null if the block has none.</summary>
+    public double? LineAngle { get; set; }
+
+    /// <summary>True if the end is given about a pole or by an angle.</summary>
+    public bool HasPolarEnd => PoleRadius is not null || PoleAngle is not null || LineAngle is not null;
+
     /// <summary>True if the block has a polar coordinate.</summary>
     public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
 
@@ -103,6 +116,7 @@ internal sealed partial class BlockWords
         (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
         (_codeCount, _functionCount, Corner, CornerValue, Invalid, Semicolon) = (0, 0, 0, 0, default, default);
         (PlaneAngle, PolarDistance, PolarAngle) = (null, null, null);
+        (PoleRadius, PoleAngle, LineAngle) = (null, null, null);
         _statements.Clear();
     }
 

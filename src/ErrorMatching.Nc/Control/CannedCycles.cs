@@ -20,6 +20,9 @@ internal sealed class CannedCycles(
     private double _initial;
     private (double Depth, double Plane, double Peck, bool HasPlane) _words;
     private AxisSet _unknown;
+    private bool _pecksVary;
+
+    private bool RepeatsByK => !wall.ShiftsByK && (values.Dialect.PeckLetters & BlockWords.Bit('K')) == 0;
 
     /// <summary>Switches to a cycle.</summary>
     public void Begin(NcMeaning meaning)
@@ -28,6 +31,7 @@ internal sealed class CannedCycles(
         {
             _initial = control.State.Plane.Height(control.State.Position);
             _words = default;
+            _pecksVary = false;
             wall.Begin();
             _unknown = AxisSet.All;
         }
@@ -55,7 +59,8 @@ internal sealed class CannedCycles(
         }
 
         var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane;
-        if (!isKnown || control.State.Cycle == NcMeaning.OpaqueCycle)
+        isKnown &= control.State.Cycle != NcMeaning.OpaqueLevelCycle;
+        if (!isKnown || _pecksVary || control.State.Cycle == NcMeaning.OpaqueCycle)
         {
             // It ends over the position, at the height of the retract mode.
             var height = control.State.RetractsToR && control.State.Cycle != NcMeaning.BackBoreCycle ? _words.Plane : _initial;
@@ -64,13 +69,21 @@ internal sealed class CannedCycles(
             return;
         }
 
-        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && !wall.ShiftsByK ? values.Words.Value('K')
+        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && RepeatsByK ? values.Words.Value('K')
             : 1;
         steps.Count += times * (1 + PecksOfHole());
         if (!(steps.Count <= CycleSteps.Most))
         {
             writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
             return;
+        }
+
+        if (times == 0)
+        {
+            // Whether it moves to the place of a cycle that does not run depends on the control.
+            var away = target - control.State.Position;
+            control.State.Unknown |= ((away.X != 0 ? AxisSet.X : AxisSet.None) | (away.Y != 0 ? AxisSet.Y : AxisSet.None)
+                | (away.Z != 0 ? AxisSet.Z : AxisSet.None)) & plane.Axes();
         }
 
         var step = plane.Project(target) - plane.Project(control.State.Position);
@@ -90,8 +103,43 @@ internal sealed class CannedCycles(
         }
     }
 
+    /// <summary>True if a cycle is active whose hole is followed, and whose words have no other meaning in a pattern of holes.</summary>
+    public bool CanDrillAt => control.State.Cycle is not (NcMeaning.Unknown or NcMeaning.OpaqueCycle or NcMeaning.FineBoreCycle
+        or NcMeaning.OpaqueLevelCycle or NcMeaning.BackBoreCycle or NcMeaning.TapCycle) && !_pecksVary;
+
+    /// <summary>Runs the active cycle at each of some places.</summary>
+    public void DrillAt(MotionFlags flags, IReadOnlyList<Point2> places)
+    {
+        flags |= MotionFlags.Cycle;
+        var plane = control.State.Plane;
+        var toolAxis = AxisSet.All & ~plane.Axes();
+        ReadPlaneAndDepth(plane switch { CoordinatePlane.ZX => 'Y', CoordinatePlane.YZ => 'X', _ => 'Z' }, toolAxis);
+        steps.Count += places.Count * (1 + PecksOfHole());
+        var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane
+            && steps.Count <= CycleSteps.Most;
+        for (var i = 0; i < places.Count; i++)
+        {
+            if (isKnown)
+            {
+                Hole(flags, places[i], AxisSet.None, i == 0);
+            }
+            else
+            {
+                writer.Append(MotionKind.Cycle, flags, plane.Lift(places[i], _words.Plane), toolAxis);
+            }
+        }
+    }
+
     // If coordinates are increments, the R plane is relative to the cycle's initial height, and the depth to the R plane.
     private void ReadWords(char axis, AxisSet toolAxis)
+    {
+        wall.Read();
+        _pecksVary |= control.State.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle
+            && ((values.Words.Present | values.Words.Computed) & values.Dialect.PeckLetters) != 0;
+        ReadPlaneAndDepth(axis, toolAxis);
+    }
+
+    private void ReadPlaneAndDepth(char axis, AxisSet toolAxis)
     {
         if (values.Words.Has('R'))
         {
@@ -105,7 +153,6 @@ internal sealed class CannedCycles(
             _unknown &= ~toolAxis;
         }
 
-        wall.Read();
         _words.Peck = values.Words.Has('Q') ? Math.Abs(values.Length('Q')) : _words.Peck;
         _unknown |= values.UnknownWords() & toolAxis;
         if ((values.Words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)

@@ -97,7 +97,7 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     private bool ChangesNothing()
     {
         if (values.Words.Statements.Count > 0 || values.Words.Invalid.Length > 0 || values.Words.Semicolon.Length > 0
-            || values.Words.Computed != 0 || values.Words.IsPolar || values.Words.Corner != 0)
+            || values.Words.Computed != 0 || values.Words.IsPolar || values.Words.HasPolarEnd || values.Words.Corner != 0)
         {
             return false;
         }

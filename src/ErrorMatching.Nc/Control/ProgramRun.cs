@@ -1,3 +1,4 @@
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Refusals;
 
@@ -14,6 +15,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     private const long StepsPerBlock = 10;
     private const int LongestShown = 60;
 
+    private readonly List<CalledProgram> _called = [];
     private NcFlow? _flow;
 
     public NcProgram Program { get; } = program;
@@ -46,15 +48,30 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public NcFlow Flow => _flow ??= new(Program, dialect, new()
     {
-        Library = name => library?.Invoke(name)?.In(dialect.Syntax),
+        Library = Called,
         Returned = depth => Returned(depth),
         Steps = LeastSteps + (StepsPerBlock * Program.BlockCount),
         Cancellation = cancellation,
     });
 
+    /// <summary>The programs of other files that the run called, in order of their first call.</summary>
+    public IReadOnlyList<CalledProgram> CalledPrograms => _called;
+
     public IReadOnlyList<NcNote> FlowNotes => _flow?.Notes ?? [];
 
     public Refusal? Refusal => _flow?.Refusal;
+
+    // The flow asks once for each name.
+    private NcProgram? Called(string name)
+    {
+        if (library?.Invoke(name) is not { } called)
+        {
+            return null;
+        }
+
+        _called.Add(new(name, Convert.ToHexStringLower(SHA256.HashData(called.Bytes.Span))));
+        return called.In(dialect.Syntax);
+    }
 
     /// <summary>Continues where the flow decided.</summary>
     public void Follow(FlowAction action)

@@ -41,11 +41,19 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "inchDecimals": tables.InchDecimals = (int)value.Number; break;
             case "arcMismatchMm": tables.ArcMismatchMm = value.Number; break;
             case "arcMismatchOfRadius": tables.ArcMismatchOfRadius = value.Number; break;
+            case "peckLetters": tables.PeckLetters = value.Text.Aggregate(0u, (bits, letter) => bits | (1u << (letter - 'A'))); break;
+            case "sequenceLetter": tables.SequenceLetter = LetterOf(value); break;
+            case "repeatsInNumber": tables.RepeatsInNumber = value.Flag; break;
+            case "workOffsetLetter": tables.WorkOffsetLetter = LetterOf(value); break;
+            case "systemLines": tables.SystemLines = value.Flag; break;
+            case "macros": tables.HasMacros = value.Flag; break;
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
             case "commentLength": tables.CommentLength = (int)value.Number; break;
-            case "turnsLetter": tables.TurnsLetter = value.Text.Length == 0 ? (byte)0 : (byte)value.Text[0]; break;
+            case "turnsLetter": tables.TurnsLetter = LetterOf(value); break;
         }
     }
+
+    private static byte LetterOf(JsonItem value) => value.Text.Length == 0 ? (byte)0 : (byte)value.Text[0];
 
     // Ranges first: a single code has priority over a range, regardless of their order.
     private void Apply(DialectTopic topic, IReadOnlyList<JsonItem> entries, string key)

@@ -35,6 +35,18 @@ internal sealed class DialectTables
 
     public byte TurnsLetter { get; set; }
 
+    public uint PeckLetters { get; set; }
+
+    public bool SystemLines { get; set; }
+
+    public byte SequenceLetter { get; set; }
+
+    public bool RepeatsInNumber { get; set; } = true;
+
+    public byte WorkOffsetLetter { get; set; } = (byte)'P';
+
+    public bool HasMacros { get; set; } = true;
+
     public bool CommentCapitals { get; set; }
 
     public int CommentLength { get; set; }

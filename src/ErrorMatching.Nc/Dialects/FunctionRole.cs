@@ -38,4 +38,7 @@ public enum FunctionRole : byte
 
     /// <summary>Discards them (M71).</summary>
     DropModes,
+
+    /// <summary>Jumps if an input of the machine says so (M96 of Haas): refused.</summary>
+    MachineJump,
 }

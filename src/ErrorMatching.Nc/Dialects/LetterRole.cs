@@ -48,6 +48,15 @@ public enum LetterRole : byte
     /// <summary>Intermediate point of an arc along X, Y or Z (<c>I1=</c>, <c>J1=</c>, <c>K1=</c>).</summary>
     IntermediatePoint,
 
-    /// <summary>Radius or angle of a polar end point (<c>RP=</c>, <c>AP=</c>): moves axes in a way that is not followed.</summary>
+    /// <summary>Part of an end point that moves axes in a way that is not followed.</summary>
     PolarEnd,
+
+    /// <summary>Radius of a polar end point about the pole (<c>RP=</c>).</summary>
+    PolarRadius,
+
+    /// <summary>Angle of a polar end point about the pole (<c>AP=</c>).</summary>
+    PolarAngle,
+
+    /// <summary>Angle of a straight line (<c>ANG=</c>).</summary>
+    LineAngle,
 }

@@ -59,6 +59,25 @@ public sealed class NcDialect
     /// <summary>Letter of the number of turns of an arc, including the first; 0 if the control has none.</summary>
     public byte TurnsLetter => _tables.TurnsLetter;
 
+    /// <summary>Letters with which a pecking cycle varies its pecks, so that they are not followed, one bit each; bit 0 is A. K among
+    /// them is no number of repetitions.</summary>
+    public uint PeckLetters => _tables.PeckLetters;
+
+    /// <summary>Letter of the block number at which a called program begins (M98 P100 H20); 0 if the control has none.</summary>
+    public byte SequenceLetter => _tables.SequenceLetter;
+
+    /// <summary>True if digits in front of the last four of a program number are repetitions (M98 P51002).</summary>
+    public bool RepeatsInNumber => _tables.RepeatsInNumber;
+
+    /// <summary>Letter of the number of a work offset beside its code.</summary>
+    public byte WorkOffsetLetter => _tables.WorkOffsetLetter;
+
+    /// <summary>True if a line that begins with a dollar sign is a command to the control, not a block.</summary>
+    public bool SystemLines => _tables.SystemLines;
+
+    /// <summary>True if programs can have variables, expressions, branches and calls.</summary>
+    public bool HasMacros => _tables.HasMacros;
+
     /// <summary>True if comments that are written have capital letters, digits, spaces and a few signs only; false if any
     /// printable ASCII.</summary>
     public bool CommentCapitals => _tables.CommentCapitals;

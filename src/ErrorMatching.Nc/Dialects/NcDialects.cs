@@ -12,7 +12,10 @@ public static class NcDialects
     private const string DeltaName = "delta-nc300";
     private const string SiemensName = "siemens-840d";
     private const string LinuxCncName = "linuxcnc";
-    private static readonly string[] BuiltInNames = [GenericName, FanucName, DeltaName, SiemensName, LinuxCncName];
+    private static readonly string[] BuiltInNames =
+    [
+        GenericName, FanucName, DeltaName, "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", SiemensName, LinuxCncName, "grbl",
+    ];
 
     // Read on first access, because a run needs only one of them.
     private static readonly Lazy<NcDialect>[] BuiltIn = [.. BuiltInNames.Select(n => new Lazy<NcDialect>(() => DialectChain.BuiltIn(n)))];

@@ -250,4 +250,31 @@ public enum NcMeaning : byte
 
     /// <summary>A machining or measuring cycle with its arguments in parentheses (CYCLE81).</summary>
     CycleCall,
+
+    /// <summary>The block moves the axes by itself in a way that is not followed: a pocket, engraving, measuring, homing. Positions are
+    /// unknown until the program states them; modes stay.</summary>
+    OpaqueMotion,
+
+    /// <summary>The same, and the modes are unknown too.</summary>
+    Unsure,
+
+    /// <summary>Runs the active canned cycle at holes on a circle about the block's place: radius I, angle of the first J, number L (Haas
+    /// G70).</summary>
+    BoltCircle,
+
+    /// <summary>The same on an arc, with the angle K from hole to hole (Haas G71).</summary>
+    BoltArc,
+
+    /// <summary>A canned cycle that is not followed and retracts to a level that is not known: it ends over its position (Okuma G81 with
+    /// M53).</summary>
+    OpaqueLevelCycle,
+
+    /// <summary>Sets the pole of polar ends from the tool's place (G110).</summary>
+    PoleFromPosition,
+
+    /// <summary>Sets it from the origin (G111).</summary>
+    PoleFromOrigin,
+
+    /// <summary>Sets it from the pole before (G112).</summary>
+    PoleFromPole,
 }

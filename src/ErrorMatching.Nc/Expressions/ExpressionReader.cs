@@ -260,10 +260,15 @@ internal ref struct ExpressionReader
             return Fail("EXISTS is followed by a variable in brackets");
         }
 
+        // Measured with rs274. Whether a value of the machine's configuration exists, only the machine knows.
         var place = Place();
-        return Text.Close(_syntax.Close)
-            ? NcValue.Of(place.Kind != VariableKind.Named || Variables.Knows(place.Name!) || LinuxCncNames.IsOfMachine(place.Name!))
-            : NcValue.Unknown;
+        return !Text.Close(_syntax.Close) ? NcValue.Unknown : place.Kind switch
+        {
+            VariableKind.Numbered => NcValue.Of(place.Number is > 0 and <= LinuxCncNames.LastNumber),
+            VariableKind.Named when Variables.Knows(place.Name!) || LinuxCncNames.IsPredefined(place.Name!) => NcValue.Of(true),
+            VariableKind.Named => LinuxCncNames.IsOfMachine(place.Name!) ? NcValue.Unknown : NcValue.Of(false),
+            _ => NcValue.Unknown,
+        };
     }
 
     // NOT x, B_NOT x, TRUE, FALSE: words in the place of an operand.

@@ -16,8 +16,13 @@ internal static class LinuxCncNames
         "_CURRENT_TOOL", "_CURRENT_POCKET", "_SELECTED_TOOL", "_SELECTED_POCKET", "_TASK", "_CALL_LEVEL", "_REMAP_LEVEL",
     };
 
+    /// <summary>The last of the numbered parameters (measured with rs274).</summary>
+    public const int LastNumber = 5601;
+
+    public static bool IsPredefined(string name) => Predefined.Contains(name);
+
     public static bool IsOfMachine(string name) =>
-        Predefined.Contains(name)
+        IsPredefined(name)
             || name.StartsWith("_INI[", StringComparison.Ordinal)
             || name.StartsWith("_HAL[", StringComparison.Ordinal);
 }

@@ -40,6 +40,7 @@ internal static class VariableReader
             (byte)'#' => reader.Variable(),
             (byte)'[' => reader.Bracket(),
             (byte)'.' or (>= (byte)'0' and <= (byte)'9') => ExpressionLiterals.Number(ref text, reader.Syntax),
+            var c when reader.Syntax == NcSyntax.LinuxCnc && SyntaxBytes.IsLetter(c) => reader.Operand(),
             _ => text.Fail("the number of a variable is expected here"),
         };
         text.Leave();

@@ -79,6 +79,23 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
         return (start, at - start, value);
     }
 
+    /// <summary>The name in angle brackets at a position, in capitals, and its end: <c>&lt;BORE&gt;</c>; null if there is none.</summary>
+    public static (string? Name, int End) BracketedName(ReadOnlySpan<byte> text, int at)
+    {
+        var end = at < text.Length ? SyntaxBytes.BehindProgramName(text, at, text.Length) : 0;
+        return end > 0 ? (NcText.Decode(text[(at + 1)..(end - 1)]).ToUpperInvariant(), end) : (null, at);
+    }
+
+    /// <summary>The program that begins at a position in ISO spelling: <c>O100</c>, <c>O&lt;BORE&gt;</c> or <c>&lt;BORE&gt;</c>, and the
+    /// end of its name; null if none begins there.</summary>
+    public static (string? Name, int End) ProgramAt(ReadOnlySpan<byte> text, int at)
+    {
+        var isNumbered = at < text.Length && (text[at] | 0x20) == 'o';
+        return isNumbered && NumberAt(text, at + 1) is { Length: > 0 } number
+            ? (FlowIndex.NumberName(number.Value), number.Start + number.Length)
+            : BracketedName(text, isNumbered ? at + 1 : at);
+    }
+
     /// <summary>True if a word is at a position, in any case.</summary>
     public static bool Stands(ReadOnlySpan<byte> text, int at, ReadOnlySpan<byte> word) =>
         text.Length - at >= word.Length && System.Text.Ascii.EqualsIgnoreCase(text.Slice(at, word.Length), word);

@@ -149,11 +149,16 @@ internal sealed class FlowIndex
             return _syntax == NcSyntax.Siemens ? NcText.Decode(text[(at + 1)..]).Trim().ToUpperInvariant() : "";
         }
 
+        if (_syntax == NcSyntax.Iso)
+        {
+            return BlockHead.ProgramAt(text, at).Name;
+        }
+
         if (_syntax == NcSyntax.Siemens || (text[at] | 0x20) != 'o' || BlockHead.NumberAt(text, at + 1) is not { Length: > 0 } number)
         {
             return null;
         }
 
-        return _syntax == NcSyntax.LinuxCnc && OWordHead.Read(text, at).Keyword.Length > 0 ? null : NumberName(number.Value);
+        return OWordHead.Read(text, at).Keyword.Length > 0 ? null : NumberName(number.Value);
     }
 }

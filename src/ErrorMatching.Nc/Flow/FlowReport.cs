@@ -41,7 +41,7 @@ internal sealed class FlowReport(CallStack calls)
     public FlowAction RefuseCall(int block, string word) => Refuse(
         NcRefusalCodes.MissingProgram,
         block,
-        $"{word} calls a program in a way that is not followed, or one that is looked for elsewhere: what it does is not known. "
+        $"{word} calls or steers a program in a way that is not followed, or one that is looked for elsewhere: what it does is not known. "
             + "Put its blocks in the place of the call.");
 
     public void Note(string code, int block, string message)

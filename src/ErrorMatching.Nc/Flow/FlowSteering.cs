@@ -55,6 +55,8 @@ internal sealed class FlowSteering(
             (FunctionRole.Return, _) => macros.ReturnTo(block, program),
             (FunctionRole.Call, NcSyntax.Iso or NcSyntax.LinuxCnc) => macros.CallNumber(block, program),
             (FunctionRole.LocalCall, NcSyntax.Iso or NcSyntax.LinuxCnc) => macros.CallLocal(block, program),
+            (FunctionRole.MachineJump, _) => report.Refuse(NcRefusalCodes.UnknownCondition, block,
+                FormattableString.Invariant($"M{function} goes on where an input of the machine says; the program does not say it.")),
             _ => report.RefuseCall(block, FormattableString.Invariant($"M{function}")),
         };
     }

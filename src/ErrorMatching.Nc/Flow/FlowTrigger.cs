@@ -7,6 +7,11 @@ internal static class FlowTrigger
     /// time.</summary>
     public static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect)
     {
+        if (!dialect.HasMacros)
+        {
+            return text.Contains((byte)'%');
+        }
+
         var syntax = dialect.Syntax;
         var lastClose = text.LastIndexOf((byte)')');
         for (var at = 0; at < text.Length; at++)
@@ -30,7 +35,9 @@ internal static class FlowTrigger
                 continue;
             }
 
-            if (c is (byte)'#' or (byte)'%' || (syntax == NcSyntax.Siemens && c is (byte)'=' or (byte)':' or (byte)'_'))
+            if (c is (byte)'#' or (byte)'%'
+                || (syntax == NcSyntax.Iso && c == '<')
+                || (syntax == NcSyntax.Siemens && c is (byte)'=' or (byte)':' or (byte)'_'))
             {
                 return true;
             }

@@ -40,13 +40,15 @@ internal sealed class IsoStatements(FlowReport report, FlowMemory memory, FlowCo
             return holds ? GoTo(block, reader) : FlowAction.Continue;
         }
 
-        if (reader.At >= text.Length || text[reader.At] != '#')
+        if (reader.At >= text.Length || (text[reader.At] != '#' && !SyntaxBytes.IsLetter(text[reader.At])))
         {
-            return report.Refuse(NcRefusalCodes.BadExpression, block,
-                FormattableString.Invariant($"column {reader.At + 1}: GOTO, or THEN with an assignment, is expected behind a condition."));
+            return report.Refuse(
+                NcRefusalCodes.BadExpression,
+                block,
+                FormattableString.Invariant($"column {reader.At + 1}: GOTO, an assignment or words are expected behind a condition."));
         }
 
-        return holds ? words.Assign(block, text, reader.At) : FlowAction.Continue;
+        return holds ? words.AssignBehind(block, text, reader.At) : FlowAction.Continue;
     }
 
     private FlowAction GoTo(int block, ExpressionReader reader)

@@ -13,11 +13,18 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     /// <summary>The words of the block with their values, in order; letter 0 is a word of several letters.</summary>
     public List<(byte Letter, NcValue Value)> Collected => _words;
 
+    /// <summary>The name in angle brackets among the words, in capitals; null if there is none.</summary>
+    public string? ProgramName { get; private set; }
+
+    /// <summary>Start of the block's words, from the start of the block: behind its condition if it has one; otherwise 0.</summary>
+    public int From { get; private set; }
+
     /// <summary>Begins a block.</summary>
     public void Begin()
     {
         _pending.Clear();
         _scanned = -1;
+        From = 0;
     }
 
     /// <summary>Ends a block: its words are read again the next time it runs.</summary>
@@ -48,6 +55,7 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     public FlowAction Assign(int block, ReadOnlySpan<byte> text, int at)
     {
         _words.Clear();
+        ProgramName = null;
         _scanned = block;
         var reader = memory.ReaderAt(text, at);
         for (reader.SkipSpaces(); reader.Error is null && reader.At < text.Length; reader.SkipSpaces())
@@ -62,6 +70,15 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
             {
                 var length = text[reader.At..].IndexOf((byte)')');
                 reader.At = length < 0 ? text.Length : reader.At + length + 1;
+            }
+            else if (syntax == NcSyntax.Iso && BlockHead.BracketedName(text, reader.At) is { Name: { } name, End: var end })
+            {
+                (ProgramName, reader.At) = (name, end);
+            }
+            else if (c == '$' && syntax == NcSyntax.LinuxCnc)
+            {
+                reader.At++;
+                reader.Operand();
             }
             else if (c == '#')
             {
@@ -87,6 +104,13 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
             : FlowAction.Continue;
     }
 
+    /// <summary>The same for the words behind a condition.</summary>
+    public FlowAction AssignBehind(int block, ReadOnlySpan<byte> text, int at)
+    {
+        From = at;
+        return Assign(block, text, at);
+    }
+
     private FlowAction AssignOne(int block, ref ExpressionReader reader)
     {
         var column = reader.At;
@@ -97,6 +121,13 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
         }
 
         var value = reader.Expression();
+        reader.SkipSpaces();
+        if (syntax == NcSyntax.Iso && reader.Error is null && SyntaxBytes.IsLetter(reader.Text.Peek()))
+        {
+            // Controls raise an alarm or pass over it; the words would be lost.
+            reader.Fail("a word stands behind an assignment; begin a block for it");
+        }
+
         if (!memory.Check(ref reader, block))
         {
             return FlowAction.Stop;

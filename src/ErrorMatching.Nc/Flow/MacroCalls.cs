@@ -2,7 +2,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Calls by number of ISO controls and LinuxCNC: M98, M97, G65, G66, and their returns.</summary>
 internal sealed class MacroCalls(
-    NcSyntax syntax,
+    NcDialect dialect,
     CallStack calls,
     FlowReport report,
     FlowMemory memory,
@@ -20,8 +20,20 @@ internal sealed class MacroCalls(
     /// <summary>True while a macro is called after every motion.</summary>
     public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
 
+    // M98 P100, M98 <BORE>, and from a block of it on: M98 P100 H20, M98 H20
     public FlowAction CallNumber(int block, NcValue program)
     {
+        var from = NcValue.Vacant;
+        foreach (var (letter, value) in words.Collected)
+        {
+            from = letter == dialect.SequenceLetter && letter != 0 ? value : from;
+        }
+
+        if (!from.IsVacant && program.IsVacant && words.ProgramName is null)
+        {
+            return CallLocal(block, from);
+        }
+
         if (!TryProgram(block, program, isLocal: false, out var number, out var passes))
         {
             return FlowAction.Stop;
@@ -32,8 +44,28 @@ internal sealed class MacroCalls(
             return FlowAction.Continue;
         }
 
-        return UnitOf(number) is { } unit ? course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes })
-            : report.Missing(block, FlowIndex.NumberName(number));
+        if (UnitOf(NameOf(program, number)) is not { } unit)
+        {
+            return report.Missing(block, NameOf(program, number));
+        }
+
+        var first = unit.First;
+        if (!from.IsVacant)
+        {
+            if (!memory.TryCount(block, from, "the block at which the call begins", out var sequence))
+            {
+                return FlowAction.Stop;
+            }
+
+            first = unit.Index.FindNumber(unit, unit.First - 1, sequence, backward: false);
+            if (first < 0)
+            {
+                var message = FormattableString.Invariant($"the call goes to block N{sequence}, which the called program does not have.");
+                return report.Refuse(NcRefusalCodes.MissingLabel, block, message);
+            }
+        }
+
+        return course.Enter(new() { Unit = unit, First = first, Caller = block, Passes = passes });
     }
 
     // M97 P100: the blocks of this program from N100 on.
@@ -79,9 +111,9 @@ internal sealed class MacroCalls(
             return FlowAction.Stop;
         }
 
-        if (UnitOf(number) is not { } unit)
+        if (UnitOf(NameOf(program, number)) is not { } unit)
         {
-            return report.Missing(block, FlowIndex.NumberName(number));
+            return report.Missing(block, NameOf(program, number));
         }
 
         var arguments = Arguments(at);
@@ -151,13 +183,14 @@ internal sealed class MacroCalls(
     private bool TryProgram(int block, NcValue program, bool isLocal, out long number, out long passes)
     {
         (number, passes) = (0, 1);
-        if (program.IsVacant)
+        var isNamed = program.IsVacant && !isLocal && words.ProgramName is not null;
+        if (program.IsVacant && !isNamed)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block, $"the call names no {(isLocal ? "block" : "program")}: P is missing.");
             return false;
         }
 
-        if (!memory.TryCount(block, program, "the number of the called program", out number))
+        if (!isNamed && !memory.TryCount(block, program, "the number of the called program", out number))
         {
             return false;
         }
@@ -175,13 +208,13 @@ internal sealed class MacroCalls(
             }
         }
 
-        if (!isLocal && !hasCount && number > 9999 && UnitOf(number) is null)
+        if (dialect.RepeatsInNumber && !isLocal && !hasCount && number > 9999 && UnitOf(FlowIndex.NumberName(number)) is null)
         {
             (passes, number) = (number / 10_000, number % 10_000);
         }
 
         // In LinuxCNC, L0 calls nothing.
-        if (passes < (syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
+        if (passes < (dialect.Syntax == NcSyntax.LinuxCnc ? 0 : 1) || number < 0)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block,
                 "the call has a number of repetitions, or of a program, that is not positive.");
@@ -190,12 +223,12 @@ internal sealed class MacroCalls(
         return report.Refusal is null;
     }
 
-    private FlowUnit? UnitOf(long number)
-    {
-        var name = FlowIndex.NumberName(number);
-        return calls.Unit.Index.Unit(name) ?? (library.Find(syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
+    private string NameOf(NcValue program, long number) =>
+        program.IsVacant ? words.ProgramName ?? "" : FlowIndex.NumberName(number);
+
+    private FlowUnit? UnitOf(string name) => calls.Unit.Index.Unit(name)
+        ?? (library.Find(dialect.Syntax == NcSyntax.LinuxCnc ? name[1..].TrimStart('0') : name) is { } index
             ? index.Unit(name) ?? index.Main : null);
-    }
 
     // Assigns letters to local variables. A second I, J, K belongs to the next three variables (argument specification II).
     private List<(VariablePlace, NcValue)> Arguments(int at)

@@ -39,7 +39,7 @@ internal sealed class NcFlow
         _structures = new(_syntax, _calls, _report, _memory, _course, alarms, new(_calls, _report, _memory, _course, library));
         _words = new(_syntax, _calls, _report, _memory, _course);
         _iso = new(_report, _memory, _course, alarms, _words);
-        _macros = new(_syntax, _calls, _report, _memory, _course, library, _words, settings);
+        _macros = new(dialect, _calls, _report, _memory, _course, library, _words, settings);
         _steering = new(dialect, _report, _memory, _course, _macros, _words);
 
         var arrays = new SiemensArrays(_report, _memory, _course);
@@ -67,6 +67,10 @@ internal sealed class NcFlow
 
     /// <summary>True while a macro is called after every motion: then give each block that moves to <see cref="ExecuteCalls"/>.</summary>
     public bool HasModalCall => _macros.HasModalCall;
+
+    /// <summary>Start of the words of the block last given to <see cref="ExecuteStatements"/>, from the start of the block: behind its
+    /// condition if it has one; otherwise 0.</summary>
+    public int WordsFrom => _words.From;
 
     /// <summary>True if the block last given to <see cref="ExecuteCalls"/> had a flow word that was executed.</summary>
     public bool HasSteered => _steering.HasSteered;
@@ -178,7 +182,7 @@ internal sealed class NcFlow
     // A percent sign, or the number of a program.
     private bool Heads(ReadOnlySpan<byte> text, int at) =>
         at < text.Length && (text[at] == '%'
-            || (_syntax == NcSyntax.Iso && (text[at] | 0x20) == 'o' && BlockHead.NumberAt(text, at + 1).Length > 0));
+            || (_syntax == NcSyntax.Iso && BlockHead.ProgramAt(text, at).Name is not null));
 
     // The start of the next program ends the current one. If there is an index, it already limits the blocks to those of the program.
     private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
@@ -195,9 +199,8 @@ internal sealed class NcFlow
             }
         }
 
-        // Statements after the number of a program are executed.
-        var number = BlockHead.NumberAt(head, headAt + 1);
-        return head[headAt] == '%' ? FlowAction.Continue : _iso.Execute(block, head, number.Start + number.Length);
+        // Statements after the number or name of a program are executed.
+        return head[headAt] == '%' ? FlowAction.Continue : _iso.Execute(block, head, BlockHead.ProgramAt(head, headAt).End);
     }
 
     // Structures begin with a word of letters or with an O word.

@@ -9,6 +9,12 @@ namespace ErrorMatching.Nc;
 /// <param name="KeywordEnd">End of the keyword.</param>
 internal readonly record struct OWordHead(string Label, int LabelEnd, string Keyword, int KeywordEnd)
 {
+    private static readonly string[] Keywords =
+    [
+        "SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "DO", "REPEAT", "ENDREPEAT", "BREAK",
+        "CONTINUE",
+    ];
+
     /// <summary>Reads the O word at a position.</summary>
     public static OWordHead Read(ReadOnlySpan<byte> text, int at)
     {
@@ -28,19 +34,42 @@ internal readonly record struct OWordHead(string Label, int LabelEnd, string Key
         }
         else
         {
+            // Names of variables and bracketed expressions may have letters: o#<n> call, o[#<n>+1] call.
             for (var depth = 0; end < text.Length && (depth > 0 || !SyntaxBytes.IsLetter(text[end])); end++)
             {
-                depth += text[end] == '[' ? 1 : text[end] == ']' ? -1 : 0;
+                depth += text[end] is (byte)'[' or (byte)'<' ? 1 : text[end] is (byte)']' or (byte)'>' ? -1 : 0;
             }
         }
 
-        var start = end;
-        while (start < text.Length && text[start] is (byte)' ' or (byte)'\t')
+        var (keyword, behind) = KeywordAt(text, end);
+        return new(label, end, keyword, behind);
+    }
+
+    // The longest keyword here. LinuxCNC passes over spaces between letters, too: end sub.
+    private static (string Keyword, int End) KeywordAt(ReadOnlySpan<byte> text, int at)
+    {
+        var found = ("", at);
+        foreach (var keyword in Keywords)
         {
-            start++;
+            var (end, length) = (at, 0);
+            for (; end < text.Length && length < keyword.Length; end++)
+            {
+                if (text[end] is (byte)' ' or (byte)'\t')
+                {
+                    continue;
+                }
+
+                if ((text[end] & ~0x20) != keyword[length])
+                {
+                    break;
+                }
+
+                length++;
+            }
+
+            found = length == keyword.Length && length > found.Item1.Length ? (keyword, end) : found;
         }
 
-        var keyword = BlockHead.NameLength(text, start);
-        return new(label, end, NcText.Decode(text.Slice(start, keyword)).ToUpperInvariant(), start + keyword);
+        return found;
     }
 }

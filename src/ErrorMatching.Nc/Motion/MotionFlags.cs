@@ -72,4 +72,7 @@ public enum MotionFlags
 
     /// <summary>The same in Z.</summary>
     CarriesZ = 1 << 21,
+
+    /// <summary>The block's words run only under its condition (IF).</summary>
+    Conditional = 1 << 22,
 }

@@ -1,3 +1,5 @@
+using System.Security.Cryptography;
+using System.Text;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -55,6 +57,23 @@ public sealed class NcPath
     /// <summary>The reason why the program could not be followed to its end: a missing program, an infinite loop, a branch on a value
     /// that only the machine knows. Null if it was followed to its end.</summary>
     public Refusal? Refusal { get; }
+
+    /// <summary>The programs of other files that it called, in order of their first call.</summary>
+    public IReadOnlyList<CalledProgram> CalledPrograms { get; init; } = [];
+
+    /// <summary>SHA-256 of the program, as 64 lower-case hexadecimal digits; if it called programs of other files, of the list of their
+    /// names and hashes behind its own.</summary>
+    public string Sha256
+    {
+        get
+        {
+            var own = Convert.ToHexStringLower(SHA256.HashData(Program.Bytes.Span));
+            return CalledPrograms.Count == 0
+                ? own
+                : Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(
+                    string.Join('\n', CalledPrograms.Select(c => $"{c.Name} {c.Sha256}").Prepend(own)))));
+        }
+    }
 
     /// <summary>The state in which the run reached some of the program's blocks.</summary>
     internal IReadOnlyList<RunBorder> Borders { get; init; } = [];

@@ -54,10 +54,14 @@ public sealed class NcInterpreter
     public static NcPath Run(NcProgram program, NcDialect dialect, Func<string, NcProgram?>? library, CancellationToken cancellation) =>
         new NcInterpreter(program.In(dialect.Syntax), dialect, new(), library, cancellation).Run();
 
-    /// <summary>Interprets a program that is similar to one already interpreted. Equal motions share memory, and stretches with equal
-    /// bytes take little time.</summary>
-    internal static NcPath Run(NcProgram program, NcPath like)
+    /// <summary>Interprets a program that is similar to one already interpreted, in the same dialect and with the same library. Equal
+    /// motions share memory, and stretches with equal bytes take little time.</summary>
+    /// <param name="program">The program.</param>
+    /// <param name="like">The similar program, interpreted.</param>
+    public static NcPath Run(NcProgram program, NcPath like)
     {
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(like);
         program = program.In(like.Dialect.Syntax);
         var isSame = RunBorders.SameStretches(program, like);
 
@@ -138,6 +142,7 @@ public sealed class NcInterpreter
         {
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,
+            CalledPrograms = _run.CalledPrograms,
         };
     }
 
@@ -219,7 +224,7 @@ public sealed class NcInterpreter
     private void RunAny(NcBlock block)
     {
         _borders.OnlyCuts = false;
-        if (_executor.Switches.PassesSkip(block))
+        if (_executor.SystemCommands.Run(block) || _executor.Switches.PassesSkip(block))
         {
             return;
         }
@@ -253,10 +258,10 @@ public sealed class NcInterpreter
         var action = flow.ExecuteStatements(_run.At);
         if (action == FlowAction.Words)
         {
-            _executor.Reader.ReadTokens(block);
+            _executor.Reader.ReadTokens(block, flow.WordsFrom);
             if (flow.Refusal is null)
             {
-                _executor.Step();
+                _executor.Step(flow.WordsFrom > 0 ? MotionFlags.Conditional : MotionFlags.None);
                 if (_executor.Steering.CallMachineProgram())
                 {
                     _result.DependOnPlace();

@@ -32,7 +32,8 @@ internal static class ComputedSpelling
             return SyntaxBytes.BehindBracket(text.Bytes, at, text.End);
         }
 
-        if (at == hashes)
+        // LinuxCNC takes the number of a variable from a function, too: #atan[1]/[1].
+        if (at == hashes || (text.Syntax == NcSyntax.LinuxCnc && SyntaxBytes.IsLetter(text.Bytes[at])))
         {
             return text.Syntax == NcSyntax.LinuxCnc ? text.FunctionEnd(at) : 0;
         }

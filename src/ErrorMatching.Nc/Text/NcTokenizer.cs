@@ -92,6 +92,9 @@ public ref struct NcTokenizer
                 return CommaWordAt(at);
             case (byte)'@' or (byte)'^' when syntax == NcSyntax.LinuxCnc:
                 return PolarWordAt(at, c);
+            // The number of a spindle of LinuxCNC: M3 $1 S1000.
+            case (byte)'$' when syntax == NcSyntax.LinuxCnc && SpindleEnd(at) is > 0 and var behindSpindle:
+                return BlockScanner.Plain(NcTokenKind.Expression, at, behindSpindle);
             case (byte)'#':
                 return BlockScanner.Plain(NcTokenKind.Assignment, at,
                     syntax == NcSyntax.LinuxCnc ? _text.AssignmentEnd(at) : _text.ToCommentOrEnd(at + 1));
@@ -99,6 +102,8 @@ public ref struct NcTokenizer
                 return _text.NameAt(at, 0);
             case (byte)'[':
                 return BlockScanner.Plain(NcTokenKind.Expression, at, SyntaxBytes.BehindBracket(bytes, at, end));
+            case (byte)'<' when syntax == NcSyntax.Iso && SyntaxBytes.BehindProgramName(bytes, at, end) is > 0 and var behindName:
+                return BlockScanner.Plain(NcTokenKind.Expression, at, behindName);
             case (byte)'"':
                 return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at,
                     SyntaxBytes.BehindString(bytes, at, end));
@@ -145,6 +150,13 @@ public ref struct NcTokenizer
         }
 
         return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
+    }
+
+    // 0 if no number follows.
+    private readonly int SpindleEnd(int at)
+    {
+        var valueAt = _text.SkipSpaces(at + 1);
+        return _text.ReadNumber(valueAt, out var behind, out _) ? behind : valueAt < _text.End ? _text.ComputedEnd(valueAt) : 0;
     }
 
     private readonly NcToken PolarWordAt(int at, byte sign)

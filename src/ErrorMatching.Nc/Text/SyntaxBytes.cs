@@ -31,6 +31,20 @@ internal static class SyntaxBytes
 
     public static bool IsNamePart(byte c) => IsLetter(c) || IsDigit(c) || c is (byte)'_' or (byte)'$';
 
+    /// <summary>The end of a program's name in angle brackets, <c>&lt;BORE-1&gt;</c>; 0 if none is at the position. It has at most 32
+    /// letters, digits and signs (Fanuc 30i).</summary>
+    public static int BehindProgramName(ReadOnlySpan<byte> bytes, int at, int end)
+    {
+        var name = at + 1;
+        while (name < end
+            && (IsLetter(bytes[name]) || IsDigit(bytes[name]) || bytes[name] is (byte)'+' or (byte)'-' or (byte)'_' or (byte)'.'))
+        {
+            name++;
+        }
+
+        return name < end && bytes[at] == '<' && bytes[name] == '>' && name - at is > 1 and <= 33 ? name + 1 : 0;
+    }
+
     public static int SkipSpaces(ReadOnlySpan<byte> bytes, int at, int end)
     {
         while (at < end && IsSpace(bytes[at]))

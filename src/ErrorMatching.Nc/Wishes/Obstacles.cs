@@ -56,6 +56,8 @@ internal static class Obstacles
         {
             _ when m.Has(MotionFlags.Called) =>
                 (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
+            _ when m.Has(MotionFlags.Conditional) =>
+                (NcRefusalCodes.Expression, "it is cut only under its condition (IF). Post it without one, or leave this block out."),
             _ when m.Has(MotionFlags.UnknownWord) =>
                 (
                     NcRefusalCodes.UnknownWord,

@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -35,7 +34,7 @@ public sealed class WishFile
     /// it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
-    /// <summary>SHA-256 of the wish's original program, 64 lower-case hexadecimal digits.</summary>
+    /// <summary>SHA-256 of the wish's original program, and of the programs that it calls (<see cref="NcPath.Sha256"/>).</summary>
     public string BeforeSha256 { get; }
 
     /// <summary>Increment to which new coordinates were rounded, mm.</summary>
@@ -65,7 +64,7 @@ public sealed class WishFile
             named[i] = new(before.Program.NumberOf(block), block.Line, motion, null);
         }
 
-        return new(before.Dialect.Name, Sha256(before.Program), leastIncrementMm, marker, wish, named)
+        return new(before.Dialect.Name, before.Sha256, leastIncrementMm, marker, wish, named)
         {
             BlockSkip = before.Dialect.BlockSkip,
         };
@@ -88,10 +87,10 @@ public sealed class WishFile
     /// A motion is not in the program, or is in another line or block (<c>no-such-motion</c>); it is not a cut that can be displaced as
     /// an element (<c>no-element</c>); or the increment is coarser than the dialect's (<c>increment-too-coarse</c>).
     /// </exception>
-    /// <returns>False if the program's SHA-256 differs.</returns>
+    /// <returns>False if the SHA-256 of the program, or of one that it calls, differs.</returns>
     public bool IsAbout(NcPath before, string file)
     {
-        if (Sha256(before.Program) != BeforeSha256)
+        if (before.Sha256 != BeforeSha256)
         {
             return false;
         }
@@ -99,6 +98,4 @@ public sealed class WishFile
         WishReader.CheckAgainst(this, before, file);
         return true;
     }
-
-    private static string Sha256(NcProgram program) => Convert.ToHexStringLower(SHA256.HashData(program.Bytes.Span));
 }

@@ -230,7 +230,8 @@ public sealed class NcTests
         using var shop = new Workshop();
         var dialects = (await shop.Run("nc dialects --json")).Json.GetProperty("dialects").EnumerateArray().ToArray();
         Assert.Equal(
-            ["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], dialects.Select(d => d.GetProperty("name").GetString()));
+            ["generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl"],
+            dialects.Select(d => d.GetProperty("name").GetString()));
         Assert.All(
             dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()),
             f => Assert.NotEqual("", f.GetProperty("source").GetString()));

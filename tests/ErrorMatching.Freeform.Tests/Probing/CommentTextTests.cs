@@ -121,7 +121,7 @@ public sealed class CommentTextTests
                 Assert.True(comment.Length <= dialect.CommentLength, comment);
                 Assert.Matches(
                     dialect.CommentCapitals ? "^\\([A-Z0-9 .,+/=-]*\\)$"
-                        : dialect.Syntax == NcSyntax.LinuxCnc ? "^\\([ -'*-~]*\\)$"
+                        : dialect.Syntax != NcSyntax.Siemens ? "^\\([ -'*-~]*\\)$"
                         : "^;[ -~]*$",
                     comment);
                 if (dialect.Syntax != NcSyntax.LinuxCnc)

@@ -114,6 +114,16 @@ public sealed class MatingDraftCheckTests
     }
 
     [Fact]
+    public void Libraries_of_a_job_stay_when_it_is_edited()
+    {
+        var draft = MatingDraftFiles.Open(File);
+        draft = draft with { Counterpart = draft.Counterpart with { Libraries = "../macros; probing" } };
+        var job = MatingDraftFiles.Job(draft);
+        Assert.Equal(["../macros", "probing"], MatingJob.Parse(job, File).Counterpart.Libraries);
+        Assert.Equal("../macros;probing", MatingDraftFiles.Read(job, File, MatingDraftFiles.Theoretical(draft)).Counterpart.Libraries);
+    }
+
+    [Fact]
     public void A_point_off_its_blocks_says_how_far()
     {
         var draft = MatingDraftFiles.Open(File)

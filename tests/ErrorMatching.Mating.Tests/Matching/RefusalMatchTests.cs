@@ -164,7 +164,6 @@ public sealed class RefusalMatchTests
 
     [Theory]
     [InlineData("N50 X50.", "N50 X#101", NcRefusalCodes.Expression, "N50", 7)]
-    [InlineData("N50 X50.", "N50 X[25.*2]", NcRefusalCodes.Expression, "N50", 7)]
     [InlineData("N40 G1", "N40 G68 X0. Y0. R30.\nN45 G1", NcRefusalCodes.ActiveTransform, "N50", 8)]
     [InlineData("N50 X50.", "N50 X50. A10.", NcRefusalCodes.OtherAxis, "N50", 7)]
     [InlineData("N70 G0", "N65 GOTO 50\nN70 G0", NcRefusalCodes.EndlessLoop, "N65", 9)]

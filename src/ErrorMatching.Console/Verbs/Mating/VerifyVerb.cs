@@ -52,7 +52,7 @@ internal sealed class VerifyVerb : Verb
         try
         {
             if (VerifyRun.Report(
-                new(files.Job, theoretical, part, before, after, program, bytes) { OwnDialect = dialect },
+                new(files.Job, theoretical, part, before, after, program, bytes) { OwnDialect = dialect, Library = files.Called().Find },
                 out var refusals) is not { } report)
             {
                 return FailureOf.Refused(files.Job.File, program, refusals);

@@ -5,13 +5,17 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Console;
 
 /// <summary>The contents of a program, and the parts of it that are not understood.</summary>
-internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) : DocumentAnswer
+internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, bool isStrict) : DocumentAnswer
 {
     private const int MostShown = 200;
 
+    private readonly Understanding _understanding = new(path);
+
     public override string Schema => "errormatch/nc-check/1";
 
-    public override Failure? Failure => path.Refusal is { } refusal ? FailureOf.Refused(file, refusal) : null;
+    public override Failure? Failure => (path.Refusal ?? (isStrict ? _understanding.Refusal : null)) is { } refusal
+        ? FailureOf.Refused(file, refusal)
+        : null;
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -24,6 +28,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         json.WriteBoolean("roundTrip", census.RoundTrips);
         WriteProblems(json, "unknownWords", path.Problems.Where(p => p.Code is "unknown-word" or "unknown-code"));
         WriteProblems(json, "problems", path.Problems);
+        json.WriteStartObject("understanding");
+        json.WriteNumber("blocksNotUnderstood", _understanding.Blocks.Count);
+        json.WriteNumber("blocksSkipped", _understanding.Skipped);
+        json.WriteNumber("motionsOnlyTheMachineKnows", _understanding.OfMachine);
+        json.WriteString("sentence", _understanding.Sentence);
+        json.WriteEndObject();
         json.WriteStartArray("programmed");
         foreach (var note in Programmed())
         {
@@ -61,22 +71,21 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census) :
         ShownNotes.Write(page, (file, path));
 
         page.Line();
-        if (path.Problems.Count == 0)
+        if (path.Problems.Count > 0)
         {
-            page.Line(path.Refusal is null
-                ? "Everything is understood."
-                : "The program is followed up to the block that is refused, and not behind it.");
-            return;
+            page.Table(
+                ["line", "block", "what is not understood, or good to know"],
+                path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
+            page.Line();
         }
 
-        page.Table(
-            ["line", "block", "what is not understood, or good to know"],
-            path.Problems.Take(MostShown).Select(p => (IReadOnlyList<string>)[Count(p.Block + 1), NumberOf(p), p.Message]));
         if (path.Problems.Count > MostShown)
         {
-            page.Line();
             page.Line($"... and {Count(path.Problems.Count - MostShown)} more; --json lists them all.");
+            page.Line();
         }
+
+        page.Line(_understanding.Sentence);
     }
 
     // What a reader of the motions must know: they are the programmed path, not the path that the machine travels.

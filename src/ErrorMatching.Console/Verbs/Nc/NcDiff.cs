@@ -13,6 +13,7 @@ internal sealed class NcDiff : Verb
     private readonly Option<string> _html = FileOption("--html", "The file to write the comparison to as a page.");
     private readonly Option<string> _dialect = NcVerb.DialectOption();
     private readonly Option<string> _blockSkip = NcVerb.BlockSkipOption();
+    private readonly Option<string[]> _libraries = NcVerb.LibraryOption();
 
     public NcDiff()
         : base(
@@ -24,6 +25,7 @@ internal sealed class NcDiff : Verb
         Arguments.Add(_after);
         Options.Add(_dialect);
         Options.Add(_blockSkip);
+        Options.Add(_libraries);
         Options.Add(_html);
     }
 
@@ -32,8 +34,9 @@ internal sealed class NcDiff : Verb
         var (before, after, dialect) = (
             arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
-        var was = NcVerb.Interpret(before, dialect, blockSkip, cancellation);
-        var now = NcVerb.Interpret(after, dialect, blockSkip, cancellation);
+        var libraries = arguments.GetValue(_libraries);
+        var was = NcVerb.Interpret(before, dialect, blockSkip, libraries, cancellation);
+        var now = NcVerb.Interpret(after, dialect, blockSkip, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -23,6 +23,7 @@ internal sealed class NcProve : Verb
     };
 
     private readonly CertificateOption _certificate = new();
+    private readonly Option<string[]> _libraries = NcVerb.LibraryOption();
 
     public NcProve()
         : base(
@@ -35,6 +36,7 @@ internal sealed class NcProve : Verb
         Options.Add(_wish);
         Options.Add(_dialect);
         Options.Add(_certificate);
+        Options.Add(_libraries);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
@@ -44,7 +46,8 @@ internal sealed class NcProve : Verb
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
-        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, cancellation);
+        var libraries = arguments.GetValue(_libraries);
+        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, libraries, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -60,7 +63,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, cancellation);
+        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         if (!proof.Holds)

@@ -11,6 +11,7 @@ internal abstract class NcVerb : Verb
     private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
+    private readonly Option<string[]> _libraries = LibraryOption();
 
     protected NcVerb(string name, string description, string example)
         : base(name, description, example)
@@ -18,6 +19,7 @@ internal abstract class NcVerb : Verb
         Arguments.Add(_program);
         Options.Add(_dialect);
         Options.Add(_blockSkip);
+        Options.Add(_libraries);
     }
 
     /// <summary>The option that names a control.</summary>
@@ -42,22 +44,35 @@ internal abstract class NcVerb : Verb
         return option;
     }
 
+    /// <summary>The option for folders with called programs.</summary>
+    public static Option<string[]> LibraryOption() => new("--library")
+    {
+        Description = "A folder with subprograms and macros, which is searched behind the program's own; several are searched in order.",
+        HelpName = "DIR",
+    };
+
     /// <summary>Reads and interprets a program.</summary>
     /// <exception cref="InputException">A file cannot be opened. The dialect is unknown, or the program is too large. The dialect's
     /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
-    public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, CancellationToken cancellation)
+    public static NcPath Interpret(
+        string file, string dialect, BlockSkip blockSkip, string[]? libraries, CancellationToken cancellation)
     {
         // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
         var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
         var known = InputFile.Dialect(dialect).With(blockSkip);
-        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
+        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
-        var path = Interpret(file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), cancellation);
+        var path = Interpret(
+            file,
+            arguments.GetRequiredValue(_dialect),
+            BlockSkips.Of(arguments.GetValue(_blockSkip)),
+            arguments.GetValue(_libraries),
+            cancellation);
         cancellation.ThrowIfCancellationRequested();
         return path.Refusal is { } refusal && !ShowsWhatIsWrong
             ? FailureOf.Refused(file, refusal)

@@ -1,0 +1,95 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Cycles that a G code runs once, in its block: patterns of bolt holes, which are followed, and pockets, engraving, measuring
+/// and homing, which are not.</summary>
+internal sealed class BlockCycles(
+    ControlState control,
+    BlockValues values,
+    CoordinateLayers layers,
+    RunResult result,
+    BlockIntent intent,
+    MotionWriter writer,
+    EndPoints ends,
+    Corners corners,
+    CannedCycles canned)
+{
+    private const double FullCircle = 360;
+
+    /// <summary>Runs the cycle of the block.</summary>
+    public void Run(MotionFlags flags)
+    {
+        corners.Lose();
+        result.DependOnPlace();
+        if (intent.Code is NcMeaning.BoltCircle or NcMeaning.BoltArc && Places() is { } places)
+        {
+            canned.DrillAt(flags, places);
+
+            // Whether it returns to the center depends on the control.
+            control.State.Unknown |= control.State.Plane.Axes();
+            return;
+        }
+
+        result.Note("cycle-not-followed", $"{NameOfCode()} is not followed: what it does is the control's affair.");
+        writer.Append(MotionKind.Cycle, flags | MotionFlags.Cycle, control.State.Position, AxisSet.All);
+        if (intent.Code == NcMeaning.Unsure)
+        {
+            layers.Forget();
+        }
+    }
+
+    // Haas G70: radius I, angle of the first hole J, number L. G71 has the angle K from hole to hole instead of a full circle. Null if
+    // they are not stated, or if only the machine knows how they are read.
+    private List<Point2>? Places()
+    {
+        var words = values.Words;
+        var isArc = intent.Code == NcMeaning.BoltArc;
+        var needed = BlockWords.Bit('I') | BlockWords.Bit('L') | (isArc ? BlockWords.Bit('K') : 0);
+        var plane = control.State.Plane;
+        var (center, unknown) = ends.Target();
+        var isKnown = canned.CanDrillAt
+            && plane == CoordinatePlane.XY
+            && (words.Present & needed) == needed
+            && ((words.Unknown | words.Repeated) & (needed | BlockWords.Bit('J'))) == 0
+            && (unknown & plane.Axes()) == AxisSet.None
+            && IsPlainAngle('J')
+            && (!isArc || IsPlainAngle('K'));
+        var number = words.Has('L') ? words.Value('L') : 0;
+        if (!isKnown || !(number is >= 1 and <= CycleSteps.Most) || number != Math.Floor(number))
+        {
+            return null;
+        }
+
+        var step = isArc ? words.Value('K') : FullCircle / number;
+        var first = words.Has('J') ? words.Value('J') : 0;
+        var radius = values.Length('I');
+        var places = new List<Point2>((int)number);
+        for (var i = 0; i < number; i++)
+        {
+            var from = Vector2.FromDirection(Angle.FromDegrees(first + (i * step))) * radius;
+            var middle = plane.Project(center);
+            places.Add(new(BlockValues.Sum(middle.X, from.X), BlockValues.Sum(middle.Y, from.Y)));
+        }
+
+        return places;
+    }
+
+    // A setting of the control can make an angle without a point count thousandths.
+    private bool IsPlainAngle(char letter) =>
+        !values.Words.Has(letter) || (values.Words.Integers & BlockWords.Bit(letter)) == 0 || values.Words.Value(letter) == 0;
+
+    private string NameOfCode()
+    {
+        foreach (var tenths in values.Words.Codes)
+        {
+            if (values.Dialect.MeaningOf(tenths) == intent.Code)
+            {
+                return "G" + (tenths / 10m).ToString(CultureInfo.InvariantCulture);
+            }
+        }
+
+        return "A word of the block";
+    }
+}
