@@ -55,8 +55,8 @@ public enum MotionFlags
     /// <summary>The motion uses machine coordinates or a reference point, independent of the workpiece.</summary>
     MachineMove = 1 << 15,
 
-    /// <summary>The motion belongs to a program in another file, called in this block.</summary>
-    Called = 1 << 16,
+    /// <summary>The block's words run only under its condition (IF).</summary>
+    Conditional = 1 << 16,
 
     /// <summary>It begins at another place than the end of the motion before it: an origin changed in between.</summary>
     StartsElsewhere = 1 << 17,
@@ -72,7 +72,4 @@ public enum MotionFlags
 
     /// <summary>The same in Z.</summary>
     CarriesZ = 1 << 21,
-
-    /// <summary>The block's words run only under its condition (IF).</summary>
-    Conditional = 1 << 22,
 }

@@ -54,8 +54,6 @@ internal static class Obstacles
 
         var why = m.Flags switch
         {
-            _ when m.Has(MotionFlags.Called) =>
-                (NcRefusalCodes.NotASimpleMove, "it is part of a program in another file that is called here. Displace that program."),
             _ when m.Has(MotionFlags.Conditional) =>
                 (NcRefusalCodes.Expression, "it is cut only under its condition (IF). Post it without one, or leave this block out."),
             _ when m.Has(MotionFlags.UnknownWord) =>
