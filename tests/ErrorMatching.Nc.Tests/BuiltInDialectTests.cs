@@ -19,9 +19,9 @@ public sealed class BuiltInDialectTests
     public static TheoryData<string> FileNames => [.. Files];
 
     [Fact]
-    public void Five_are_built_in()
+    public void Six_are_built_in()
     {
-        Assert.Equal(["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc"], NcDialects.Names);
+        Assert.Equal(["generic", "fanuc", "delta-nc300", "siemens-840d", "linuxcnc", "heidenhain-klartext"], NcDialects.Names);
         Assert.Equal(NcDialects.Names, NcDialects.All.Select(d => d.Name));
         Assert.All(NcDialects.All, d => Assert.Empty(d.Files));
     }

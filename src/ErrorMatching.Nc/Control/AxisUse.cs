@@ -8,4 +8,6 @@ internal enum AxisUse
     Origin,
     Reference,
     MachineCoordinates,
+    Pole,
+    Corner,
 }

@@ -28,6 +28,8 @@ internal sealed class BlockExecutor
     private readonly OriginCodes _origins;
     private readonly BlockCodes _codes;
     private readonly BlockObstacles _obstacles;
+    private readonly PoleCodes _pole;
+    private readonly ToolLengthCodes _lengths;
     private readonly uint _straightLetters;
     private readonly uint _cutLetters;
 
@@ -39,15 +41,16 @@ internal sealed class BlockExecutor
         var steps = new CycleSteps();
         (_words, _transforms) = (values.Words, layers.Transforms);
         _writer = new(control, layers, result);
+        _pole = new(control, values, result);
         _ends = new(control, values, layers, _intent);
         _corners = new(control, values, layers, result, _writer);
-        _arcs = new(control, values, layers, result, _writer, _corners);
+        _arcs = new(control, values, layers, result, _writer, _corners, _pole);
         _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
         _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
         _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
 
         var transforms = new TransformCodes(control, values, layers, result);
-        var lengths = new ToolLengthCodes(control, values, layers);
+        var lengths = _lengths = new ToolLengthCodes(control, values, layers);
         var offsets = new OffsetCodes(control, values, layers);
         _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
         _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
@@ -160,9 +163,14 @@ internal sealed class BlockExecutor
     {
         _intent.Begin();
         var flags = ReadModes();
+        if (_dialect.BlocksNameMotions)
+        {
+            flags |= CheckMotion();
+        }
+
         switch (_intent.Use)
         {
-            case AxisUse.Motion when _values.MovesAxes():
+            case AxisUse.Motion when _values.MovesAxes() || EndsSomewhere():
                 Move(flags);
                 break;
             case AxisUse.Motion when _values.ListsIdleMoves && _values.StatesStraightMotion():
@@ -178,12 +186,54 @@ internal sealed class BlockExecutor
             case AxisUse.Origin:
                 _origins.Run();
                 break;
+            case AxisUse.Pole:
+                _pole.Set();
+                break;
+            case AxisUse.Corner:
+                _corners.KeepForLast(_intent.Code);
+                break;
         }
 
         if (!_calls.AreNone)
         {
             _calls.RunBehind(Moved);
         }
+    }
+
+    // A departure moves without coordinates, too: to a place that the control computes.
+    private bool EndsSomewhere() => _intent.NamesMotion && _control.State.Form == NcMeaning.Departure;
+
+    // Where each block names its motion, coordinates without a motion, and an arc without its sense or its end, are an error.
+    private MotionFlags CheckMotion()
+    {
+        if ((_words.Present & _values.ToolCalls) != 0 || (_words.Computed & _values.ToolCalls) != 0)
+        {
+            _result.ChangeTool();
+            _lengths.TakeFromTable();
+            _control.State.Unknown = AxisSet.All;
+        }
+
+        if (_intent.Use is not (AxisUse.Motion or AxisUse.MachineCoordinates))
+        {
+            return MotionFlags.None;
+        }
+
+        _intent.AboutPole |= _words.IsPolar;
+        if (_intent.NeedsSense || (_control.State.Form == NcMeaning.ArcAboutPole && _intent.NamesMotion && !_values.MovesAxes()))
+        {
+            _control.State.Unknown |= _control.State.Plane.Axes();
+            return _result.Problem("bad-arc", "Not an arc: its end or its sense (DR) is missing.", MotionFlags.BadArc);
+        }
+
+        if (!_intent.NamesMotion && _values.MovesAxes())
+        {
+            Layers.Forget();
+            _intent.Use = AxisUse.Nothing;
+            return _result.Problem("unknown-word", "Coordinates without a path function: what moves here is not known.",
+                MotionFlags.UnknownWord);
+        }
+
+        return MotionFlags.None;
     }
 
     // Reads all that a block switches before its axis words apply, and the feed.
@@ -200,7 +250,7 @@ internal sealed class BlockExecutor
         var before = saves ? _memory.Now(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
         var inchFeed = _control.State.InchFeed;
         flags |= _codes.ReadCodes() | _codes.ReadFunctions();
-        if (_intent.Use != AxisUse.Nothing)
+        if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
             ReadNumbers(inchFeed);
         }
@@ -242,18 +292,22 @@ internal sealed class BlockExecutor
         flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
-        var (end, unknown) = _ends.Target();
+        var plane = state.Plane;
+        state.Plane = _pole.PlaneOf(_intent);
+        var (end, unknown) = _intent.AboutPole ? _pole.Target() : _ends.Target();
+        unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
             _arcs.Turn(kind, flags, end, unknown);
         }
         else
         {
-            flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end));
+            flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end) || EndsSomewhere());
             _corners.Cut(kind, flags, end, unknown, null);
             _writer.Append(kind, flags, end, unknown);
         }
 
+        state.Plane = plane;
         _corners.Keep(kind);
         if (kind == MotionKind.Probe)
         {

@@ -60,6 +60,12 @@ internal sealed partial class BlockWords
     /// none.</summary>
     public double? PolarAngle { get; private set; }
 
+    /// <summary>True if the distance of a polar end is an increment, by its own word.</summary>
+    public bool PolarDistanceGrows { get; private set; }
+
+    /// <summary>True if the angle of a polar end is an increment, by its own word.</summary>
+    public bool PolarAngleGrows { get; private set; }
+
     /// <summary>True if the block has a polar coordinate.</summary>
     public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
 
@@ -102,7 +108,7 @@ internal sealed partial class BlockWords
     {
         (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
         (_codeCount, _functionCount, Corner, CornerValue, Invalid, Semicolon) = (0, 0, 0, 0, default, default);
-        (PlaneAngle, PolarDistance, PolarAngle) = (null, null, null);
+        (PlaneAngle, PolarDistance, PolarAngle, PolarDistanceGrows, PolarAngleGrows) = (null, null, null, false, false);
         _statements.Clear();
     }
 

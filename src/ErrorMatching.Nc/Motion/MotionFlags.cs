@@ -72,4 +72,7 @@ public enum MotionFlags
 
     /// <summary>The same in Z.</summary>
     CarriesZ = 1 << 21,
+
+    /// <summary>The center of the arc is stated by a block before it (CC).</summary>
+    CenterBefore = 1 << 22,
 }
