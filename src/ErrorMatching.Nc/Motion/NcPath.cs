@@ -72,6 +72,10 @@ public sealed class NcPath
     /// <summary>Blocks that state a pole (CC), each with the number of motions before it, ascending.</summary>
     internal IReadOnlyList<(int Motions, int Block)> Poles { get; init; } = [];
 
+    /// <summary>True for an approach or a departure: the control computes its way from the contour, so it follows where the contour moves
+    /// (APPR, DEP).</summary>
+    internal bool IsLead(in NcMotion motion) => Dialect.BlocksNameMotions && motion.Kind == MotionKind.Spline;
+
     /// <summary>The block that states the pole of a motion; -1 if none does.</summary>
     internal int PoleOf(int motion)
     {

@@ -68,6 +68,15 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         return _original.Without(changed, dropped).SequenceEqual(_result.Without(changed, inserted));
     }
 
+    /// <summary>True if two blocks without a motion differ only in the values of coordinates.</summary>
+    public bool SameButPlace(int block, int blockInResult)
+    {
+        _original.Read(block);
+        _result.Read(blockInResult);
+        return (_original.Letters & AxisWords) == (_result.Letters & AxisWords)
+            && _original.Without(AxisWords, 0).SequenceEqual(_result.Without(AxisWords, 0));
+    }
+
     private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;
 
     private static ReadOnlySpan<byte> Bytes(NcProgram program, int block) =>

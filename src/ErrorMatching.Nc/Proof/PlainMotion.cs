@@ -5,7 +5,8 @@ namespace ErrorMatching.Nc;
 internal static class PlainMotion
 {
     private const MotionFlags Plain = MotionFlags.Inch | MotionFlags.Incremental | MotionFlags.AbsoluteCenter | MotionFlags.ByRadius
-        | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere;
+        | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere
+        | MotionFlags.CenterBefore;
 
     public static bool Is(in NcMotion motion) => (motion.Flags | Plain) == Plain && (motion.IsCut || motion.Kind == MotionKind.Rapid);
 }

@@ -23,7 +23,15 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
     public MotionWords ForOthers() => new(change, keepRadii, grid, new(edit));
 
     /// <summary>Adds the spelling of the blocks that others have opened.</summary>
-    public void Join(MotionWords other) => edit.Join(other.Edited);
+    public void Join(MotionWords other)
+    {
+        edit.Join(other.Edited);
+        _circles.Poles.Join(other._circles.Poles);
+    }
+
+    /// <summary>Changes the words of centers that blocks of their own state. Call it when all motions are edited.</summary>
+    /// <returns>The reason why they cannot change, or null.</returns>
+    public Refusal? EditPoles(BlockPatches patches) => _path.Poles.Count == 0 ? null : _circles.Poles.Edit(edit, patches);
 
     private BlockEdit Edited => edit;
 
@@ -59,9 +67,9 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
             return unknown;
         }
 
-        if (motion.IsArc)
+        if (motion.IsArc && _circles.Set(index, motion) is { } refusal)
         {
-            _circles.Set(index, motion);
+            return refusal;
         }
 
         if (edit.Patches.Count == 0)
@@ -118,7 +126,7 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
                     return Obstacles.Of(_path, index);
                 }
             }
-            else if (from != to)
+            else if (from != to && !(_path.IsLead(motion) && (motion.UnknownEnd & Axis(axis)) != AxisSet.None))
             {
                 if (!incremental && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)
                 {

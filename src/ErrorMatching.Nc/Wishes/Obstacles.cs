@@ -11,7 +11,7 @@ internal static class Obstacles
     /// <summary>The same for a motion that the caller has already read.</summary>
     public static Refusal? Of(NcPath path, in NcMotion motion)
     {
-        var (code, why) = Reason(motion);
+        var (code, why) = Reason(motion, path.IsLead(motion));
         return code is null ? null : BlockRefusal.At(path.Program, motion.Block, code, why!);
     }
 
@@ -22,9 +22,10 @@ internal static class Obstacles
         NcRefusalCodes.UnknownState,
         "the program does not say where this motion begins. State X, Y and Z before it.");
 
-    private static (string? Code, string? Why) Reason(in NcMotion m)
+    private static (string? Code, string? Why) Reason(in NcMotion m, bool isLead)
     {
-        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe or MotionKind.Spline
+        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe
+            || (m.Kind == MotionKind.Spline && !isLead)
             || m.Has(MotionFlags.Cycle)
             || m.Has(MotionFlags.MachineMove))
         {
