@@ -9,7 +9,7 @@ public sealed class ProgramFolder(string program)
 {
     private const int MostFiles = 100_000;
 
-    private static readonly string[] Extensions = ["", ".nc", ".ngc", ".spf", ".mpf", ".cnc", ".tap", ".min", ".prg", ".txt"];
+    private static readonly string[] Extensions = ["", ".nc", ".ngc", ".spf", ".mpf", ".cnc", ".tap", ".min", ".prg", ".h", ".txt"];
 
     private readonly string _folder = Path.GetDirectoryName(Path.GetFullPath(program))!;
     private readonly string _own = Path.GetExtension(program);
