@@ -42,8 +42,9 @@ public sealed class KlartextMotionTests
     [InlineData("CYCL DEF 247 DATUM SETTING ~\n  Q339=+1 ;PRESET\nL X+1", "L1,?,?")]
     [InlineData("X+10", "")]
     [InlineData("L X+10 B+5", "L10,0,0")]
-    [InlineData("M55\nL X+1 Y+1 Z+1", "L1,1,1")]
-    [InlineData("M55\nL IX+1", "L?,?,?")]
+    [InlineData("M188\nL X+1 Y+1 Z+1", "L1,1,1")]
+    [InlineData("M55\nL IX+1", "L1,0,0")]
+    [InlineData("M188\nL IX+1", "L?,?,?")]
     [InlineData("CC X+5\nC X+10 DR+", "CCW10,0,0@5,0")]
     public void Motions_are_these(string blocks, string motions)
     {
@@ -75,7 +76,9 @@ public sealed class KlartextMotionTests
     [InlineData("LN X+1 Y+1 NX+0", "unknown-word")]
     [InlineData("TCH PROBE 0.0 REF", "unknown-word")]
     [InlineData("CYCL DEF 220 POLAR PATTERN", "unknown-word")]
-    [InlineData("M777", "unknown-code")]
+    [InlineData("M188", "unknown-word")]
+    [InlineData("L X+1 ~", "unknown-word")]
+    [InlineData("CC X+5 Y+0\nC X+10 Y+0 Z+1 DR+", "bad-arc")]
     [InlineData("RND R2", "corner-word")]
     public void What_is_not_understood_is_named(string blocks, string code)
     {
@@ -93,7 +96,9 @@ public sealed class KlartextMotionTests
 
     [Fact]
     public void A_program_in_inches_is_read_in_millimeters() =>
-        Assert.Equal("R25.4,0,-2.54", Moves.Of(Read("0 BEGIN PGM A INCH\n1 L X+1 Y+0 Z-0.1 R0 FMAX\n99 END PGM A INCH\n")));
+        Assert.Equal(
+            "R25.4,0,-2.54 L48.26,0,-2.54 CCW50.8,2.54,-2.54@48.26,2.54 L50.8,25.4,-2.54",
+            Moves.Of(Read("0 BEGIN PGM A INCH\n1 L X+1 Y+0 Z-0.1 R0 FMAX\n2 L X+2 F5\n3 RND R0.1\n4 L Y+1\n99 END PGM A INCH\n")));
 
     [Fact]
     public void Compensation_is_a_mode_and_a_departure_ends_it()

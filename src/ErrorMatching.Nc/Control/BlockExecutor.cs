@@ -298,6 +298,10 @@ internal sealed class BlockExecutor
         unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
+            // Only an arc to a polar end is documented as a helix.
+            flags |= _dialect.BlocksNameMotions && !_intent.AboutPole && (_values.GivenAxes() & ~state.Plane.Axes()) != AxisSet.None
+                ? _result.Problem("bad-arc", "Not an arc: it has a coordinate outside of its plane.", MotionFlags.BadArc)
+                : MotionFlags.None;
             _arcs.Turn(kind, flags, end, unknown);
         }
         else

@@ -29,7 +29,7 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     {
         var last = result.Motions.Length - 1;
         var isRounding = meaning == NcMeaning.CornerRounding;
-        var value = isRounding ? values.Words.Has('R') ? values.Length('R') : double.NaN : values.CornerLength();
+        var value = isRounding ? values.Words.Has('R') ? values.Words.Value('R') : double.NaN : values.CornerLength();
         _pending = last >= 0 && result.Motions[last].IsCut ? (isRounding ? (byte)'R' : (byte)'C', value) : default;
         if (!IsPending)
         {

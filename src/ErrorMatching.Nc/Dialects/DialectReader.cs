@@ -35,7 +35,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         NcMeaning.Unknown, NcMeaning.Harmless, NcMeaning.Line, NcMeaning.TangentArc, NcMeaning.PlaneXY, NcMeaning.PlaneZX,
         NcMeaning.PlaneYZ, NcMeaning.Inch, NcMeaning.Metric, NcMeaning.CompensationOff, NcMeaning.CompensationLeft,
         NcMeaning.CompensationRight, NcMeaning.MachineCoordinates, NcMeaning.OpaqueTransform, NcMeaning.OpaqueTransformOff,
-        NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.ModalCycle, NcMeaning.CycleCall,
+        NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.CycleCall,
     ];
 
     public List<Refusal> Problems { get; } = [];

@@ -12,6 +12,9 @@ internal enum BlockPlace : byte
     /// <summary>Among the words after the statement.</summary>
     Words,
 
+    /// <summary>Behind a statement that may continue in the next line.</summary>
+    Continued,
+
     /// <summary>Among the words of a tool call, where an axis stands without a coordinate.</summary>
     Tool,
 

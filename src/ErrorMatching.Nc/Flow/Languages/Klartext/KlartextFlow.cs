@@ -119,8 +119,35 @@ internal sealed class KlartextFlow(CallStack calls, FlowReport report, FlowMemor
             return report.RefuseCall(block, "CALL PGM with a folder");
         }
 
-        return library.Find(name.ToUpperInvariant()) is { } file
+        var file = library.Find(name.ToUpperInvariant());
+        if (file is not null && UnitOf(file.Program) is { } unit && UnitOf(calls.Program) is { } own && unit != own)
+        {
+            return report.RefuseCall(block, "CALL PGM of a program in another unit");
+        }
+
+        return file is not null
             ? course.Enter(new() { Unit = file.Main, First = file.Main.First, Caller = block, Arguments = [] })
             : report.Missing(block, name);
+    }
+
+    // The last word of the heading; null if there is none.
+    private static string? UnitOf(NcProgram program)
+    {
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            var words = program.TextOf(program[i]).Split(';')[0].ToUpperInvariant().Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            var begin = Array.IndexOf(words, "BEGIN");
+            if (begin is 0 or 1 && words[^1] is "MM" or "INCH")
+            {
+                return words[^1];
+            }
+
+            if (words.Length > 0)
+            {
+                return null;
+            }
+        }
+
+        return null;
     }
 }

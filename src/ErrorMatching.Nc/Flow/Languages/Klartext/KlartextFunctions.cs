@@ -58,8 +58,7 @@ internal sealed class KlartextFunctions(CallStack calls, FlowReport report, Flow
     {
         if (reader.Error is not null)
         {
-            report.Refuse(NcRefusalCodes.BadExpression, block,
-                FormattableString.Invariant($"column {reader.ErrorAt + 1}: {reader.Error}."));
+            report.Refuse(NcRefusalCodes.BadExpression, block, reader.ErrorAt + 1, reader.Error + ".");
         }
 
         return report.Refusal is null;

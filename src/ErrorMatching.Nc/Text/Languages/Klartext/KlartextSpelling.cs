@@ -12,7 +12,8 @@ internal sealed class KlartextSpelling : LanguageSpelling
         place = token.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip ? place
             : place == BlockPlace.Number && token is { Kind: NcTokenKind.Word, Letter: (byte)'N' } ? BlockPlace.Statement
             : place is BlockPlace.Tool or BlockPlace.Chamfer ? place
-            : token.Kind == NcTokenKind.Keyword ? KlartextStatements.PlaceBehind(text.Bytes.Slice(token.Start, token.Length))
+            : place == BlockPlace.Continued || token.Kind == NcTokenKind.Assignment ? BlockPlace.Continued
+            : token.Kind == NcTokenKind.Keyword && place <= BlockPlace.Statement ? KlartextStatements.PlaceBehind(text.Bytes.Slice(token.Start, token.Length))
             : BlockPlace.Words;
         return token;
     }
@@ -31,8 +32,8 @@ internal sealed class KlartextSpelling : LanguageSpelling
                 return BlockScanner.Plain(NcTokenKind.Comment, at, text.End);
             case (byte)'/' when place <= BlockPlace.Statement:
                 return BlockScanner.Plain(NcTokenKind.BlockSkip, at, at + 1);
-            case (byte)'~' when text.SkipSpaces(at + 1) == text.End:
-                // The statement continues in the next line.
+            case (byte)'~' when place == BlockPlace.Continued && text.SkipSpaces(at + 1) == text.End:
+                // Words of a path function that continue in the next line would be missing here.
                 return BlockScanner.Plain(NcTokenKind.Space, at, text.End);
             case (byte)'"' when place == BlockPlace.Tool:
                 return BlockScanner.Valued(

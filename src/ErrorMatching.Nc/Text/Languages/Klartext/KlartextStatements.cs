@@ -101,7 +101,10 @@ internal static class KlartextStatements
 
     /// <summary>What may follow behind a keyword.</summary>
     public static BlockPlace PlaceBehind(ReadOnlySpan<byte> keyword) =>
-        Is(NameOf(keyword), "TOOLCALL") ? BlockPlace.Tool : Is(keyword, "CHF") ? BlockPlace.Chamfer : BlockPlace.Words;
+        Is(keyword, "CHF") ? BlockPlace.Chamfer
+        : NameOf(keyword) is var name && Is(name, "TOOLCALL") ? BlockPlace.Tool
+        : HasWords(name) && !StartsWith(name, CycleDefinition) ? BlockPlace.Words
+        : BlockPlace.Continued;
 
     // A line of a cycle that ends its transformation: mirroring of no axis, tilting and rotation by zero, scaling by one.
     private static bool Resets(ReadOnlySpan<byte> cycle, ReadOnlySpan<byte> arguments)
