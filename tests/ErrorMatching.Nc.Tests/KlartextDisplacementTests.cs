@@ -52,6 +52,13 @@ public sealed class KlartextDisplacementTests
     [InlineData("4 CC X+5 Y+0\n5 CP IPA+90 DR+", "N3..N5", "active-transform")]
     [InlineData("4 L X+10\n5 RND R2\n6 L Y+10", "N4..N6", "corner-word")]
     [InlineData("4 CYCL DEF 10.1 ROT+5\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 CYCL DEF 19.1 A+45 C+0\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 CYCL DEF 26.1 X1.1 Y1.1\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 CYCL DEF 8.1 X\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 PLANE SPATIAL SPA+45 SPB+0 SPC+0 STAY\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 M128\n5 L X+1 Y+1 Z+1\n6 L X+10", "N6", "active-transform")]
+    [InlineData("4 L X+10 B+5", "N4", "other-axis")]
+    [InlineData("4 TCH PROBE 0.0 REF\n5 L X+1 Y+1 Z+1 R0\n6 L X+10", "N6", "unknown-state")]
     public void What_cannot_change_is_refused(string blocks, string named, string code)
     {
         var program = Head + "3 L X+0 Y+0 F100\n" + blocks + "\n";

@@ -40,6 +40,7 @@ public sealed class KlartextMotionTests
     [InlineData("CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+5\nL X+1 Y+1 Z+1\nCYCL DEF 7.1 IX+1\nL X+1", "L11,6,1 L12,6,1")]
     [InlineData("CYCL DEF 7.0 DATUM\nCYCL DEF 7.1 #5\nL X+1", "L1,?,?")]
     [InlineData("CYCL DEF 247 DATUM SETTING ~\n  Q339=+1 ;PRESET\nL X+1", "L1,?,?")]
+    [InlineData("PLANE RESET TURN\nL X+1", "L1,?,?")]
     [InlineData("X+10", "")]
     [InlineData("L X+10 B+5", "L10,0,0")]
     [InlineData("M188\nL X+1 Y+1 Z+1", "L1,1,1")]

@@ -159,6 +159,9 @@ internal sealed class BlockCodes(
                 break;
             case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
                 transforms.End(meaning, family);
+
+                // Such a block of a language may itself move rotary axes (PLANE RESET TURN).
+                control.State.Unknown |= values.Dialect.BlocksNameMotions ? AxisSet.All : AxisSet.None;
                 break;
             case NcMeaning.Smoothing:
                 result.Note("smoothing",

@@ -14,6 +14,7 @@ internal static class KlartextStatements
         ["BEGIN", "END", "BLK", "TOOL", "CYCL", "CALL", "TCH", "APPR", "DEP", "SEL", "FUNCTION", "PLANE", "TRANS", "PATTERN"];
 
     private const string CycleDefinition = "CYCLDEF";
+    private const NumberStyles Signed = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint;
 
     /// <summary>The keyword or assignment that a block begins with; null if it begins with a word.</summary>
     public static NcToken? At(in BlockScanner text, int at)
@@ -79,6 +80,11 @@ internal static class KlartextStatements
             end = secondEnd;
         }
 
+        if (Is(name.AsSpan(0, length), "PLANESPATIAL") && HasZeroAngles(keyword))
+        {
+            return "PLANERESET"u8;
+        }
+
         var isCycle = Is(name.AsSpan(0, length), CycleDefinition);
         if (!isCycle && !Is(name.AsSpan(0, length), "FN") && !Is(name.AsSpan(0, length), "M"))
         {
@@ -109,17 +115,24 @@ internal static class KlartextStatements
     // A line of a cycle that ends its transformation: mirroring of no axis, tilting and rotation by zero, scaling by one.
     private static bool Resets(ReadOnlySpan<byte> cycle, ReadOnlySpan<byte> arguments)
     {
-        var isNone = arguments.Trim(" \t"u8).Length == 0;
         if (Is(cycle, "8") || Is(cycle, "19"))
         {
-            return isNone;
+            return arguments.Trim(" \t"u8).Length == 0;
         }
 
         var (word, value) = Is(cycle, "10") ? ("ROT", 0.0) : ("SCL", 1.0);
         var text = NcText.Decode(arguments).Trim();
         return (Is(cycle, "10") || Is(cycle, "11")) && text.StartsWith(word, StringComparison.OrdinalIgnoreCase)
-            && double.TryParse(text.AsSpan(word.Length).Trim(), NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
-                CultureInfo.InvariantCulture, out var number) && number == value;
+            && double.TryParse(text.AsSpan(word.Length).Trim(), Signed, CultureInfo.InvariantCulture, out var number) && number == value;
+    }
+
+    private static bool HasZeroAngles(ReadOnlySpan<byte> plane)
+    {
+        var angles = NcText.Decode(plane).Split(' ', StringSplitOptions.RemoveEmptyEntries)
+            .Where(w => w.StartsWith("SP", StringComparison.OrdinalIgnoreCase) && w.Length > 3 && !char.IsAsciiLetter(w[3]))
+            .ToArray();
+        return angles.Length == 3 && Array.TrueForAll(angles, a => double.TryParse(a.AsSpan(3), Signed, CultureInfo.InvariantCulture,
+            out var degrees) && degrees == 0);
     }
 
     private static int DigitsEnd(ReadOnlySpan<byte> bytes, int at)
@@ -132,16 +145,22 @@ internal static class KlartextStatements
         return at;
     }
 
-    // CYCL DEF 7.1 X+60 has coordinates; what follows the head of other cycles is text or their own words.
+    // CYCL DEF 7.1 X+60 has coordinates; what follows the head of other cycles is text or arguments, which belong to the keyword.
     private static int CycleEnd(this in BlockScanner text, int at, int defEnd)
     {
         var number = text.SkipSpaces(defEnd);
+        var first = number;
         while (number < text.End && (SyntaxBytes.IsDigit(text.Bytes[number]) || text.Bytes[number] == '.'))
         {
             number++;
         }
 
         var statementEnd = text.StatementEnd(at);
+        if (!text.Bytes[first..number].StartsWith("7."u8))
+        {
+            return statementEnd;
+        }
+
         for (var next = text.SkipSpaces(number); next < statementEnd; next = text.SkipSpaces(next))
         {
             var word = SyntaxBytes.IsLetter(text.Bytes[next]) ? KlartextWords.At(text, next, BlockPlace.Words) : default;
