@@ -289,7 +289,7 @@ internal sealed class BlockExecutor
             return;
         }
 
-        flags |= _words.IsPolar ? MotionFlags.Transformed : MotionFlags.None;
+        flags |= !_words.IsPolar ? MotionFlags.None : _pole.IsPlainArc() ? MotionFlags.PolarEnd : MotionFlags.Transformed;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
         var plane = state.Plane;

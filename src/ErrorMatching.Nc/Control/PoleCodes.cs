@@ -63,6 +63,10 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
         return (plane.Lift(end, height), (isUnknown ? plane.Axes() : AxisSet.None) | (unknownHeight & third));
     }
 
+    /// <summary>True for an arc about the pole to an angle, in its plane and of at most one turn.</summary>
+    public bool IsPlainArc() => control.State.Form == NcMeaning.ArcAboutPole && values.GivenAxes() == AxisSet.None
+        && values.Words is { PolarDistance: null, PolarAngle: not null } && Turns() == 0;
+
     /// <summary>Full turns beyond the first of an arc whose angle is an increment.</summary>
     public int Turns() => values.Words is { PolarAngleGrows: true, PolarAngle: { } angle } && !double.IsNaN(angle)
         ? (int)Math.Clamp(Math.Ceiling(Math.Abs(angle) / 360) - 1, 0, 100_000)

@@ -75,4 +75,7 @@ public enum MotionFlags
 
     /// <summary>The center of the arc is stated by a block before it (CC).</summary>
     CenterBefore = 1 << 22,
+
+    /// <summary>The end of the arc is an angle about its center (CP).</summary>
+    PolarEnd = 1 << 23,
 }

@@ -65,7 +65,9 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             inserted |= IsNeeded((byte)('A' + letter), _result.Number(letter), now, isRadiusReplaced) ? 1u << letter : 0;
         }
 
-        return _original.Without(changed, dropped).SequenceEqual(_result.Without(changed, inserted));
+        // Another angle of a polar end is judged by where it leads.
+        var turns = was.Has(MotionFlags.PolarEnd) && !_original.Angle.SameValue(_result.Angle);
+        return _original.Without(changed, dropped, turns).SequenceEqual(_result.Without(changed, inserted, turns));
     }
 
     /// <summary>True if two blocks without a motion differ only in the values of coordinates.</summary>

@@ -6,7 +6,7 @@ internal static class PlainMotion
 {
     private const MotionFlags Plain = MotionFlags.Inch | MotionFlags.Incremental | MotionFlags.AbsoluteCenter | MotionFlags.ByRadius
         | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere
-        | MotionFlags.CenterBefore;
+        | MotionFlags.CenterBefore | MotionFlags.PolarEnd;
 
     public static bool Is(in NcMotion motion) => (motion.Flags | Plain) == Plain && (motion.IsCut || motion.Kind == MotionKind.Rapid);
 }

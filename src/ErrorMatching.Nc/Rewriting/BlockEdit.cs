@@ -230,7 +230,8 @@ internal sealed class BlockEdit
         length += Spell(letter, text[length..]);
         length += like >= 0
             ? Format(_words[like], value, text[length..])
-            : new NumberStyle(Plus: _keywordsLead, Point: !_keywordsLead, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1).Write(value, text[length..]);
+            : new NumberStyle(_keywordsLead, Point: !_keywordsLead, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1)
+                .Write(value, text[length..]);
         if (_spaced && behind < 0)
         {
             text[length++] = (byte)' ';

@@ -21,6 +21,11 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
     {
         var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
         var exact = change.CenterOf(index, motion);
+        if (motion.Has(MotionFlags.CenterBefore) && Obstacles.Of(_path, motion) is { } obstacle)
+        {
+            return obstacle;
+        }
+
         if (IsShift(index, motion, exact - motion.Center))
         {
             ShiftCenter(index, motion);

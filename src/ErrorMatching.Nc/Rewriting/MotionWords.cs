@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -93,6 +94,13 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
 
     private Refusal? SetCoordinates(int index, in NcMotion motion)
     {
+        if (motion.Has(MotionFlags.PolarEnd))
+        {
+            // Its angle follows when its center is known.
+            var (start, end) = (default(Point3) + change.MoveOf(index), default(Point3) + change.MoveOf(index + 1));
+            return motion.Plane.Height(start) == motion.Plane.Height(end) ? null : Obstacles.UnknownPlace(_path, index);
+        }
+
         foreach (var axis in "XYZ"u8)
         {
             var (from, to) = (grid.Steps(index, axis), grid.Steps(index + 1, axis));

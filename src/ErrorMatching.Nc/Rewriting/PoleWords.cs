@@ -9,8 +9,12 @@ namespace ErrorMatching.Nc;
 /// <param name="grid">The numbers that words can express.</param>
 internal sealed class PoleWords(PathChange change, IncrementGrid grid)
 {
+    /// <summary>Places closer than this are the same, mm.</summary>
+    private const double SamePlace = 1e-9;
+
     private readonly NcPath _path = change.Path;
     private readonly Dictionary<int, WantedPole> _wanted = [];
+    private readonly PolarEndWords _ends = new(change.Path, grid);
 
     /// <summary>Stores what an arc wants of its center.</summary>
     public void Want(int motion, WantedPole wanted) => _wanted[motion] = wanted;
@@ -51,19 +55,13 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
                 continue;
             }
 
-            var refusal = Edit(edit, arcs, first, block, behind);
+            var refusal = Edit(edit, arcs, first, block, behind, out var move)
+                ?? Keep(edited, block, [.. edit.Patches])
+                ?? EditEnds(arcs, move, edited);
             if (refusal is not null)
             {
                 return refusal;
             }
-
-            var texts = edit.Patches.ToArray();
-            if (edited.TryGetValue(block, out var known) && !RepeatedBlocks.Same(known, texts))
-            {
-                return Refuse(block, NcRefusalCodes.RunsDiffer, "it runs several times, and would have to change differently.");
-            }
-
-            edited[block] = texts;
         }
 
         foreach (var (block, texts) in edited)
@@ -74,8 +72,56 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
         return null;
     }
 
-    private Refusal? Edit(BlockEdit edit, List<int> arcs, int first, int block, int behind)
+    private Refusal? Keep(SortedDictionary<int, NcPatch[]> edited, int block, NcPatch[] patches)
     {
+        if (edited.TryGetValue(block, out var known) && !RepeatedBlocks.Same(known, patches))
+        {
+            return Refuse(block, NcRefusalCodes.RunsDiffer, "it runs several times, and would have to change differently.");
+        }
+
+        edited[block] = patches;
+        return null;
+    }
+
+    private Refusal? EditEnds(List<int> arcs, (long First, long Second) move, SortedDictionary<int, NcPatch[]> edited)
+    {
+        foreach (var arc in arcs)
+        {
+            var motion = _path.Motions[arc];
+            if (!motion.Has(MotionFlags.PolarEnd) || !_wanted.ContainsKey(arc))
+            {
+                continue;
+            }
+
+            var center = motion.Center + new Vector2(move.First * grid.Increment, move.Second * grid.Increment);
+            var patch = _ends.Patch(arc, center, out var isPossible, out var end);
+            var isExact = end.DistanceTo(grid.Rounded(motion.End, arc + 1, motion.Plane)) <= SamePlace;
+            var refusal = !isPossible
+                ? Refuse(motion.Block, NcRefusalCodes.Expression, "its angle is computed by the control. Post a plain number for it.")
+                : !isExact && change.MoveOf(arc + 1) == Vector3.Zero
+                ? Refuse(
+                    motion.Block, NcRefusalCodes.ArcForm,
+                    "its end is an angle about its center and cannot stay exactly where it is while its start moves. Name it and the block "
+                        + "behind it as well, or post it with its coordinates.")
+                : !isExact && arc + 1 < _path.Motions.Length && !StatesPlace(arc + 1)
+                ? Refuse(
+                    motion.Block, NcRefusalCodes.ArcForm,
+                    "its end is an angle about its center, and what is behind it counts from that end, which is not met exactly. State "
+                        + "both coordinates of the plane in the block behind it, or post the arc with its coordinates.")
+                : Keep(edited, motion.Block, patch is { } text ? [text] : []);
+            if (refusal is not null)
+            {
+                return refusal;
+            }
+        }
+
+        return null;
+    }
+
+    private Refusal? Edit(
+        BlockEdit edit, List<int> arcs, int first, int block, int behind, out (long First, long Second) moved)
+    {
+        moved = (0, 0);
         edit.Open(_path.Program[block]);
         if (arcs.Count == 0 && !Enumerable.Range(first, behind - first).Any(IsPolar))
         {
@@ -98,6 +144,7 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
                 "polar ends count from this center, and they would move along. Post them with their coordinates.");
         }
 
+        moved = move;
         var (u, v) = _path.Motions[arcs[0]].Plane switch
         {
             CoordinatePlane.ZX => ((byte)'Z', (byte)'X'),
@@ -126,7 +173,8 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
             ? null
             : edit.Computed(axis) is null
             ? Refuse(
-                block, NcRefusalCodes.ArcForm, "the center is the place of the tool, and must not move as that does. State its coordinates.")
+                block, NcRefusalCodes.ArcForm,
+                "the center is the place of the tool, and must not move as that does. State its coordinates.")
             : Refuse(block, NcRefusalCodes.Expression, "the center is computed by the control. Post plain numbers for it.");
     }
 
@@ -146,8 +194,29 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
 
     private WantedPole WantedOf(int motion) => _wanted.GetValueOrDefault(motion, new((0, 0), null));
 
+    // A motion that ends where its own words say, wherever it begins.
+    private bool StatesPlace(int motion)
+    {
+        var stated = AxisSet.None;
+        foreach (ref readonly var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(motion)]))
+        {
+            stated |= token is { Kind: NcTokenKind.Word, Letter: >= (byte)'X' and <= (byte)'Z', Distance: not WordDistance.Incremental }
+                ? (AxisSet)(1 << (token.Letter - 'X'))
+                : AxisSet.None;
+        }
+
+        var plane = _path.Motions[motion].Plane.Axes();
+        return (stated & plane) == plane && !_path.Motions[motion].Has(MotionFlags.Incremental);
+    }
+
+    // The end of an arc to an angle is its own affair.
     private bool IsPolar(int motion)
     {
+        if (_path.Motions[motion].Has(MotionFlags.PolarEnd))
+        {
+            return false;
+        }
+
         foreach (ref readonly var token in _path.Program.Tokens(_path.Program[_path.Motions.BlockOf(motion)]))
         {
             if (token.Kind == NcTokenKind.PolarWord)

@@ -35,7 +35,8 @@ internal static class RandomMatch
         return Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => rough[p.Label]), null);
     }
 
-    private static MatchInput Input(RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc")
+    private static MatchInput Input(
+        RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc")
     {
         var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from, dialect)), "random.json");
         return new(

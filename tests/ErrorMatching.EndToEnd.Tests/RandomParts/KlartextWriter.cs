@@ -6,7 +6,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>Writes the moves of a random part's program in Heidenhain Klartext, with the same block numbers.</summary>
 internal static class KlartextWriter
 {
-    /// <summary>The part with a program in Klartext: positions or increments, arcs by center or radius, as its flavor and number
+    /// <summary>The part with a program in Klartext: positions or increments, arcs by center, angle or radius, as its flavor and number
     /// say.</summary>
     public static RandomPart InKlartext(RandomPart part)
     {
@@ -17,10 +17,13 @@ internal static class KlartextWriter
         foreach (var move in RefereeInterpreter.Run(part.Program))
         {
             var number = int.Parse(move.Block.AsSpan(1), CultureInfo.InvariantCulture);
-            var by = part.Flavor.Incremental && !move.Rapid;
+
+            // Behind an arc to an angle, each block states both coordinates.
+            var toAngle = part.Seed % 4 == 3;
+            var by = part.Flavor.Incremental && !move.Rapid && !toAngle;
             var end = new StringBuilder();
-            Coordinate(end, 'X', move.From.X, move.To.X, by, move.IsArc);
-            Coordinate(end, 'Y', move.From.Y, move.To.Y, by, move.IsArc);
+            Coordinate(end, 'X', move.From.X, move.To.X, by, move.IsArc || toAngle);
+            Coordinate(end, 'Y', move.From.Y, move.To.Y, by, move.IsArc || toAngle);
             Coordinate(end, 'Z', move.From.Z, move.To.Z, by, always: false);
             var sense = move.Sweep > 0 ? " DR+" : " DR-";
             if (move.IsArc && part.Flavor.RadiusArcs && Math.Abs(move.Sweep) is > 0.35 and < 2.6 && part.Seed % 3 > 0)
@@ -32,7 +35,14 @@ internal static class KlartextWriter
                 var center = new StringBuilder();
                 Coordinate(center, 'X', move.From.X, move.Center.U, part.Seed % 5 == 0, always: true);
                 Coordinate(center, 'Y', move.From.Y, move.Center.V, part.Seed % 5 == 0, always: true);
-                text.Append(CultureInfo.InvariantCulture, $"{number - 5} CC{center}\r\n{number} C{end}{sense}");
+
+                // An angle that leads to the same place within a micrometer, as some post processors write arcs.
+                var angle = toAngle
+                    ? string.Create(CultureInfo.InvariantCulture, $" IPA{move.Sweep * 180 / Math.PI:+0.######;-0.######}")
+                    : "";
+                text.Append(
+                    CultureInfo.InvariantCulture,
+                    $"{number - 5} CC{center}\r\n{number} {(angle.Length > 0 ? "CP" + angle : "C" + end)}{sense}");
             }
             else
             {

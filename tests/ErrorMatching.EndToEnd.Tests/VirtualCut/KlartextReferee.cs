@@ -70,12 +70,31 @@ internal sealed class KlartextReferee
                 var center = Target(place, line, out var rest);
                 _center = rest.Count == 0 ? new(center.X, center.Y) : throw Unknown(rest, line);
                 break;
+            case ["CP", var angle, var sense] when angle.StartsWith("IPA", StringComparison.Ordinal):
+                Turn(Number(angle[3..], line), sense, number, line);
+                break;
             case [("L" or "C" or "CR") and var function, .. var others]:
                 Move(function, others, number, line);
                 break;
             default:
                 throw Unknown(words, line);
         }
+    }
+
+    // About the center by an angle, whose sign is the sense.
+    private void Turn(double degrees, string sense, string number, int line)
+    {
+        if (_center is not { } center || sense != (degrees > 0 ? "DR+" : "DR-") || Math.Abs(degrees) > 360)
+        {
+            throw new RefereeException($"line {line}: not an arc about a center");
+        }
+
+        var radius = _at.In(WorkPlane.XY) - center;
+        var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
+        var end = center + new Flat((radius.U * cos) - (radius.V * sin), (radius.U * sin) + (radius.V * cos));
+        var to = _at with { X = end.U, Y = end.V };
+        _moves.Add(new RefereeMove("N" + number, line, false, _at, to, WorkPlane.XY, _side).Around(center, degrees > 0));
+        _at = to;
     }
 
     private void Move(string function, List<string> words, string number, int line)

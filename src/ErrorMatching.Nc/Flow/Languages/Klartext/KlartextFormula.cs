@@ -60,7 +60,7 @@ internal ref struct KlartextFormula(ReadOnlySpan<byte> text, int at, NcVariables
     }
 
     /// <summary>True if a parameter holds a text.</summary>
-    public readonly bool IsText(VariablePlace place) => place.Name?.StartsWith("_QS", StringComparison.Ordinal) == true;
+    public static bool IsText(VariablePlace place) => place.Name?.StartsWith("_QS", StringComparison.Ordinal) == true;
 
     /// <summary>A number or a parameter with a sign or without: +5, -Q1.</summary>
     public NcValue SignedOperand()

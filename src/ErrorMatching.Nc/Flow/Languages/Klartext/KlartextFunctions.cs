@@ -12,7 +12,7 @@ internal sealed class KlartextFunctions(CallStack calls, FlowReport report, Flow
         var reader = new KlartextFormula(text, at, memory.Variables);
         var place = reader.Parameter();
         reader.Expect((byte)'=');
-        var isText = reader.IsText(place);
+        var isText = KlartextFormula.IsText(place);
         var value = isText ? NcValue.Unknown : reader.Formula();
         return (isText || Ends(ref reader)) && Check(ref reader, block)
             ? memory.Assigned(block, place, value, at)

@@ -13,7 +13,8 @@ internal sealed class KlartextSpelling : LanguageSpelling
             : place == BlockPlace.Number && token is { Kind: NcTokenKind.Word, Letter: (byte)'N' } ? BlockPlace.Statement
             : place is BlockPlace.Tool or BlockPlace.Chamfer ? place
             : place == BlockPlace.Continued || token.Kind == NcTokenKind.Assignment ? BlockPlace.Continued
-            : token.Kind == NcTokenKind.Keyword && place <= BlockPlace.Statement ? KlartextStatements.PlaceBehind(text.Bytes.Slice(token.Start, token.Length))
+            : token.Kind == NcTokenKind.Keyword && place <= BlockPlace.Statement
+            ? KlartextStatements.PlaceBehind(text.Bytes.Slice(token.Start, token.Length))
             : BlockPlace.Words;
         return token;
     }
