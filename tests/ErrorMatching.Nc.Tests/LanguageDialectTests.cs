@@ -44,7 +44,7 @@ public sealed class LanguageDialectTests
         Assert.Equal(
             [
                 "arc-sense", "compensation-left", "compensation-off", "compensation-right", "cycle-call", "harmless", "inch",
-                "machine-coordinates", "metric", "opaque-call", "opaque-motion", "opaque-transform", "opaque-transform-off",
+                "machine-coordinates", "metric", "opaque-call", "computed-contour", "opaque-transform", "opaque-transform-off",
                 "plane-xy", "plane-yz", "plane-zx", "rapid-in-block", "smoothing", "tool-axis-retract", "unknown", "unknown-origin",
             ],
             KebabNames.Of(typeof(NcMeaning)).Keys.Except(refused).Order(StringComparer.Ordinal));

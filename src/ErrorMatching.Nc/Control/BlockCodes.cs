@@ -129,7 +129,7 @@ internal sealed class BlockCodes(
                 intent.Use = AxisUse.Nothing;
                 layers.LoseOrigin();
                 break;
-            case NcMeaning.OpaqueMotion:
+            case NcMeaning.ComputedContour:
                 intent.Use = AxisUse.Nothing;
                 run.Follow(run.Flow.Refuse(NcRefusalCodes.NotASimpleMove, run.At,
                     "the control computes this element of the contour itself: where it leads is not known. Post lines and arcs."));

@@ -20,7 +20,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         NcMeaning.RapidInBlock, NcMeaning.ArcByRadius, NcMeaning.ArcAboutPole, NcMeaning.PolarArc, NcMeaning.PolarLine,
         NcMeaning.PolarTangentArc, NcMeaning.ArcSense, NcMeaning.SetPole, NcMeaning.CornerRounding, NcMeaning.CornerChamfer,
         NcMeaning.DatumShift, NcMeaning.UnknownOrigin, NcMeaning.ToolAxisRetract, NcMeaning.Approach, NcMeaning.Departure,
-        NcMeaning.OpaqueMotion,
+        NcMeaning.ComputedContour,
     ];
 
     private static readonly NcMeaning[] MeaningsWithWords =

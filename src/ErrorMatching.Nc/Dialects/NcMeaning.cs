@@ -300,5 +300,5 @@ public enum NcMeaning : byte
     Departure,
 
     /// <summary>Refused: an element of a contour that only the control computes (FL, FC).</summary>
-    OpaqueMotion,
+    ComputedContour,
 }
