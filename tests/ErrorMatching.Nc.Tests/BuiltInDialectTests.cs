@@ -22,7 +22,10 @@ public sealed class BuiltInDialectTests
     public void The_built_in_ones_have_names_in_order()
     {
         Assert.Equal(
-            ["generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl"],
+            [
+                "generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl",
+                "heidenhain-klartext",
+            ],
             NcDialects.Names);
         Assert.Equal(NcDialects.Names, NcDialects.All.Select(d => d.Name));
         Assert.All(NcDialects.All, d => Assert.Empty(d.Files));

@@ -25,6 +25,7 @@ public class ModalStateTests
         bool value => !value,
         int value => value + 1,
         double value => value + 1,
+        ArcPole value => value with { IsKnown = !value.IsKnown },
         Point3 value => new Point3(value.X, value.Y, value.Z + 1),
         Enum value => Enum.GetValues(field.FieldType)
             .Cast<Enum>()

@@ -61,7 +61,7 @@ internal sealed class CommentText(NcDialect dialect)
     /// <summary>A line of the program. A comment that is too long is cut, inside of what encloses it.</summary>
     public string Line(string line)
     {
-        var start = dialect.Syntax == NcSyntax.Siemens
+        var start = dialect.Syntax == NcSyntax.Siemens || !dialect.HasCodes
             ? line.StartsWith(';') ? 0 : line.Length
             : line.EndsWith(')') ? line.LastIndexOf('(') : line.Length;
         var over = line.Length - start - dialect.CommentLength;

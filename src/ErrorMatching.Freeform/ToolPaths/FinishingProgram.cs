@@ -66,7 +66,7 @@ public static class FinishingProgram
                 $"The path was rounded to {path.Decimals} decimals, but {dialect.Name} writes {dialect.MetricDecimals}.", nameof(dialect));
         }
 
-        template ??= FinishingTemplate.For(dialect);
+        template = template is null || !dialect.HasCodes ? FinishingTemplate.For(dialect) : template;
         template.CheckAsksFor(job.Toolpath.Tool, "toolpath.tool");
         var values = new FinishingValues(path, job, stage, dialect, template.File);
         var (head, tail) = (values.Fill(template.Section(FinishingTemplate.Head)), values.Fill(template.Section(FinishingTemplate.Tail)));

@@ -46,10 +46,11 @@ public sealed class FinishingTemplate : ProgramTemplate
     public static FinishingTemplate Named(string name) => new(BuiltIn(name, Grammar));
 
     /// <summary>The built-in template for a dialect: its own, or for a shop's own dialect, the one for its syntax.</summary>
+    /// <exception cref="InputException">Moves cannot be written in the dialect (<c>unknown-template</c>).</exception>
     public static FinishingTemplate For(NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
-        return Named(Names.Contains(dialect.Name, StringComparer.Ordinal) ? dialect.Name : dialect.Syntax switch
+        return Named(Names.Contains(dialect.Name, StringComparer.Ordinal) || !dialect.HasCodes ? dialect.Name : dialect.Syntax switch
         {
             NcSyntax.Siemens => NcDialects.Siemens840D.Name,
             NcSyntax.LinuxCnc => NcDialects.LinuxCnc.Name,

@@ -127,10 +127,20 @@ public sealed class FreeformFiles
 
     /// <summary>The template of cutting programs: the job's own, which may name a built-in one, or the dialect's.</summary>
     /// <param name="dialect">The dialect of the programs that cut.</param>
-    /// <exception cref="InputException">The file cannot be opened. It cannot be used. The dialect's control does not support tool
-    /// names (<c>tool-by-name</c>).</exception>
+    /// <exception cref="InputException">The file cannot be opened. It cannot be used. Moves cannot be written in the dialect
+    /// (<c>unknown-template</c>), or its control does not support tool names (<c>tool-by-name</c>).</exception>
     public FinishingTemplate FinishingTemplate(NcDialect dialect)
     {
+        if (!dialect.HasCodes && Job.PlaceOf("$.toolpath.dialect") is { } place)
+        {
+            throw Wrong(
+                "unknown-template",
+                "$.toolpath.dialect",
+                place,
+                $"the dialect \"{Job.Toolpath.Dialect}\", in which no moves are written",
+                $"one of {string.Join(", ", Freeform.FinishingTemplate.Names)}");
+        }
+
         CheckCall(Job.Toolpath.Tool, "$.toolpath.tool.name", dialect);
         return Job.Toolpath.Template is not { } own ? Freeform.FinishingTemplate.For(dialect)
             : Freeform.FinishingTemplate.Names.Contains(own) ? Freeform.FinishingTemplate.Named(own)

@@ -10,7 +10,8 @@ internal sealed class Arcs(
     CoordinateLayers layers,
     RunResult result,
     MotionWriter writer,
-    Corners corners)
+    Corners corners,
+    PoleCodes pole)
 {
     private readonly record struct FoundArc(MotionKind Kind, Point2 Center, MotionFlags Flags, Point2? End = null);
 
@@ -44,6 +45,7 @@ internal sealed class Arcs(
 
     private int Turns() =>
         values.Words.Has(NcAddress.Turn) ? (int)Math.Clamp(values.Words.Value(NcAddress.Turn), 0, 100_000)
+        : pole.Turns() is > 0 and var turns ? turns
         : values.Dialect.TurnsLetter != 0 && values.Words.Has(values.Dialect.TurnsLetter)
             ? (int)Math.Clamp(values.Words.Value(values.Dialect.TurnsLetter) - 1, 0, 100_000)
         : 0;
@@ -53,6 +55,11 @@ internal sealed class Arcs(
         if ((values.Words.Unknown & BlockWords.GeometryWords & ~BlockWords.LinearAxes) != 0)
         {
             return new(kind, start.Lerp(end, 0.5), MotionFlags.BadArc);
+        }
+
+        if (control.State.Form == NcMeaning.ArcAboutPole)
+        {
+            return AboutPole(kind, start, end, isKnown);
         }
 
         if (control.State.Form == NcMeaning.ArcThrough)
@@ -94,14 +101,28 @@ internal sealed class Arcs(
         }
 
         var center = Center(start, first, second);
+        return new(kind, center, Mismatch(start, end, center, isKnown));
+    }
+
+    private MotionFlags Mismatch(Point2 start, Point2 end, Point2 center, bool isKnown)
+    {
         var radius = start.DistanceTo(center);
         var tolerance = Math.Max(values.Dialect.ArcMismatchMm, values.Dialect.ArcMismatchOfRadius * radius);
         var mismatch = ArcCenter.Mismatch(start, end, center);
-        var bad = isKnown && !(mismatch <= tolerance && radius > 0);
-        return new(
-            kind,
-            center,
-            bad ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm")) : MotionFlags.None);
+        return isKnown && !(mismatch <= tolerance && radius > 0)
+            ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm"))
+            : MotionFlags.None;
+    }
+
+    private FoundArc AboutPole(MotionKind kind, Point2 start, Point2 end, bool isKnown)
+    {
+        if (!pole.IsKnown)
+        {
+            return new(kind, start.Lerp(end, 0.5), MotionFlags.CenterBefore | BadArc("its center is not known"));
+        }
+
+        var center = control.State.Pole.Place;
+        return new(kind, center, MotionFlags.CenterBefore | Mismatch(start, end, center, isKnown));
     }
 
     public Point2 Center(Point2 start, char first, char second) => new(CenterWord(start.X, first), CenterWord(start.Y, second));

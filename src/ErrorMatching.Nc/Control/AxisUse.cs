@@ -10,4 +10,6 @@ internal enum AxisUse
     MachineCoordinates,
     Cycle,
     Pole,
+    Center,
+    Corner,
 }

@@ -120,6 +120,24 @@ internal sealed class BlockCodes(
             case NcMeaning.StoreReference:
                 machine.Store();
                 break;
+            case NcMeaning.SetPole:
+                intent.Use = AxisUse.Center;
+                break;
+            case NcMeaning.CornerRounding or NcMeaning.CornerChamfer:
+                (intent.Use, intent.Code) = (AxisUse.Corner, meaning);
+                break;
+            case NcMeaning.UnknownOrigin:
+                intent.Use = AxisUse.Nothing;
+                layers.LoseOrigin();
+                break;
+            case NcMeaning.ComputedContour:
+                intent.Use = AxisUse.Nothing;
+                run.Follow(run.Flow.Refuse(NcRefusalCodes.NotASimpleMove, run.At,
+                    "the control computes this element of the contour itself: where it leads is not known. Post lines and arcs."));
+                break;
+            case NcMeaning.ToolAxisRetract:
+                machine.Retract();
+                break;
             case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
                 intent.Use = AxisUse.MachineCoordinates;
                 break;
@@ -142,6 +160,9 @@ internal sealed class BlockCodes(
                 break;
             case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
                 transforms.End(meaning, family);
+
+                // Such a block of a language may itself move rotary axes (PLANE RESET TURN).
+                control.State.Unknown |= values.Dialect.BlocksNameMotions ? AxisSet.All : AxisSet.None;
                 break;
             case NcMeaning.Smoothing:
                 result.Note("smoothing",
@@ -164,13 +185,52 @@ internal sealed class BlockCodes(
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
         is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
-        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.OpaqueTransform
+        or NcMeaning.Rotation or NcMeaning.Scaling or NcMeaning.Mirroring or NcMeaning.OpaqueTransform or NcMeaning.DatumShift
         or (>= NcMeaning.FrameShift and <= NcMeaning.FrameMirrorMore);
+
+    /// <summary>Sets the sense of the block's arc by the sign at the end of a word: DR+, DR-.</summary>
+    public void TakeSense(ReadOnlySpan<byte> word)
+    {
+        if (intent.NeedsSense && word[^1] is (byte)'+' or (byte)'-')
+        {
+            control.State.Mode = word[^1] == '+' ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
+            intent.NeedsSense = false;
+        }
+    }
+
+    private void NameMotion(NcMeaning meaning)
+    {
+        var form = meaning switch
+        {
+            NcMeaning.ArcAboutPole or NcMeaning.PolarArc => NcMeaning.ArcAboutPole,
+            NcMeaning.PolarTangentArc => NcMeaning.TangentArc,
+            _ => NcMeaning.Unknown,
+        };
+        control.Mode(meaning == NcMeaning.PolarLine ? MotionKind.Line : MotionKind.ArcClockwise);
+        control.State.Form = form;
+        intent.NeedsSense = meaning is NcMeaning.ArcByRadius or NcMeaning.ArcAboutPole or NcMeaning.PolarArc;
+        intent.AboutPole = meaning is NcMeaning.PolarArc or NcMeaning.PolarLine or NcMeaning.PolarTangentArc;
+    }
 
     private void SwitchMode(NcMeaning meaning)
     {
+        intent.NamesMotion |= meaning is NcMeaning.Line or NcMeaning.Rapid or NcMeaning.TangentArc
+            or NcMeaning.Approach or NcMeaning.Departure or (>= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc);
         switch (meaning)
         {
+            case NcMeaning.Approach or NcMeaning.Departure:
+                if (meaning == NcMeaning.Departure)
+                {
+                    control.Compensate(MotionFlags.None);
+                }
+
+                control.Mode(MotionKind.Spline);
+                control.State.Form = meaning;
+                break;
+            case >= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc: NameMotion(meaning); break;
+            case NcMeaning.RapidInBlock:
+                control.State.Mode = intent.NamesMotion && control.State.Mode == MotionKind.Line ? MotionKind.Rapid : control.State.Mode;
+                break;
             case NcMeaning.Rapid: control.Mode(MotionKind.Rapid); break;
             case NcMeaning.Line: control.Mode(MotionKind.Line); break;
             case NcMeaning.ThreadCut:

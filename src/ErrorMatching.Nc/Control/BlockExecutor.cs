@@ -30,6 +30,8 @@ internal sealed class BlockExecutor
     private readonly OriginCodes _origins;
     private readonly BlockCodes _codes;
     private readonly BlockObstacles _obstacles;
+    private readonly PoleCodes _pole;
+    private readonly ToolLengthCodes _lengths;
     private readonly uint _straightLetters;
     private readonly uint _cutLetters;
 
@@ -41,9 +43,10 @@ internal sealed class BlockExecutor
         var steps = new CycleSteps();
         (_words, _transforms) = (values.Words, layers.Transforms);
         _writer = new(control, layers, result);
+        _pole = new(control, values, result);
         _ends = new(control, values, layers, _intent);
         _corners = new(control, values, layers, result, _writer);
-        _arcs = new(control, values, layers, result, _writer, _corners);
+        _arcs = new(control, values, layers, result, _writer, _corners, _pole);
         _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
         _polar = new(control, values);
         _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
@@ -51,7 +54,7 @@ internal sealed class BlockExecutor
         _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
 
         var transforms = new TransformCodes(control, values, layers, result);
-        var lengths = new ToolLengthCodes(control, values, layers);
+        var lengths = _lengths = new ToolLengthCodes(control, values, layers);
         var offsets = new OffsetCodes(control, values, layers);
         _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
         _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
@@ -173,9 +176,14 @@ internal sealed class BlockExecutor
             flags |= LosePolarEnd();
         }
 
+        if (_dialect.BlocksNameMotions)
+        {
+            flags |= CheckMotion();
+        }
+
         switch (_intent.Use)
         {
-            case AxisUse.Motion when _values.MovesAxes():
+            case AxisUse.Motion when _values.MovesAxes() || EndsSomewhere():
                 Move(flags);
                 break;
             case AxisUse.Motion when _values.ListsIdleMoves && _values.StatesStraightMotion():
@@ -197,12 +205,54 @@ internal sealed class BlockExecutor
             case AxisUse.Origin:
                 _origins.Run();
                 break;
+            case AxisUse.Center:
+                _pole.Set();
+                break;
+            case AxisUse.Corner:
+                _corners.KeepForLast(_intent.Code);
+                break;
         }
 
         if (!_calls.AreNone)
         {
             _calls.RunBehind(Moved);
         }
+    }
+
+    // A departure moves without coordinates, too: to a place that the control computes.
+    private bool EndsSomewhere() => _intent.NamesMotion && _control.State.Form == NcMeaning.Departure;
+
+    // Where each block names its motion, coordinates without a motion, and an arc without its sense or its end, are an error.
+    private MotionFlags CheckMotion()
+    {
+        if ((_words.Present & _values.ToolCalls) != 0 || (_words.Computed & _values.ToolCalls) != 0)
+        {
+            _result.ChangeTool();
+            _lengths.TakeFromTable();
+            _control.State.Unknown = AxisSet.All;
+        }
+
+        if (_intent.Use is not (AxisUse.Motion or AxisUse.MachineCoordinates))
+        {
+            return MotionFlags.None;
+        }
+
+        _intent.AboutPole |= _words.IsPolar;
+        if (_intent.NeedsSense || (_control.State.Form == NcMeaning.ArcAboutPole && _intent.NamesMotion && !_values.MovesAxes()))
+        {
+            _control.State.Unknown |= _control.State.Plane.Axes();
+            return _result.Problem("bad-arc", "Not an arc: its end or its sense (DR) is missing.", MotionFlags.BadArc);
+        }
+
+        if (!_intent.NamesMotion && _values.MovesAxes())
+        {
+            Layers.Forget();
+            _intent.Use = AxisUse.Nothing;
+            return _result.Problem("unknown-word", "Coordinates without a path function: what moves here is not known.",
+                MotionFlags.UnknownWord);
+        }
+
+        return MotionFlags.None;
     }
 
     // Reads all that a block switches before its axis words apply, and the feed.
@@ -219,7 +269,7 @@ internal sealed class BlockExecutor
         var before = saves ? _memory.Now(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
         var inchFeed = _control.State.InchFeed;
         flags |= _codes.ReadCodes() | _codes.ReadFunctions();
-        if (_intent.Use != AxisUse.Nothing)
+        if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
             ReadNumbers(inchFeed);
         }
@@ -258,21 +308,32 @@ internal sealed class BlockExecutor
             return;
         }
 
-        flags |= _words.IsPolar || _words.HasPolarEnd ? MotionFlags.Transformed : MotionFlags.None;
+        flags |= _words.HasPolarEnd ? MotionFlags.Transformed
+            : !_words.IsPolar ? MotionFlags.None
+            : _pole.IsPlainArc() ? MotionFlags.PolarEnd
+            : MotionFlags.Transformed;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
-        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _ends.Target();
+        var plane = state.Plane;
+        state.Plane = _pole.PlaneOf(_intent);
+        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _pole.Target() : _ends.Target();
+        unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
+            // Only an arc to a polar end is documented as a helix.
+            flags |= _dialect.BlocksNameMotions && !_intent.AboutPole && (_values.GivenAxes() & ~state.Plane.Axes()) != AxisSet.None
+                ? _result.Problem("bad-arc", "Not an arc: it has a coordinate outside of its plane.", MotionFlags.BadArc)
+                : MotionFlags.None;
             _arcs.Turn(kind, flags, end, unknown);
         }
         else
         {
-            flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end));
+            flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end) || EndsSomewhere());
             _corners.Cut(kind, flags, end, unknown, null);
             _writer.Append(kind, flags, end, unknown);
         }
 
+        state.Plane = plane;
         _corners.Keep(kind);
         if (kind == MotionKind.Probe)
         {

@@ -20,6 +20,19 @@ internal sealed class BlockIntent
     /// <summary>True if the effect of a code of the block is unknown.</summary>
     public bool HasUnknownCode { get; set; }
 
+    /// <summary>True if a word of the block names its motion.</summary>
+    public bool NamesMotion { get; set; }
+
+    /// <summary>True if the block's arc has no sense yet.</summary>
+    public bool NeedsSense { get; set; }
+
+    /// <summary>True if the block's end is polar, about the pole.</summary>
+    public bool AboutPole { get; set; }
+
     /// <summary>Clears the intent of the previous block.</summary>
-    public void Begin() => (Use, Code, Family, Probes, HasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
+    public void Begin()
+    {
+        (Use, Code, Family, Probes, HasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
+        (NamesMotion, NeedsSense, AboutPole) = (false, false, false);
+    }
 }

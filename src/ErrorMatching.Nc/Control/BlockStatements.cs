@@ -64,6 +64,9 @@ internal sealed class BlockStatements(
             case NcMeaning.CycleCall:
                 calls.Call(statement);
                 return MotionFlags.None;
+            case NcMeaning.ArcSense:
+                codes.TakeSense(run.BytesOf(statement));
+                return MotionFlags.None;
             case NcMeaning.OpaqueTransform when HasNoArguments(statement):
                 codes.Apply(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;

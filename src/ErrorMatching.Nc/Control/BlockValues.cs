@@ -16,6 +16,9 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>Letters that the dialect does not know.</summary>
     public uint UnknownLetters { get; } = LettersOf(dialect, LetterRole.Unknown);
 
+    /// <summary>Letters that change the tool.</summary>
+    public uint ToolCalls { get; } = LettersOf(dialect, LetterRole.ToolCall);
+
     /// <summary>Letters whose number is a length.</summary>
     public uint LengthLetters { get; } =
         LettersOf(dialect, LetterRole.Axis) | LettersOf(dialect, LetterRole.Center) | LettersOf(dialect, LetterRole.Radius);

@@ -17,7 +17,7 @@ internal sealed partial class BlockWords
     public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
         Clear();
-        return ReadPlain(text, syntax == NcSyntax.LinuxCnc);
+        return LanguageSpelling.Of(syntax) is null && ReadPlain(text, syntax == NcSyntax.LinuxCnc);
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False for anything else.</summary>
@@ -133,9 +133,11 @@ internal sealed partial class BlockWords
                     break;
                 case NcTokenKind.PolarWord when token.Letter == '@':
                     PolarDistance = ValueOf(bytes, token, compute);
+                    PolarDistanceGrows = token.Distance == WordDistance.Incremental;
                     break;
                 case NcTokenKind.PolarWord:
                     PolarAngle = ValueOf(bytes, token, compute);
+                    PolarAngleGrows = token.Distance == WordDistance.Incremental;
                     break;
                 case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:
                     _statements.Add(token);

@@ -72,6 +72,11 @@ internal sealed partial class BlockWords
 
     /// <summary>True if the end is given about a pole or by an angle.</summary>
     public bool HasPolarEnd => PoleRadius is not null || PoleAngle is not null || LineAngle is not null;
+    /// <summary>True if the distance of a polar end is an increment, by its own word.</summary>
+    public bool PolarDistanceGrows { get; private set; }
+
+    /// <summary>True if the angle of a polar end is an increment, by its own word.</summary>
+    public bool PolarAngleGrows { get; private set; }
 
     /// <summary>True if the block has a polar coordinate.</summary>
     public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
@@ -115,7 +120,7 @@ internal sealed partial class BlockWords
     {
         (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
         (_codeCount, _functionCount, Corner, CornerValue, Invalid, Semicolon) = (0, 0, 0, 0, default, default);
-        (PlaneAngle, PolarDistance, PolarAngle) = (null, null, null);
+        (PlaneAngle, PolarDistance, PolarAngle, PolarDistanceGrows, PolarAngleGrows) = (null, null, null, false, false);
         (PoleRadius, PoleAngle, LineAngle) = (null, null, null);
         _statements.Clear();
     }

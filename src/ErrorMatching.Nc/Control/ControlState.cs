@@ -65,7 +65,7 @@ internal sealed class ControlState(NcDialect dialect)
     /// <summary>Marks modes as unsure until the program states them again.</summary>
     public void Forget()
     {
-        State.Unsure = Unsure.All;
+        State.Unsure = dialect.BlocksNameMotions ? Unsure.Plane | Unsure.Compensation : Unsure.All;
         State.Unknown = AxisSet.All;
         State.Cycle = NcMeaning.Unknown;
     }

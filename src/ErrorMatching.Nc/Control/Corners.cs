@@ -24,6 +24,20 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             : default;
     }
 
+    /// <summary>Stores the corner that a block of its own states for the end of the motion before it.</summary>
+    public void KeepForLast(NcMeaning meaning)
+    {
+        var last = result.Motions.Length - 1;
+        var isRounding = meaning == NcMeaning.CornerRounding;
+        var value = isRounding ? values.Words.Has('R') ? values.Words.Value('R') : double.NaN : values.CornerLength();
+        _pending = last >= 0 && result.Motions[last].IsCut ? (isRounding ? (byte)'R' : (byte)'C', value) : default;
+        if (!IsPending)
+        {
+            result.Problem("corner-word", "No cut is before this corner: it cannot be followed.", MotionFlags.None);
+            control.State.Unknown |= control.State.Plane.Axes();
+        }
+    }
+
     /// <summary>Inserts the corner. Call it with the next motion before that is appended: its start moves to the end of the corner. The
     /// center is in work coordinates.</summary>
     public void Cut(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd, Point2? center)

@@ -27,7 +27,8 @@ internal sealed class MachineMoves(
     {
         var named = values.GivenAxes();
         var (end, unknown) =
-            ToMachine(named, values.Given(default, incremental: false), control.State.Incremental ? AxisSet.All : values.UnknownWords());
+            ToMachine(named, values.Given(default, incremental: false), control.State.Incremental ? AxisSet.All
+                : values.UnknownWords() | BlockWords.AxesOf(values.Words.Incremental));
         var kind = control.State.Mode == MotionKind.Line && values.Dialect.Syntax != NcSyntax.Iso ? MotionKind.Line
             : (unknown & named) == AxisSet.None ? MotionKind.Rapid
             : MotionKind.Reference;
@@ -68,6 +69,15 @@ internal sealed class MachineMoves(
         var end = control.State.Position + named.PartOf(there - control.State.Position);
         writer.Append((unknownThere & named) == AxisSet.None ? MotionKind.Rapid : MotionKind.Reference, flags, end,
             (control.State.Unknown & ~named) | (unknownThere & named));
+    }
+
+    /// <summary>Retracts along the tool axis to a place that is not known.</summary>
+    public void Retract()
+    {
+        corners.Lose();
+        var plane = control.State.Plane.Axes();
+        writer.Append(MotionKind.Reference, MotionFlags.MachineMove | Carries(plane), control.State.Position,
+            control.State.Unknown | (AxisSet.All & ~plane));
     }
 
     private static MotionFlags Carries(AxisSet axes) => (MotionFlags)((int)axes * (int)MotionFlags.CarriesX);

@@ -15,7 +15,7 @@ internal sealed class OriginCodes(
     public void Run()
     {
         if (intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling
-            or NcMeaning.OpaqueTransform)
+            or NcMeaning.OpaqueTransform or NcMeaning.DatumShift)
         {
             result.DependOnPlace();
         }

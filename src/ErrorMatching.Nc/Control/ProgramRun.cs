@@ -98,6 +98,11 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     public ReadOnlySpan<byte> NameOf(NcToken statement)
     {
         var bytes = BytesOf(statement);
+        if (LanguageSpelling.Of(dialect.Syntax) is { } language)
+        {
+            return language.NameOf(bytes);
+        }
+
         var length = 0;
         while (length < bytes.Length && SyntaxBytes.IsNamePart(bytes[length]))
         {

@@ -10,6 +10,7 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     private readonly List<NcNote> _notes = [];
     private readonly List<(int Block, int Joint)> _placeDependents = [];
     private readonly List<int> _toolChanges = [];
+    private readonly List<(int Motions, int Block)> _poles = [];
 
     public NcMotions Motions { get; } = motions;
 
@@ -58,6 +59,11 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     }
 
     public void DependOnPlace() => _placeDependents.Add((Block, Motions.Length));
+
+    /// <summary>The blocks that state a pole, each with the number of motions before it.</summary>
+    public IReadOnlyList<(int Motions, int Block)> Poles => _poles;
+
+    public void StatePole() => _poles.Add((Motions.Length, Block));
 
     public void ChangeTool() => _toolChanges.Add(Motions.Length);
 }

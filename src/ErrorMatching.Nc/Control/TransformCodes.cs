@@ -49,6 +49,13 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 Active.OpaqueFamilies |= 1ul << family;
                 isKnown = false;
                 break;
+            case NcMeaning.DatumShift:
+                var shift = Active.Programmable?.ShiftOnly ?? Vector3.Zero;
+                isKnown &= values.GivenAxes() != AxisSet.None;
+                Active.Programmable = ProgramFrame.Shift(
+                    values.End(default(Point3) + shift, values.Words.Present, values.Words.Incremental) - default(Point3));
+                Active.Switch(Transforms.Programmable, on: true);
+                break;
             default:
                 Active.Programmable = FrameOf(meaning, ref isKnown);
                 Active.Switch(Transforms.Programmable, Active.Programmable is not null);

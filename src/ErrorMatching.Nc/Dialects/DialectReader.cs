@@ -1,3 +1,4 @@
+using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
@@ -12,6 +13,30 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> FunctionRoles = KebabNames.Of(typeof(FunctionRole));
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
+
+    // What only languages have, and all else that can be followed in one.
+    private static readonly NcMeaning[] MeaningsOfLanguages =
+    [
+        NcMeaning.RapidInBlock, NcMeaning.ArcByRadius, NcMeaning.ArcAboutPole, NcMeaning.PolarArc, NcMeaning.PolarLine,
+        NcMeaning.PolarTangentArc, NcMeaning.ArcSense, NcMeaning.SetPole, NcMeaning.CornerRounding, NcMeaning.CornerChamfer,
+        NcMeaning.DatumShift, NcMeaning.UnknownOrigin, NcMeaning.ToolAxisRetract, NcMeaning.Approach, NcMeaning.Departure,
+        NcMeaning.ComputedContour,
+    ];
+
+    private static readonly NcMeaning[] MeaningsWithWords =
+    [
+        NcMeaning.Line, NcMeaning.TangentArc, NcMeaning.ArcByRadius, NcMeaning.ArcAboutPole, NcMeaning.PolarArc, NcMeaning.PolarLine,
+        NcMeaning.PolarTangentArc, NcMeaning.SetPole, NcMeaning.CornerRounding, NcMeaning.CornerChamfer, NcMeaning.DatumShift,
+        NcMeaning.Approach, NcMeaning.Departure,
+    ];
+
+    private static readonly NcMeaning[] CommonMeanings =
+    [
+        NcMeaning.Unknown, NcMeaning.Harmless, NcMeaning.Line, NcMeaning.TangentArc, NcMeaning.PlaneXY, NcMeaning.PlaneZX,
+        NcMeaning.PlaneYZ, NcMeaning.Inch, NcMeaning.Metric, NcMeaning.CompensationOff, NcMeaning.CompensationLeft,
+        NcMeaning.CompensationRight, NcMeaning.MachineCoordinates, NcMeaning.OpaqueTransform, NcMeaning.OpaqueTransformOff,
+        NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.CycleCall,
+    ];
 
     public List<Refusal> Problems { get; } = [];
 
@@ -100,6 +125,14 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case DialectTopic.Code when Misplaced((NcMeaning)Meanings[entry["means"].Text], subject) is { } expected:
                 Problems.Add(JsonRefusal.At(entry["means"], "bad-role", $"\"{entry["means"].Text}\" for {subject.Spelling}", expected));
                 break;
+            case DialectTopic.Code when subject.Word.Length == 1 && !subject.HasNumbers && LanguageSpelling.Of(tables.Syntax) is null:
+                Problems.Add(JsonRefusal.At(entry["codes"], "bad-subject", $"\"{subject.Spelling}\"", Expected(topic)));
+                break;
+            case DialectTopic.Function
+                when !subject.IsRange && LanguageSpelling.Of(tables.Syntax)?.IsKeyword(subject.First) == true:
+                Problems.Add(JsonRefusal.At(
+                    entry["functions"], "bad-subject", $"\"{subject.Spelling}\"", "it among the codes: it is the control's own"));
+                break;
             case DialectTopic.Letter
                 when subject.Word.Length == 1 && Misplaced((LetterRole)Roles[entry["role"].Text], subject.Word[0]) is { } expected:
                 Problems.Add(JsonRefusal.At(entry["role"], "bad-role", $"\"{entry["role"].Text}\" for {subject.Spelling}", expected));
@@ -138,11 +171,20 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     }
 
     // Rejects a role that the interpreter cannot apply to the subject.
-    private static string? Misplaced(NcMeaning meaning, SubjectRange subject)
+    private string? Misplaced(NcMeaning meaning, SubjectRange subject)
     {
         var isCode = subject is { HasNumbers: true, Word: "G" };
+        if (Array.IndexOf(CommonMeanings, meaning) < 0
+            && Array.IndexOf(MeaningsOfLanguages, meaning) >= 0 != LanguageSpelling.Of(tables.Syntax) is not null)
+        {
+            return "another meaning: programs in this syntax cannot have this one";
+        }
+
         return meaning switch
         {
+            _ when Array.IndexOf(MeaningsWithWords, meaning) >= 0 && LanguageSpelling.Of(tables.Syntax) is { } language
+                && !language.HasWords(Encoding.ASCII.GetBytes(subject.Word)) => "another meaning: no coordinates can follow this word",
+            _ when isCode && LanguageSpelling.Of(tables.Syntax) is not null => "a word: programs in this syntax have no codes",
             NcMeaning.CycleCall or NcMeaning.ModalCycle when isCode => "another meaning: only a word of several letters can have this one",
             NcMeaning.WorkOffset or NcMeaning.ReferenceReturn or NcMeaning.StoreReference when !isCode =>
                 "another meaning: only a G code can have this one",
@@ -162,6 +204,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             'N' => [LetterRole.Number],
             'O' => [LetterRole.Program],
             'R' => [LetterRole.Radius, LetterRole.Variable],
+            'T' when LanguageSpelling.Of(tables.Syntax) is not null => [LetterRole.ToolCall],
             'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
             _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
         };

@@ -48,6 +48,9 @@ public enum LetterRole : byte
     /// <summary>Intermediate point of an arc along X, Y or Z (<c>I1=</c>, <c>J1=</c>, <c>K1=</c>).</summary>
     IntermediatePoint,
 
+    /// <summary>Changes the tool and applies its length: where it is afterwards is unknown (<c>TOOL CALL 5</c>).</summary>
+    ToolCall,
+
     /// <summary>Part of an end point that moves axes in a way that is not followed.</summary>
     PolarEnd,
 

@@ -30,6 +30,12 @@ public sealed class NcDialect
     /// <summary>Syntax of its programs.</summary>
     public NcSyntax Syntax => _tables.Syntax;
 
+    /// <summary>True if moves are letters with numbers (<c>G1 X10</c>), false if blocks are statements of a language.</summary>
+    public bool HasCodes => LanguageSpelling.Of(Syntax) is null;
+
+    /// <summary>True if each block with a motion names it, and each word says whether it is an increment: neither is modal.</summary>
+    internal bool BlocksNameMotions => !HasCodes;
+
     /// <summary>True if a coordinate without a point counts least increments (<c>X100</c> is 0.1 mm), false if it counts millimeters or
     /// inches.</summary>
     public bool IntegersAreIncrements => _tables.IntegersAreIncrements;

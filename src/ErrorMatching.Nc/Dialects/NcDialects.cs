@@ -12,9 +12,11 @@ public static class NcDialects
     private const string DeltaName = "delta-nc300";
     private const string SiemensName = "siemens-840d";
     private const string LinuxCncName = "linuxcnc";
+    private const string KlartextName = "heidenhain-klartext";
     private static readonly string[] BuiltInNames =
     [
         GenericName, FanucName, DeltaName, "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", SiemensName, LinuxCncName, "grbl",
+        KlartextName,
     ];
 
     // Read on first access, because a run needs only one of them.
@@ -41,6 +43,9 @@ public static class NcDialects
 
     /// <summary>LinuxCNC 2.9.</summary>
     public static NcDialect LinuxCnc => Named(LinuxCncName);
+
+    /// <summary>Heidenhain TNC controls for milling, programs in Klartext.</summary>
+    public static NcDialect HeidenhainKlartext => Named(KlartextName);
 
     /// <summary>All built-in dialects, in list order.</summary>
     public static IReadOnlyList<NcDialect> All => [.. Names.Select(Named)];

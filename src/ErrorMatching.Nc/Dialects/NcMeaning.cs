@@ -248,7 +248,8 @@ public enum NcMeaning : byte
     /// <summary>Calls a cycle or subprogram after every motion from here on (MCALL); without a name, ends this.</summary>
     ModalCycle,
 
-    /// <summary>A machining or measuring cycle with its arguments in parentheses (CYCLE81).</summary>
+    /// <summary>A machining or measuring cycle with its arguments in parentheses (CYCLE81), or the call of one that was defined before
+    /// (CYCL CALL, M99).</summary>
     CycleCall,
 
     /// <summary>The block moves the axes by itself in a way that is not followed: a pocket, engraving, measuring, homing. Positions are
@@ -277,4 +278,53 @@ public enum NcMeaning : byte
 
     /// <summary>Sets it from the pole before (G112).</summary>
     PoleFromPole,
+    /// <summary>The straight motion of its block is a rapid (FMAX).</summary>
+    RapidInBlock,
+
+    /// <summary>An arc by its radius whose sense another word states (CR).</summary>
+    ArcByRadius,
+
+    /// <summary>An arc about the pole whose sense another word states (C).</summary>
+    ArcAboutPole,
+
+    /// <summary>An arc about the pole to a polar end (CP).</summary>
+    PolarArc,
+
+    /// <summary>A straight motion to a polar end (LP).</summary>
+    PolarLine,
+
+    /// <summary>A tangential arc to a polar end (CTP).</summary>
+    PolarTangentArc,
+
+    /// <summary>The sense of its block's arc: counter-clockwise with a plus sign, clockwise with a minus sign (DR).</summary>
+    ArcSense,
+
+    /// <summary>States the pole for arcs and polar ends after it (CC); its axis words are not a motion.</summary>
+    SetPole,
+
+    /// <summary>Rounds the corner between the motions before and after its block (RND).</summary>
+    CornerRounding,
+
+    /// <summary>Chamfers the corner between the motions before and after its block (CHF).</summary>
+    CornerChamfer,
+
+    /// <summary>Sets the programmable shift of the axes that it names; the others keep theirs (CYCL DEF 7). Without axes, the shift is
+    /// unknown.</summary>
+    DatumShift,
+
+    /// <summary>Chooses or writes an origin in a way that is not followed (CYCL DEF 247).</summary>
+    UnknownOrigin,
+
+    /// <summary>Retracts the tool along its axis by a way that is not followed, before its block's motion (M140).</summary>
+    ToolAxisRetract,
+
+    /// <summary>Goes to the first point of a contour by a way that is not followed (APPR LT).</summary>
+    Approach,
+
+    /// <summary>Leaves a contour by a way that is not followed, and ends cutter compensation (DEP LT). Without coordinates, its end is
+    /// unknown.</summary>
+    Departure,
+
+    /// <summary>Refused: an element of a contour that only the control computes (FL, FC).</summary>
+    ComputedContour,
 }

@@ -46,6 +46,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
             var (first, last) = dots < 0 ? (spelling, spelling) : (spelling[..dots], spelling[(dots + 2)..]);
             var subject = topic switch
             {
+                DialectTopic.Code when spelling.Length == 1 => Letter(spelling),
                 DialectTopic.Code => Code(spelling, first, last) ?? Words(spelling, first, last),
                 DialectTopic.Function => Numbered(spelling, "M", first, last, DialectTables.Functions - 1),
                 DialectTopic.MachineProgram =>

@@ -8,9 +8,42 @@ namespace ErrorMatching.Nc;
 /// <param name="IsSkip">True if it has a slash: the block skip switch decides whether it is executed.</param>
 internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength, bool IsSkip)
 {
+    // A language knows its own blocks: the head is what stands before the statement, and a label is a statement.
+    private static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax, LanguageSpelling language)
+    {
+        var (number, isSkip) = (-1L, false);
+        foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, syntax))
+        {
+            switch (token.Kind)
+            {
+                case NcTokenKind.Space:
+                    break;
+                case NcTokenKind.BlockSkip:
+                    isSkip = true;
+                    break;
+                case NcTokenKind.Word when token.Letter == 'N' && number < 0:
+                    number = token.Number.Digits;
+                    break;
+                case NcTokenKind.Keyword:
+                    var keyword = text.Slice(token.Start, token.Length);
+                    var label = language.LabelOf(keyword);
+                    return new(token.Start, number, label.Length > 0 ? token.Start + keyword.IndexOf(label) : 0, label.Length, isSkip);
+                default:
+                    return new(token.Start, number, 0, 0, isSkip);
+            }
+        }
+
+        return new(text.Length, number, 0, 0, isSkip);
+    }
+
     /// <summary>Reads the head of a block.</summary>
     public static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
+        if (LanguageSpelling.Of(syntax) is { } language)
+        {
+            return Read(text, syntax, language);
+        }
+
         var (at, number, labelAt, labelLength, isSkip) = (SyntaxBytes.MarkLength(text), -1L, 0, 0, false);
         while (at < text.Length)
         {

@@ -11,6 +11,9 @@ internal sealed class FlowFrame
     /// <summary>The block that called.</summary>
     public int Caller { get; init; }
 
+    /// <summary>True if it is a part of the program that called it, up to the mark that ends such a part.</summary>
+    public bool IsPart { get; init; }
+
     /// <summary>Remaining passes, including the current one.</summary>
     public long Passes { get; set; } = 1;
 

@@ -12,6 +12,20 @@ internal sealed class FlowReport(CallStack calls)
 
     public IReadOnlyList<NcNote> Notes => _notes;
 
+    /// <summary>Ends the run at a place of a block, a column from 1, with a reason.</summary>
+    public FlowAction Refuse(string code, int block, int column, string message)
+    {
+        var isFirst = Refusal is null;
+        var action = Refuse(code, block, ReferenceEquals(calls.Program, calls.Main) ? message
+            : System.FormattableString.Invariant($"column {column}: {message}"));
+        if (isFirst && ReferenceEquals(calls.Program, calls.Main))
+        {
+            Refusal = Refusal! with { Place = Refusal.Place with { Column = column } };
+        }
+
+        return action;
+    }
+
     /// <summary>Ends the run at a block with a reason.</summary>
     public FlowAction Refuse(string code, int block, string message)
     {

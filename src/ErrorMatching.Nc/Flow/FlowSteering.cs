@@ -19,6 +19,7 @@ internal sealed class FlowSteering(
     {
         HasSteered = false;
         return dialect.Syntax == NcSyntax.Siemens ? BehindSiemens(block, text)
+            : dialect.BlocksNameMotions ? BehindTokens(block, text)
             : words.TryFinish(block, text) ? SteerByWords(block, moved)
             : FlowAction.Stop;
     }
@@ -39,6 +40,21 @@ internal sealed class FlowSteering(
             if (text[at - 1] == '"' && text[at..].IndexOf((byte)'"') is >= 0 and var close)
             {
                 at += close + 1;
+            }
+        }
+
+        return FlowAction.Continue;
+    }
+
+    // The words of a language are its tokens, and none is an argument of another.
+    private FlowAction BehindTokens(int block, ReadOnlySpan<byte> text)
+    {
+        foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, dialect.Syntax))
+        {
+            if (token is { Kind: NcTokenKind.Word, Letter: (byte)'M' }
+                && dialect.FunctionOf((int)Math.Clamp(token.Number.Digits, -1, int.MaxValue)) is var role && role.Steers())
+            {
+                return Steer(block, role, token.Number.Digits, NcValue.Vacant);
             }
         }
 

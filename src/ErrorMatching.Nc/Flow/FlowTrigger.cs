@@ -13,6 +13,11 @@ internal static class FlowTrigger
         }
 
         var syntax = dialect.Syntax;
+        if (LanguageSpelling.Of(syntax) is { } language)
+        {
+            return Concerns(text, dialect, language);
+        }
+
         var lastClose = text.LastIndexOf((byte)')');
         for (var at = 0; at < text.Length; at++)
         {
@@ -43,6 +48,28 @@ internal static class FlowTrigger
             }
 
             if (SyntaxBytes.IsLetter(c) && ConcernsWord(text, at, (byte)(c & ~0x20), dialect))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool Concerns(ReadOnlySpan<byte> text, NcDialect dialect, LanguageSpelling language)
+    {
+        foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, dialect.Syntax))
+        {
+            var concerns = token.Kind switch
+            {
+                NcTokenKind.Assignment => true,
+                NcTokenKind.Keyword => language.NameOf(text.Slice(token.Start, token.Length)) is var name
+                    && (dialect.IsFlow(name) || dialect.IsFlow(name.TrimEnd("0123456789"u8)) || dialect.MeaningOf(name).Steers()),
+                NcTokenKind.Word when token.Letter == 'M' =>
+                    dialect.FunctionOf((int)Math.Clamp(token.Number.Digits, -1, int.MaxValue)).Steers(),
+                _ => false,
+            };
+            if (concerns)
             {
                 return true;
             }

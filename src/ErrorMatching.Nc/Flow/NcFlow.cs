@@ -22,6 +22,7 @@ internal sealed class NcFlow
     private readonly IsoWords _words;
     private readonly IsoStatements _iso;
     private readonly SiemensStatements _siemens;
+    private readonly LanguageFlow? _language;
     private readonly MacroCalls _macros;
     private readonly FlowSteering _steering;
 
@@ -42,6 +43,7 @@ internal sealed class NcFlow
         _macros = new(dialect, _calls, _report, _memory, _course, library, _words, settings);
         _steering = new(dialect, _report, _memory, _course, _macros, _words);
 
+        _language = LanguageFlow.Of(_syntax, _calls, _report, _memory, _course, library);
         var arrays = new SiemensArrays(_report, _memory, _course);
         var assignments = new SiemensAssignments(_memory, arrays);
         var named = new SiemensCalls(dialect, _calls, _report, _memory, _course, library, assignments);
@@ -115,7 +117,8 @@ internal sealed class NcFlow
         }
 
         var depth = Depth;
-        var action = Heads(text, head.At) ? Heading(block, text, head.At)
+        var action = _language is not null ? _language.Execute(block, text, head)
+            : Heads(text, head.At) ? Heading(block, text, head.At)
             : MayBeStructure(text, head.At) && _calls.Unit.Index.StatementAt(block) is { } statement ? _structures.Execute(statement, text)
             : Statement(block, text, head);
         return BehindRegion(block, depth, action);
@@ -166,7 +169,8 @@ internal sealed class NcFlow
     {
         var place = Program[block];
         var text = Program.Bytes.Span[place.Start..(start + length)];
-        return _memory.TryValue(block, text, start - place.Start, decimals, out value);
+        return _language?.TryValue(block, text, start - place.Start, out value)
+            ?? _memory.TryValue(block, text, start - place.Start, decimals, out value);
     }
 
     /// <summary>Ends the run at a block with a reason.</summary>

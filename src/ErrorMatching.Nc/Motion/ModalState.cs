@@ -7,7 +7,8 @@ internal struct ModalState
 {
     public MotionKind Mode;
 
-    /// <summary>The mode if it is a thread, a spline, an arc through a point, or a tangential arc; otherwise unknown.</summary>
+    /// <summary>The mode if it is a thread, a spline, an arc through a point or about the pole, or a tangential arc; otherwise
+    /// unknown.</summary>
     public NcMeaning Form;
 
     public CoordinatePlane Plane;
@@ -24,6 +25,9 @@ internal struct ModalState
     public int Frame;
     public double Feed;
     public double ModalRounding;
+
+    /// <summary>The pole for arcs and polar ends.</summary>
+    public ArcPole Pole;
 
     /// <summary>The tool's place in programmed coordinates, and which of them are unknown.</summary>
     public Point3 Position;
@@ -51,6 +55,7 @@ internal struct ModalState
             && InverseTime == other.InverseTime
             && LengthOffset == other.LengthOffset
             && Frame == other.Frame
+        && Pole.SameAs(other.Pole)
         && Unknown == other.Unknown
             && Unsure == other.Unsure
             && Bits(Feed) == Bits(other.Feed)

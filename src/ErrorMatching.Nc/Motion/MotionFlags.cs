@@ -72,4 +72,10 @@ public enum MotionFlags
 
     /// <summary>The same in Z.</summary>
     CarriesZ = 1 << 21,
+
+    /// <summary>The center of the arc is stated by a block before it (CC).</summary>
+    CenterBefore = 1 << 22,
+
+    /// <summary>The end of the arc is an angle about its center (CP).</summary>
+    PolarEnd = 1 << 23,
 }

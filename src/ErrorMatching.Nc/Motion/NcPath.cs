@@ -88,6 +88,26 @@ public sealed class NcPath
     /// <summary>Joints of the path with a tool change (M6), ascending.</summary>
     internal IReadOnlyList<int> ToolChanges { get; init; } = [];
 
+    /// <summary>Blocks that state a pole (CC), each with the number of motions before it, ascending.</summary>
+    internal IReadOnlyList<(int Motions, int Block)> Poles { get; init; } = [];
+
+    /// <summary>True for an approach or a departure: the control computes its way from the contour, so it follows where the contour moves
+    /// (APPR, DEP).</summary>
+    internal bool IsLead(in NcMotion motion) => Dialect.BlocksNameMotions && motion.Kind == MotionKind.Spline;
+
+    /// <summary>The block that states the pole of a motion; -1 if none does.</summary>
+    internal int PoleOf(int motion)
+    {
+        var (low, high) = (0, Poles.Count);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            (low, high) = Poles[middle].Motions <= motion ? (middle + 1, high) : (low, middle);
+        }
+
+        return low == 0 ? -1 : Poles[low - 1].Block;
+    }
+
     /// <summary>True if the tool was changed at one of the joints.</summary>
     internal bool ChangesTool(int firstJoint, int lastJoint)
     {

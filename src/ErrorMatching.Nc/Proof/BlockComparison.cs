@@ -72,7 +72,18 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             inserted |= IsNeeded((byte)('A' + letter), _result.Number(letter), now, isRadiusReplaced) ? 1u << letter : 0;
         }
 
-        return _original.Without(changed, dropped).SequenceEqual(_result.Without(changed, inserted));
+        // Another angle of a polar end is judged by where it leads.
+        var turns = was.Has(MotionFlags.PolarEnd) && !_original.Angle.SameValue(_result.Angle);
+        return _original.Without(changed, dropped, turns).SequenceEqual(_result.Without(changed, inserted, turns));
+    }
+
+    /// <summary>True if two blocks without a motion differ only in the values of coordinates.</summary>
+    public bool SameButPlace(int block, int blockInResult)
+    {
+        _original.Read(block);
+        _result.Read(blockInResult);
+        return (_original.Letters & AxisWords) == (_result.Letters & AxisWords)
+            && _original.Without(AxisWords, 0).SequenceEqual(_result.Without(AxisWords, 0));
     }
 
     private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;

@@ -35,11 +35,14 @@ internal sealed class BlockRemainder(NcProgram program)
     /// <summary>The number of the last word with a letter.</summary>
     public NcNumber Number(int letter) => _numbers[letter];
 
+    /// <summary>The angle of a polar end, degrees; zero if the block has none with a plain number.</summary>
+    public NcNumber Angle { get; private set; }
+
     /// <summary>Reads a block.</summary>
     public void Read(int block)
     {
         _block = program[block];
-        (_count, Letters, Computed) = (0, 0, 0);
+        (_count, Letters, Computed, Angle) = (0, 0, 0, default);
         foreach (ref readonly var token in program.Tokens(_block))
         {
             if (_count == _tokens.Length)
@@ -48,6 +51,7 @@ internal sealed class BlockRemainder(NcProgram program)
             }
 
             _tokens[_count++] = token;
+            Angle = token is { Kind: NcTokenKind.PolarWord, Letter: (byte)'^' } ? token.Number : Angle;
             if (token.Kind == NcTokenKind.Word)
             {
                 Letters |= 1u << (token.Letter - 'A');
@@ -64,7 +68,8 @@ internal sealed class BlockRemainder(NcProgram program)
     /// it.</summary>
     /// <param name="changed">Letters whose value changed.</param>
     /// <param name="leftOut">Letters whose words the other program does not have.</param>
-    public ReadOnlySpan<byte> Without(uint changed, uint leftOut)
+    /// <param name="turns">True if the angle of a polar end changed.</param>
+    public ReadOnlySpan<byte> Without(uint changed, uint leftOut, bool turns = false)
     {
         // A changed value has at least one byte, and the mask has one.
         if (_rest.Length < _block.FullLength)
@@ -77,10 +82,11 @@ internal sealed class BlockRemainder(NcProgram program)
         for (var i = 0; i < _count; i++)
         {
             ref readonly var token = ref _tokens[i];
-            var letter = token.Kind == NcTokenKind.Word || (token.Kind == NcTokenKind.ExpressionWord && token.Letter is >= (byte)'A' and <= (byte)'Z')
+            var letter = token.Kind == NcTokenKind.Word
+                || (token.Kind == NcTokenKind.ExpressionWord && token.Letter is >= (byte)'A' and <= (byte)'Z')
                 ? 1u << (token.Letter - 'A')
                 : 0;
-            if ((letter & changed) != 0)
+            if ((letter & changed) != 0 || (turns && token is { Kind: NcTokenKind.PolarWord, Letter: (byte)'^' }))
             {
                 length = Append(bytes[token.Start..token.ValueStart], length);
                 _rest[length++] = ChangedValue;

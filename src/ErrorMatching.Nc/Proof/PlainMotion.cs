@@ -5,7 +5,8 @@ namespace ErrorMatching.Nc;
 internal static class PlainMotion
 {
     private const MotionFlags Plain = MotionFlags.Inch | MotionFlags.Incremental | MotionFlags.AbsoluteCenter | MotionFlags.ByRadius
-        | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere;
+        | MotionFlags.CompensationLeft | MotionFlags.CompensationRight | MotionFlags.CompensationSwitches | MotionFlags.StartsElsewhere
+        | MotionFlags.CenterBefore | MotionFlags.PolarEnd;
 
     // A computed word does so, too, if its value is known: the rest of the program says which value its variables have.
     public static bool Is(in NcMotion motion) =>

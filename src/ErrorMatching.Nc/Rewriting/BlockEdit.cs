@@ -8,6 +8,7 @@ internal sealed class BlockEdit
     private readonly int[] _placeOf = new int[32];
     private readonly List<NcPatch> _patches = [];
     private readonly bool _programIsFixed;
+    private readonly bool _keywordsLead;
     private readonly int _incrementDecimals;
     private NcToken[] _words = new NcToken[16];
     private int _wordCount;
@@ -24,6 +25,7 @@ internal sealed class BlockEdit
         _program = program;
         _programIsFixed = programIsFixed;
         _incrementDecimals = incrementDecimals;
+        _keywordsLead = LanguageSpelling.Of(program.Syntax) is not null;
     }
 
     /// <summary>Creates an edit for other blocks of the same program.</summary>
@@ -63,6 +65,11 @@ internal sealed class BlockEdit
             {
                 _lowerCase |= _wordCount == 0 && _program.Bytes.Span[token.Start] >= 'a';
                 Spelling = SpellingWith(Spelling, token);
+                Add(token);
+            }
+            else if (token.Kind == NcTokenKind.Keyword && _keywordsLead && _wordCount <= 1 && (_wordCount == 0 || _words[0].Letter == 'N'))
+            {
+                // Words follow the path function of a block.
                 Add(token);
             }
             else
@@ -194,6 +201,9 @@ internal sealed class BlockEdit
     {
         var style = NumberStyle.Of(_program.Bytes.Span.Slice(like.ValueStart, like.ValueLength), _programIsFixed);
         style = style.FixedDecimals > 0 ? style : style with { FixedDecimals = -1 };
+
+        // A negative number does not show whether positive ones have a sign; languages write it.
+        style = style with { Plus = style.Plus || (_keywordsLead && like.Number.Digits < 0) };
         if (CountsIncrements(like))
         {
             var trimmed = value.Trim();
@@ -243,7 +253,8 @@ internal sealed class BlockEdit
         length += Spell(letter, text[length..]);
         length += like >= 0
             ? Format(_words[like], value, text[length..])
-            : new NumberStyle(Plus: false, Point: true, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1).Write(value, text[length..]);
+            : new NumberStyle(_keywordsLead, Point: !_keywordsLead, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1)
+                .Write(value, text[length..]);
         if (_spaced && behind < 0)
         {
             text[length++] = (byte)' ';
@@ -254,7 +265,7 @@ internal sealed class BlockEdit
 
     private static int Order(byte letter) => letter switch
     {
-        (byte)'N' or (byte)'G' or (byte)'O' => 0,
+        0 or (byte)'N' or (byte)'G' or (byte)'O' => 0,
         (byte)'X' => 1,
         (byte)'Y' => 2,
         (byte)'Z' => 3,

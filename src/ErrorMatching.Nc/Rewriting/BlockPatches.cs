@@ -20,6 +20,17 @@ internal sealed class BlockPatches(int blocks)
         }
     }
 
+    /// <summary>Adds the patches of a block anywhere in the program.</summary>
+    public void Insert(int block, IReadOnlyCollection<NcPatch> patches)
+    {
+        if (patches.Count > 0)
+        {
+            All.AddRange(patches);
+            All.Sort((a, b) => a.Start.CompareTo(b.Start));
+            Blocks.Insert(~Blocks.BinarySearch(block), block);
+        }
+    }
+
     /// <summary>Adds the patches of all later blocks.</summary>
     public void Join(BlockPatches later)
     {

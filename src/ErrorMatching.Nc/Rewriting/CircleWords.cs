@@ -12,12 +12,20 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
 {
     private readonly NcPath _path = change.Path;
 
+    /// <summary>The words of centers that other blocks state.</summary>
+    public PoleWords Poles { get; } = new(change, grid);
+
     /// <summary>Sets the words of an arc.</summary>
-    /// <returns>The reason why one cannot be set, or null.</returns>
+    /// <returns>The reason why they cannot be set, or null.</returns>
     public Refusal? Set(int index, in NcMotion motion)
     {
         var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
         var exact = change.CenterOf(index, motion);
+        if (motion.Has(MotionFlags.CenterBefore) && Obstacles.Of(_path, motion) is { } obstacle)
+        {
+            return obstacle;
+        }
+
         if (IsShift(index, motion, exact - motion.Center))
         {
             return ShiftCenter(index, motion);
@@ -45,7 +53,13 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
 
         if (motion.Has(MotionFlags.ByRadius))
         {
-            SetRadius(motion, start, end, wanted);
+            return SetRadius(motion, start, end, wanted);
+        }
+
+        if (motion.Has(MotionFlags.CenterBefore))
+        {
+            var (x, y) = CenterGrid.Choose(motion.Center, start, end, wanted, default(Vector2), grid.Increment);
+            Poles.Want(index, new((x ?? 0, y ?? 0), (start, end, exact)));
             return null;
         }
 
@@ -79,7 +93,14 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
 
     private Refusal? ShiftCenter(int index, in NcMotion motion)
     {
-        if (motion.Has(MotionFlags.ByRadius))
+        if (motion.Has(MotionFlags.CenterBefore))
+        {
+            var plane = motion.Plane;
+            var steps = plane.Project(new(grid.Steps(index, (byte)'X'), grid.Steps(index, (byte)'Y'), grid.Steps(index, (byte)'Z')));
+            Poles.Want(index, new(((long)steps.X, (long)steps.Y), null));
+        }
+
+        if (motion.Has(MotionFlags.ByRadius) || motion.Has(MotionFlags.CenterBefore))
         {
             return null;
         }
@@ -117,7 +138,7 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
 
     // A radius keeps its word while it can. Near half a turn, the arc's height depends on the radius by a square root, so a center is
     // more accurate.
-    private void SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
+    private Refusal? SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
     {
         var letter = edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
         var old = edit.Number(letter)!.Value;
@@ -127,13 +148,13 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
             && Sweep(start, end, sign * oldRadius, motion) is { } kept
             && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
         {
-            return;
+            return null;
         }
 
         if (Math.Abs(wanted.Radius - oldRadius) < grid.Increment / 2
             && HeightError(start, end, sign * oldRadius, wanted, motion) < grid.Increment)
         {
-            return;
+            return null;
         }
 
         // For moved end points the radius is rounded up, so that it surely reaches; for elements it is rounded to nearest.
@@ -148,13 +169,21 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         if (keepRadii || HeightError(start, end, sign * steps * grid.Increment, wanted, motion) < grid.Increment)
         {
             edit.Set(letter, grid.Number(sign * steps));
-            return;
+            return null;
+        }
+
+        if (_path.Dialect.BlocksNameMotions)
+        {
+            return BlockRefusal.At(
+                _path.Program, motion.Block, NcRefusalCodes.ArcForm,
+                "near half a turn, its radius does not say closely enough where it lies. Post it with its center.");
         }
 
         var (first, second) = CenterLetters(motion.Plane);
         var origin = CenterOrigin(motion, start, first, second);
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, grid.Increment);
         edit.Replace(letter, (first, grid.Number(i!.Value)), (second, grid.Number(j!.Value)));
+        return null;
     }
 
     private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)

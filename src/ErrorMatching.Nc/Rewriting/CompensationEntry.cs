@@ -23,7 +23,7 @@ internal static class CompensationEntry
             }
 
             var motion = motions[i];
-            if (change.PlaneMoveOf(i, motion.Plane) == change.PlaneMoveOf(i + 1, motion.Plane))
+            if (change.PlaneMoveOf(i, motion.Plane) == change.PlaneMoveOf(i + 1, motion.Plane) || change.Path.IsLead(motion))
             {
                 continue;
             }

@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -23,7 +24,15 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
     public MotionWords ForOthers() => new(change, keepRadii, grid, new(edit));
 
     /// <summary>Adds the spelling of the blocks that others have opened.</summary>
-    public void Join(MotionWords other) => edit.Join(other.Edited);
+    public void Join(MotionWords other)
+    {
+        edit.Join(other.Edited);
+        _circles.Poles.Join(other._circles.Poles);
+    }
+
+    /// <summary>Changes the words of centers that blocks of their own state. Call it when all motions are edited.</summary>
+    /// <returns>The reason why they cannot change, or null.</returns>
+    public Refusal? EditPoles(BlockPatches patches) => _path.Poles.Count == 0 ? null : _circles.Poles.Edit(edit, patches);
 
     private BlockEdit Edited => edit;
 
@@ -59,9 +68,9 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
             return unknown;
         }
 
-        if (motion.IsArc && _circles.Set(index, motion) is { } computed)
+        if (motion.IsArc && _circles.Set(index, motion) is { } refusal)
         {
-            return computed;
+            return refusal;
         }
 
         if (edit.Patches.Count == 0)
@@ -85,6 +94,13 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
 
     private Refusal? SetCoordinates(int index, in NcMotion motion)
     {
+        if (motion.Has(MotionFlags.PolarEnd))
+        {
+            // Its angle follows when its center is known.
+            var (start, end) = (default(Point3) + change.MoveOf(index), default(Point3) + change.MoveOf(index + 1));
+            return motion.Plane.Height(start) == motion.Plane.Height(end) ? null : Obstacles.UnknownPlace(_path, index);
+        }
+
         foreach (var axis in "XYZ"u8)
         {
             var (from, to) = (grid.Steps(index, axis), grid.Steps(index + 1, axis));
@@ -118,7 +134,7 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
                     return Obstacles.Computed(_path, motion);
                 }
             }
-            else if (from != to)
+            else if (from != to && !(_path.IsLead(motion) && (motion.UnknownEnd & Axis(axis)) != AxisSet.None))
             {
                 if (!incremental && (motion.UnknownEnd & Axis(axis)) != AxisSet.None)
                 {

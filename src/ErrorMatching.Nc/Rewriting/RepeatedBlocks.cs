@@ -59,7 +59,8 @@ internal sealed class RepeatedBlocks(NcPath path, MotionWords words)
         return null;
     }
 
-    private static bool Same(NcPatch[] a, NcPatch[] b)
+    /// <summary>True if two blocks' patches are the same.</summary>
+    public static bool Same(NcPatch[] a, NcPatch[] b)
     {
         var same = a.Length == b.Length;
         for (var i = 0; same && i < a.Length; i++)

@@ -55,7 +55,7 @@ internal sealed class WordEditor
     // Null if a block does not match the sampled style or cannot be edited.
     private Rewrite? RunIfSpelledAlike()
     {
-        if (BlocksRepeat() || EditMany() is not null)
+        if (BlocksRepeat() || EditMany() is not null || _words.EditPoles(_patches) is not null)
         {
             return null;
         }
@@ -71,6 +71,7 @@ internal sealed class WordEditor
             : _affected.Count < Many
             ? Edit(_affected, _words, _patches)
             : EditMany();
+        refusal ??= _words.EditPoles(_patches);
         return refusal is null ? Result() : refusal;
     }
 

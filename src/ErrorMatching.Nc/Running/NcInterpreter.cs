@@ -143,6 +143,7 @@ public sealed class NcInterpreter
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,
             CalledPrograms = _run.CalledPrograms,
+            Poles = _result.Poles,
         };
     }
 

@@ -53,7 +53,7 @@ public static class BlockNames
         {
             words.Insert(
                 from - first,
-                from == to ? program.NumberOf(program[from]) : $"{program.NumberOf(program[from])}..{program.NumberOf(program[to])}");
+                from == to ? Number(program, from) : $"{Number(program, from)}..{Number(program, to)}");
         }
 
         // The selector itself decides whether they name exactly these blocks.
@@ -73,6 +73,10 @@ public static class BlockNames
                 $"it reads the same as a block without a number between lines {first + 1} and {last + 1}. Give the blocks of that range "
                     + $"numbers.");
     }
+
+    // A number as selectors spell it: not every control writes the N.
+    private static string Number(NcProgram program, int block) =>
+        program.NumberOf(program[block]) is var number && char.IsAsciiDigit(number[0]) ? "N" + number : number;
 
     // Blocks near both ends of a range whose number is unique in the program.
     private static HashSet<int> Candidates(NcProgram program, int first, int last)

@@ -63,6 +63,21 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
         return true;
     }
 
+    /// <summary>Bytes that every control passes over: a byte order mark at the start of the file, and padding. Null for others.</summary>
+    public NcToken? FillerAt(int at)
+    {
+        switch (Bytes[at])
+        {
+            case 0xEF when at == 0 && SyntaxBytes.MarkLength(Bytes) is > 0 and var mark:
+                return Plain(NcTokenKind.Space, at, mark);
+            case 0 or SyntaxBytes.EndOfFile:
+                var filled = SyntaxBytes.BehindPadding(Bytes, at, End);
+                return Plain(SyntaxBytes.IsFiller(Bytes, at, filled, End) ? NcTokenKind.Space : NcTokenKind.Invalid, at, filled);
+            default:
+                return null;
+        }
+    }
+
     public int NameEnd(int at)
     {
         while (at < End && SyntaxBytes.IsNamePart(Bytes[at]))

@@ -24,11 +24,11 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
     public const string MarkerDamaged = "marker-damaged";
 
     /// <summary>The comment, as a line of a program without its line end.</summary>
-    /// <param name="syntax">Syntax of the program: Siemens controls have no comments in parentheses.</param>
+    /// <param name="syntax">Syntax of the program: not every control has comments in parentheses.</param>
     public string TextIn(NcSyntax syntax)
     {
         var text = $"{Word} {Measurement}{MeasurementSha256.ToUpperInvariant()} {Base}{BaseSha256.ToUpperInvariant()}";
-        return syntax == NcSyntax.Siemens ? $"; {text}" : $"({text})";
+        return LanguageSpelling.Of(syntax)?.CommentLine(text) ?? (syntax == NcSyntax.Siemens ? $"; {text}" : $"({text})");
     }
 
     /// <summary>All markers of a program with the positions of their blocks; null for a marker whose hashes are too damaged to
@@ -111,21 +111,26 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
             : null;
     }
 
-    // The blocks up to the percent sign and the program number, including empty ones before and between them.
+    // The blocks up to the percent sign and the program number, or up to the statement that begins the program, including empty ones
+    // before and between them.
     private static int HeadLength(NcProgram program)
     {
         var length = 0;
+        var language = LanguageSpelling.Of(program.Syntax);
         for (var i = 0; i < program.BlockCount; i++)
         {
             // In ISO programs, a colon can replace the letter O.
             var names = program.BytesOf(program[i]) is [(byte)':', ..];
             foreach (var token in program.Tokens(program[i]))
             {
-                if (token.Kind is NcTokenKind.Percent || token is { Kind: NcTokenKind.Word, Letter: (byte)'O' })
+                if (token.Kind is NcTokenKind.Percent || token is { Kind: NcTokenKind.Word, Letter: (byte)'O' }
+                    || (token.Kind == NcTokenKind.Keyword
+                        && language?.IsHeading(program.Bytes.Span.Slice(token.Start, token.Length)) == true))
                 {
                     names = true;
                 }
-                else if (!names && token.Kind is not (NcTokenKind.Space or NcTokenKind.Comment))
+                else if (!names && token.Kind is not (NcTokenKind.Space or NcTokenKind.Comment)
+                    && (language is null || token.Letter != 'N'))
                 {
                     return length;
                 }

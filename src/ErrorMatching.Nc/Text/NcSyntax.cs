@@ -12,4 +12,8 @@ public enum NcSyntax : byte
     /// <summary>Siemens: <c>;</c> begins a comment, <c>( )</c> encloses expressions and arguments, <c>R1</c> and names are variables,
     /// <c>X=</c> assigns an address.</summary>
     Siemens,
+
+    /// <summary>Heidenhain Klartext: a block begins with its number and a path function or a statement (<c>12 L X+10 IY-5 R0 FMAX</c>),
+    /// <c>;</c> begins a comment, <c>Q1</c> is a variable.</summary>
+    Klartext,
 }

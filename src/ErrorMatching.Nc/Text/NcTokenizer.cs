@@ -7,6 +7,8 @@ namespace ErrorMatching.Nc;
 public ref struct NcTokenizer
 {
     private readonly BlockScanner _text;
+    private readonly LanguageSpelling? _language;
+    private BlockPlace _place;
     private bool _atStart;
     private bool _hasUnpaired;
     private NcToken _current;
@@ -14,6 +16,8 @@ public ref struct NcTokenizer
     internal NcTokenizer(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax)
     {
         _text = new(bytes, end, syntax);
+        _language = LanguageSpelling.Of(syntax);
+        _place = BlockPlace.Number;
         _atStart = true;
         _hasUnpaired = false;
         _current = BlockScanner.Plain(NcTokenKind.Space, start, start);
@@ -33,6 +37,12 @@ public ref struct NcTokenizer
         if (at >= _text.End)
         {
             return false;
+        }
+
+        if (_language is not null)
+        {
+            _current = _language.TokenAt(_text, at, ref _place);
+            return true;
         }
 
         var c = _text.Bytes[at];
@@ -107,14 +117,8 @@ public ref struct NcTokenizer
             case (byte)'"':
                 return BlockScanner.Plain(syntax == NcSyntax.Siemens ? NcTokenKind.Expression : NcTokenKind.Invalid, at,
                     SyntaxBytes.BehindString(bytes, at, end));
-            case 0xEF when at == 0 && SyntaxBytes.MarkLength(bytes) is > 0 and var mark:
-                return BlockScanner.Plain(NcTokenKind.Space, at, mark);
-            case 0 or SyntaxBytes.EndOfFile:
-                var filled = SyntaxBytes.BehindPadding(bytes, at, end);
-                return BlockScanner.Plain(SyntaxBytes.IsFiller(bytes, at, filled, end) ? NcTokenKind.Space : NcTokenKind.Invalid, at,
-                    filled);
             default:
-                return BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
+                return _text.FillerAt(at) ?? BlockScanner.Plain(NcTokenKind.Invalid, at, at + 1);
         }
     }
 

@@ -22,7 +22,7 @@ internal static class Obstacles
                     + "change.");
         }
 
-        var (code, why) = Reason(motion);
+        var (code, why) = Reason(motion, path.IsLead(motion));
         return code is null ? null : BlockRefusal.At(path.Program, motion.Block, code, why!);
     }
 
@@ -41,9 +41,10 @@ internal static class Obstacles
         "a coordinate, center or radius that must change is computed by the control (variable or expression), and a number added to it "
             + "would not do. Post plain numbers for the blocks to change.");
 
-    private static (string? Code, string? Why) Reason(in NcMotion m)
+    private static (string? Code, string? Why) Reason(in NcMotion m, bool isLead)
     {
-        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe or MotionKind.Spline
+        if (m.Kind is MotionKind.Cycle or MotionKind.Reference or MotionKind.Probe
+            || (m.Kind == MotionKind.Spline && !isLead)
             || m.Has(MotionFlags.Cycle)
             || m.Has(MotionFlags.MachineMove))
         {

@@ -9,8 +9,11 @@ namespace ErrorMatching.EndToEnd.Tests;
 internal static class RandomMatch
 {
     /// <summary>Feed-forward: the part deviates, the nominal program follows.</summary>
-    public static MatchInput FeedForward(RandomPart part) =>
-        Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), null);
+    public static MatchInput FeedForward(RandomPart part) => FeedForward(part, "fanuc");
+
+    /// <summary>The same for a program in another dialect.</summary>
+    public static MatchInput FeedForward(RandomPart part, string dialect) =>
+        Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => p.Actual), null, dialect);
 
     /// <summary>Feedback: a counterpart was cut and came out off by a share of the deviation; the part deviates as well.</summary>
     public static MatchInput Feedback(RandomPart part, double share) =>
@@ -32,9 +35,10 @@ internal static class RandomMatch
         return Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => rough[p.Label]), null);
     }
 
-    private static MatchInput Input(RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart)
+    private static MatchInput Input(
+        RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc")
     {
-        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from)), "random.json");
+        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from, dialect)), "random.json");
         return new(
             job,
             MeasurementReader.Read(theoretical, "theoretical.csv", job.Gauge.Format),
@@ -44,7 +48,7 @@ internal static class RandomMatch
             Encoding.ASCII.GetBytes(part.Program));
     }
 
-    private static string Job(RandomPart part, string from)
+    private static string Job(RandomPart part, string from, string dialect)
     {
         var features = part.Features.Select(
             f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0]{{f.More}} }""");
@@ -55,7 +59,7 @@ internal static class RandomMatch
               "gauge": { "format": "points", "uncertaintyMm": 0.0000001 },
               "features": [ {{string.Join(",\n", features)}} ],
               "counterpart": {
-                "program": "counterpart.nc", "dialect": "fanuc", "toolDiameterMm": {{Text(2 * part.ToolRadius)}}, "measured": "counterpart.csv",
+                "program": "counterpart.nc", "dialect": "{{dialect}}", "toolDiameterMm": {{Text(2 * part.ToolRadius)}}, "measured": "counterpart.csv",
                 "frame": { "mirror": "{{part.Frame.Mirror}}", "rotateDeg": {{Text(part.Frame.RotateDegrees)}}, "translateMm": [{{Text(part.Frame.Translate.U)}}, {{Text(part.Frame.Translate.V)}}] }
               },
               "compensation": { "from": "{{from}}" }

@@ -115,7 +115,11 @@ public sealed class FinishingTemplateTests
     [Fact]
     public void Every_built_in_template_is_one_of_a_dialect_and_says_what_it_is_for()
     {
-        Assert.Equal(NcDialects.Names.Order(StringComparer.Ordinal), FinishingTemplate.Names.Order(StringComparer.Ordinal));
+        Assert.Equal(
+            NcDialects.All.Where(d => d.HasCodes).Select(d => d.Name).Order(StringComparer.Ordinal),
+            FinishingTemplate.Names.Order(StringComparer.Ordinal));
+        Assert.Equal(
+            "unknown-template", Assert.Throws<InputException>(() => FinishingTemplate.For(NcDialects.HeidenhainKlartext)).Code);
         Assert.All(FinishingTemplate.Names, n => Assert.NotEmpty(FinishingTemplate.Named(n).About));
         Assert.All(
             FinishingTemplate.Names,

@@ -13,7 +13,7 @@ public sealed class PlainMotionTests
     [InlineData("G68 X0. Y0. R30.\nN10 G1 X10. F100\n")]
     [InlineData("N10 G1 X10. A5. F100\n")]
     [InlineData("G187\nN10 G1 X10. F100\n")] // an unknown code
-    [InlineData("N10 G1 X10. Y[2+3] F100\n")]
+    [InlineData("N10 G1 X10. Y#500 F100\n")]
     [InlineData("N10 G81 X10. Z-2. R1. F100\nG80\n")]
     [InlineData("N10 G2 X10. Y3. I1. J1. F100\n")] // no circle
     public void A_word_that_is_not_alone_in_saying_where_a_motion_goes_must_not_change(string program)
@@ -29,6 +29,7 @@ public sealed class PlainMotionTests
     [Theory]
     [InlineData("N10 G1 X10. F100\n")]
     [InlineData("N10 G0 X10.\n")]
+    [InlineData("N10 G1 X10. Y[2+3] F100\n")]
     [InlineData("G41 D1\nN10 G1 X10. F100\n")]
     [InlineData("N10 G42 D1 G1 X10. F100\n")]
     public void A_plain_motion_may_change(string program)

@@ -19,7 +19,10 @@ internal sealed class DraftFiles
         ReadPoints = new(_ => ReadPointsAsync(), () => Editing.CanEdit);
         ReadProgram = new(
             async _ => await ReadAsync(
-                new(FileChoiceKind.Open, "System.ChooseProgram", [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".txt"])
+                new(
+                    FileChoiceKind.Open,
+                    "System.ChooseProgram",
+                    [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".h", ".txt"])
                 {
                     Sample = DemoCell.ProgramFile
                 },
