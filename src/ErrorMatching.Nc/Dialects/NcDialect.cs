@@ -66,6 +66,9 @@ public sealed class NcDialect
     /// <summary>Most characters of a comment, with what encloses it.</summary>
     public int CommentLength => _tables.CommentLength;
 
+    /// <summary>How the control leads the tool's center under cutter compensation.</summary>
+    internal CompensationRule Compensation => _tables.Compensation;
+
     /// <summary>All statements of the dialect about its control, each with its source, in the order of a manual: settings, codes,
     /// letters, functions, flow, programs, notes.</summary>
     /// <remarks>If it restates something from a dialect that it continues, only its own statement is listed. Created on first

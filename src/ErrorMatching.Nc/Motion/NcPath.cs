@@ -69,6 +69,9 @@ public sealed class NcPath
     /// <summary>Joints of the path with a tool change (M6), ascending.</summary>
     internal IReadOnlyList<int> ToolChanges { get; init; } = [];
 
+    /// <summary>Words that concern cutter compensation, in execution order.</summary>
+    internal IReadOnlyList<CompensationSwitch> CompensationSwitches { get; init; } = [];
+
     /// <summary>True if the tool was changed at one of the joints.</summary>
     internal bool ChangesTool(int firstJoint, int lastJoint)
     {

@@ -138,6 +138,7 @@ public sealed class NcInterpreter
         {
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,
+            CompensationSwitches = _result.CompensationSwitches,
         };
     }
 

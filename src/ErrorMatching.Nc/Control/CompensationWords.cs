@@ -1,0 +1,90 @@
+using System.Globalization;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>Applies the words of a block that concern cutter compensation, and records them for the path of the tool's center.</summary>
+internal sealed class CompensationWords(ControlState control, BlockValues values, RunResult result)
+{
+    private bool IsOn => control.State.Compensation != MotionFlags.None;
+
+    /// <summary>Reads the D word, which selects the tool's radius or gives its diameter.</summary>
+    public void ReadOffset()
+    {
+        var isUnknown = (values.Words.Unknown & BlockWords.Bit('D')) != 0;
+        if (!isUnknown && !values.Words.Has('D'))
+        {
+            // On LinuxCNC, D is for its own block only; without it, the tool in the spindle is meant.
+            control.Offset = values.Dialect.Syntax == NcSyntax.LinuxCnc ? null : control.Offset;
+            return;
+        }
+
+        control.Offset = isUnknown ? double.NaN : values.Words.Value('D');
+        if (IsOn && !SwitchesOn())
+        {
+            Record(NcMeaning.Harmless, "D");
+        }
+    }
+
+    /// <summary>Records a G code, in tenths, at which the control stops while compensation is on.</summary>
+    public void StopAt(int tenths)
+    {
+        if (IsOn && values.Dialect.Compensation.StopCodes.Contains(tenths))
+        {
+            Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"G{tenths / 10m:0.#}"));
+        }
+    }
+
+    /// <summary>Records an M function at which the control stops while compensation is on.</summary>
+    public void StopAtFunction(int function)
+    {
+        if (IsOn && values.Dialect.Compensation.StopFunctions.Contains(function))
+        {
+            Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"M{function}"));
+        }
+    }
+
+    /// <summary>Selects a plane. No control changes it while compensation is on.</summary>
+    public void Plane(CoordinatePlane plane)
+    {
+        if (IsOn && control.State.Plane != plane)
+        {
+            Record(NcMeaning.Unknown, plane switch { CoordinatePlane.XY => "G17", CoordinatePlane.ZX => "G18", _ => "G19" });
+        }
+
+        control.Plane(plane);
+    }
+
+    /// <summary>Switches compensation, or how it goes around corners or begins.</summary>
+    public void Apply(NcMeaning meaning)
+    {
+        Record(meaning, meaning switch
+        {
+            NcMeaning.CompensationLeft or NcMeaning.CompensationLeftByDiameter => "G41",
+            NcMeaning.CompensationRight or NcMeaning.CompensationRightByDiameter => "G42",
+            _ => "G40",
+        });
+        switch (meaning)
+        {
+            case NcMeaning.CompensationOff: control.Compensate(MotionFlags.None); break;
+            case NcMeaning.CompensationLeft or NcMeaning.CompensationLeftByDiameter: control.Compensate(MotionFlags.CompensationLeft); break;
+            case NcMeaning.CompensationRight or NcMeaning.CompensationRightByDiameter: control.Compensate(MotionFlags.CompensationRight); break;
+        }
+    }
+
+    private bool SwitchesOn()
+    {
+        foreach (var tenths in values.Words.Codes)
+        {
+            if (values.Dialect.MeaningOf(tenths) is NcMeaning.CompensationLeft or NcMeaning.CompensationRight
+                or NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private void Record(NcMeaning meaning, string word) => result.SwitchCompensation(meaning, word, control.Offset, control.Unit);
+}
