@@ -90,19 +90,20 @@ internal sealed class CompensationRun
 
     private Refusal? Leave(in NcMotion motion, int index)
     {
+        var isAround = false;
         var goesAround = _modes.StartsOtherwiseAround || _rule.Start == CompensationStart.NextNormalOrCorner;
         if (goesAround && motion is { IsArc: false, MovesInPlane: true, IsKnownInPlane: true })
         {
             var way = OffsetElement.Of(motion, index, _left);
-            var isOutside = _corners.KindOf(_last, way, _left) == CornerKind.Outside;
-            if (isOutside && (_modes.StartsOtherwiseAround ? Around(motion) : Turn(way, motion)) is { } refusal)
+            isAround = _corners.KindOf(_last, way, _left) == CornerKind.Outside;
+            if (isAround && (_modes.StartsOtherwiseAround ? Around(motion) : Turn(way, motion)) is { } refusal)
             {
                 return refusal;
             }
         }
 
         (_isOn, _waitsForNext, _isBeside) = (false, false, true);
-        return CheckLast(endsStraight: true) ?? GoAsProgrammed(motion, index);
+        return (isAround ? null : CheckLast(endsStraight: true)) ?? GoAsProgrammed(motion, index);
     }
 
     private Refusal? Lead(in NcMotion motion, int index)
