@@ -92,15 +92,15 @@ public sealed class CompensatedPathTests
     [Fact]
     public void The_radius_is_that_of_the_number_or_the_one_for_all()
     {
-        var path = Bench.Read("G90 G17 G40 G0 X-20 Y0 Z5\nG41 D2 G1 X0 F100\n", NcDialects.LinuxCnc);
-        var byTable = CompensatedPath.Of(path, ToolRadii.OfTable(new Dictionary<int, double> { [2] = 4 }, 1));
-        Assert.Equal((4, 1, -2), (byTable.Motions[1].End.Y, Of(1), Of(-2)));
+        var table = ToolRadii.OfTable(new Dictionary<int, double> { [2] = 4 }, 1);
+        Assert.Equal((4, 1, 1, -2), (Of(2, table), Of(3, table), Of(2, ToolRadii.Of(1)), Of(2, ToolRadii.Of(-2))));
 
-        double Of(double radius) => CompensatedPath.Of(path, ToolRadii.Of(radius)).Motions[1].End.Y;
+        static double Of(int number, ToolRadii radii) => CompensatedPath.Of(Bench.Read(
+            $"G90 G17 G40 G0 X-20 Y0 Z5\nG41 D{number} G1 X0 F100\n", NcDialects.LinuxCnc.With(radii))).Motions[1].End.Y;
     }
 
     private static CompensatedPath Follow(string text) => CompensatedPath.Of(
-        Bench.Read("G21 G17 G40 G90 G91.1 G94 F100 G0 X-20 Y0 Z5\n" + text, NcDialects.LinuxCnc), ToolRadii.None);
+        Bench.Read("G21 G17 G40 G90 G91.1 G94 F100 G0 X-20 Y0 Z5\n" + text, NcDialects.LinuxCnc));
 
     private static IEnumerable<(MotionKind Kind, double X, double Y)> Shown(CompensatedPath center) =>
         center.Motions.Select(m => (m.Kind, Rounded(m.End).X, Rounded(m.End).Y));

@@ -84,5 +84,5 @@ public sealed class CompensationRuleTests
     private static string? Refused(string contour, NcDialect dialect) => Follow(contour, dialect).Refusal?.Code;
 
     private static CompensatedPath Follow(string contour, NcDialect dialect) =>
-        CompensatedPath.Of(NcInterpreter.Run(NcProgram.FromText(Start + contour), dialect), ToolRadii.Of(3));
+        CompensatedPath.Of(NcInterpreter.Run(NcProgram.FromText(Start + contour), dialect.With(ToolRadii.Of(3))));
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
@@ -8,7 +9,7 @@ namespace ErrorMatching.Peers.Tests;
 /// The path of the tool's center under G41 and G42, motion by motion against LinuxCNC's own interpreter, which prints it.
 /// <c>ERRORMATCH_COMPENSATED_PROGRAMS</c> sets how many random programs (60 if not set).
 /// </summary>
-public sealed class CompensatedProgramTests
+public sealed partial class CompensatedProgramTests
 {
     private const double ToleranceMm = 0.0015;
 
@@ -24,8 +25,7 @@ public sealed class CompensatedProgramTests
         {
             var contour = new CompensatedContour(seed);
             var peer = Rs274.Run(contour.Text);
-            var center = CompensatedPath.Of(
-                NcInterpreter.Run(NcProgram.FromText(contour.Text, NcSyntax.LinuxCnc), NcDialects.LinuxCnc), ToolRadii.None);
+            var center = CompensatedPath.Of(Read(contour.Text));
             refused += peer.Refusal is null ? 0 : 1;
             if (FirstDifference(peer, center) is { } difference)
             {
@@ -46,6 +46,113 @@ public sealed class CompensatedProgramTests
         Assert.True(differences.Count == 0, $"{differences.Count} of {Programs} programs differ, first {differences.FirstOrDefault()}");
         Assert.True(ours.Count == 0, $"{ours.Count} of {Programs} programs are refused without a reason, first {ours.FirstOrDefault()}");
     }
+
+    [Fact]
+    public void A_displaced_contour_is_cut_where_it_was_wanted_or_refused()
+    {
+        Rs274.IsNeeded();
+        var (cut, refused, other, wrong) = (0, 0, 0, new List<string>());
+        for (var seed = 1; seed <= Programs; seed++)
+        {
+            var contour = new CompensatedContour(seed);
+            var path = Read(contour.Text);
+            var random = new Random(seed);
+            var first = random.Next(contour.Elements.Count);
+            var blocks = contour.Elements.Skip(first).Take(1 + random.Next(4)).ToArray();
+            var left = Math.Round(random.Next(4) == 0 ? 2 * Signed(random) : 0.2 * Signed(random), 3);
+            var wish = DisplacementWish.Normal(path, blocks, left);
+            var rewrite = wish.IsUsable ? Rewriter.Apply(path, wish.Result) : wish.Refusal;
+            if (rewrite.IsUsable
+                && Prover.Check(path, rewrite.Result.Program, wish.Result!, rewrite.Result.LeastIncrementMm).Holds)
+            {
+                cut++;
+                var problem = Judge(path, wish.Result!, rewrite.Result, left);
+                wrong.AddRange(problem is null ? [] : [$"seed {seed}: {problem}\n{contour.Text}\n{Text(rewrite.Result.Program)}"]);
+            }
+            else if (rewrite.Refusal is { } stop && CompensatedPath.Check(path) is null && CompensatedPath.Stops(stop))
+            {
+                refused++;
+                var problem = JudgeRefusal(contour.Text, blocks, left);
+                wrong.AddRange(problem is null ? [] : [$"seed {seed}: {problem} {stop.Message}\n{contour.Text}"]);
+            }
+            else
+            {
+                other++;
+            }
+        }
+
+        TestContext.Current.TestOutputHelper?.WriteLine(
+            $"{Programs} programs, {cut} displaced, {refused} refused since the control would stop, {other} for another reason, {wrong.Count} wrong");
+        Assert.True(wrong.Count == 0, $"{wrong.Count} of {Programs} programs are wrong, first {wrong.FirstOrDefault()}");
+        Assert.True(cut > Programs / 4, $"Only {cut} of {Programs} programs are displaced.");
+    }
+
+    // Null where rs274 leads the tool's center along the named elements by the radius and the displacement beside the original ones.
+    private static string? Judge(NcPath path, DisplacementWish wish, Rewrite rewrite, double left)
+    {
+        var (peer, center) = (Rs274.Run(Text(rewrite.Program)), CompensatedPath.Of(Read(Text(rewrite.Program))));
+        if (peer.Refusal is not null || center.Refusal is not null || FirstDifference(peer, center) is not null)
+        {
+            return $"{peer.Refusal} {center.Refusal?.Message} {FirstDifference(peer, center)}";
+        }
+
+        var radius = ToolRadius(path);
+        foreach (var element in wish.Elements)
+        {
+            var was = path.Motions[element.Motion];
+            var index = center.Motions.ToList().FindIndex(m => m.Motion == element.Motion && !m.IsInserted);
+            var (from, to) = (was.Plane.Project(peer.Motions[index - 1].End), was.Plane.Project(peer.Motions[index].End));
+            var wanted = left + (was.Has(MotionFlags.CompensationLeft) ? radius : -radius);
+            var off = was.IsArc ? Beside(was, to) - wanted : Math.Max(Math.Abs(Beside(was, from) - wanted), Math.Abs(Beside(was, to) - wanted));
+
+            // A near tangent moves the start of the next element: what is no corner to the control is cut as one straight piece.
+            var straightens = 0.0013 * radius;
+            if (Math.Abs(off) > ToleranceMm + peer.Motions[index].ResolutionMm + straightens && was.PlaneLength > 0.5)
+            {
+                return FormattableString.Invariant($"line {was.Block + 1} is cut {off} mm beside the wanted place");
+            }
+        }
+
+        return null;
+    }
+
+    private static double Beside(in NcMotion was, Point2 place) => !was.IsArc
+        ? was.Segment.Line.SignedDistance(place)
+        : (was.Center.DistanceTo(was.PlaneEnd) - was.Center.DistanceTo(place)) * (was.Kind == MotionKind.ArcCounterClockwise ? 1 : -1);
+
+    // Null where rs274 refuses the program that would have been written, or would cut something else. The same program is displaced with
+    // a radius from a table that nobody stated, so that nothing is known about the tool.
+    private static string? JudgeRefusal(string text, int[] blocks, double left)
+    {
+        var radius = Compensation().Match(text);
+        var path = Read(Compensation().Replace(text, m => m.Groups["code"].Value + " D7"));
+        var wish = DisplacementWish.Normal(path, blocks, left);
+        var rewrite = Rewriter.Apply(path, wish.Result!);
+        if (!rewrite.IsUsable)
+        {
+            return rewrite.Refusal.Code == "compensation-entry" ? null : $"another refusal: {rewrite.Refusal.Message}";
+        }
+
+        var result = Text(rewrite.Result.Program).Replace(" D7", ".1" + radius.Groups["d"].Value, StringComparison.Ordinal);
+        var (peer, center) = (Rs274.Run(result), CompensatedPath.Of(Read(result)));
+        return peer.Refusal is null && !CutsWrong(peer, center) ? "rs274 accepts it" : null;
+    }
+
+    private static double ToolRadius(NcPath path)
+    {
+        var text = Text(path.Program);
+        var diameter = double.Parse(Compensation().Match(text).Groups["d"].Value.Trim()[1..], CultureInfo.InvariantCulture);
+        return diameter / 2 * (text.StartsWith("N1 G20", StringComparison.Ordinal) ? 25.4 : 1);
+    }
+
+    private static double Signed(Random random) => (2 * random.NextDouble()) - 1;
+
+    private static NcPath Read(string text) => NcInterpreter.Run(NcProgram.FromText(text, NcSyntax.LinuxCnc), NcDialects.LinuxCnc);
+
+    private static string Text(NcProgram program) => System.Text.Encoding.Latin1.GetString(program.Bytes.Span);
+
+    [GeneratedRegex(@"(?<code>G4[12])\.1(?<d> D[0-9.]+)", RegexOptions.ExplicitCapture)]
+    private static partial Regex Compensation();
 
     // A program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own path goes backwards on
     // a line, is on the wrong side of an arc's center, or goes along an arc by half a turn more or less than programmed.

@@ -22,22 +22,21 @@ public sealed class CompensatedPath
     public static bool Concerns(NcPath path) => path.CompensationSwitches.Any(s => s.Meaning != NcMeaning.CompensationOff);
 
     /// <summary>Follows the tool's center.</summary>
-    /// <param name="path">The programmed path.</param>
-    /// <param name="radii">The radii that the control uses.</param>
+    /// <param name="path">The programmed path; its dialect has the radii that the control uses (<see cref="NcDialect.ToolRadii"/>).</param>
     /// <param name="cancellation">Stops a long run.</param>
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
-    public static CompensatedPath Of(NcPath path, ToolRadii radii, CancellationToken cancellation = default)
+    public static CompensatedPath Of(NcPath path, CancellationToken cancellation = default)
     {
         var motions = new List<CompensatedMotion>(path.Motions.Length);
-        return new(path, motions, new CompensationRun(path, radii, motions).Follow(cancellation) ?? path.Refusal);
+        return new(path, motions, new CompensationRun(path, motions).Follow(cancellation) ?? path.Refusal);
     }
 
     /// <summary>The reason why the control would stop, or why the path of the tool's center is not followed; null if it is followed to its
     /// end.</summary>
     /// <param name="path">The programmed path.</param>
-    /// <param name="radii">The radii that the control uses.</param>
-    public static Refusal? Check(NcPath path, ToolRadii radii) =>
-        Concerns(path) ? new CompensationRun(path, radii, null).Follow(CancellationToken.None) : null;
+    /// <param name="lead">Begins the message after the name of the block.</param>
+    public static Refusal? Check(NcPath path, string lead = "") =>
+        Concerns(path) ? new CompensationRun(path, null, lead).Follow(CancellationToken.None) : null;
 
     /// <summary>True if a refusal says that the control would stop, and not only that its path is not followed.</summary>
     public static bool Stops(Refusal refusal) =>

@@ -3,7 +3,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Nc;
 
 /// <summary>How the control compensates at the current motion: side and radius, corners, and its way in.</summary>
-internal sealed class CompensationModes(NcPath path, ToolRadii radii)
+internal sealed class CompensationModes(NcPath path, string lead)
 {
     private readonly IReadOnlyList<CompensationSwitch> _switches = path.CompensationSwitches;
     private readonly CompensationRule _rule = path.Dialect.Compensation;
@@ -50,7 +50,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii)
         }
 
         var byDiameter = on.Meaning is NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter;
-        var radius = !byDiameter ? radii.For(on.Offset) : on.Offset is { } d && !double.IsNaN(d) ? d * on.Unit / 2 : null;
+        var radius = !byDiameter ? path.Dialect.ToolRadii.For(on.Offset) : on.Offset is { } d && !double.IsNaN(d) ? d * on.Unit / 2 : null;
         left = (motion.Has(MotionFlags.CompensationLeft) ? 1 : -1) * (radius ?? 0);
         return radius is not null
             ? null
@@ -103,5 +103,5 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii)
         return null;
     }
 
-    private Refusal At(int block, string code, string message) => BlockRefusal.At(path.Program, block, code, message);
+    private Refusal At(int block, string code, string message) => BlockRefusal.At(path.Program, block, code, lead + message);
 }

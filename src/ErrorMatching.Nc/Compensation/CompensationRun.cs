@@ -19,6 +19,7 @@ internal sealed class CompensationRun
     private readonly CompensationModes _modes;
     private readonly CenterTrace _trace;
     private readonly CompensationCorners _corners;
+    private readonly string _lead;
 
     // The tool's center is beside the programmed path by this much to the left; the element that led there is _last.
     private bool _isOn;
@@ -33,9 +34,9 @@ internal sealed class CompensationRun
     private bool _isBeside;
     private Point3 _programmed;
 
-    public CompensationRun(NcPath path, ToolRadii radii, List<CompensatedMotion>? motions)
+    public CompensationRun(NcPath path, List<CompensatedMotion>? motions, string lead = "")
     {
-        (_path, _rule, _modes, _trace) = (path, path.Dialect.Compensation, new(path, radii), new(motions));
+        (_path, _rule, _modes, _trace, _lead) = (path, path.Dialect.Compensation, new(path, lead), new(motions), lead);
         _corners = new(_rule, _modes, _trace);
     }
 
@@ -324,5 +325,5 @@ internal sealed class CompensationRun
         $"under cutter compensation the tool with a radius of {Math.Abs(_left):0.###} mm does not fit into an inside corner of this element, which is too short for it. Use a smaller tool, or leave the element out."));
 
     private Refusal Refuse(in NcMotion motion, string code, string message) =>
-        BlockRefusal.At(_path.Program, motion.Block, code, message);
+        BlockRefusal.At(_path.Program, motion.Block, code, _lead + message);
 }

@@ -44,6 +44,9 @@ public sealed class NcDialect
     /// <summary>State of the block skip switches.</summary>
     public BlockSkip BlockSkip { get; private init; }
 
+    /// <summary>The radii that the control uses for cutter compensation, as far as somebody stated them.</summary>
+    public ToolRadii ToolRadii { get; private init; } = ToolRadii.None;
+
     /// <summary>Decimals of the least increment in millimeters.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
 
@@ -85,7 +88,15 @@ public sealed class NcDialect
     /// <param name="blockSkip">The state; unstated keeps the dialect's own.</param>
     public NcDialect With(BlockSkip blockSkip) => blockSkip == BlockSkip || blockSkip == BlockSkip.Unstated
         ? this
-        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip };
+        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip, ToolRadii = ToolRadii };
+
+    /// <summary>The same control with these radii of its tools.</summary>
+    /// <param name="radii">The radii.</param>
+    public NcDialect With(ToolRadii radii) => new(Name, Description, _tables, Files, () => Facts)
+    {
+        BlockSkip = BlockSkip,
+        ToolRadii = radii,
+    };
 
     /// <summary>Meaning of a G code.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>

@@ -35,6 +35,9 @@ public sealed class WishFile
     /// it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
+    /// <summary>The tools' radii for cutter compensation in both programs, as far as they were stated.</summary>
+    public ToolRadii ToolRadii { get; init; } = ToolRadii.None;
+
     /// <summary>SHA-256 of the wish's original program, 64 lower-case hexadecimal digits.</summary>
     public string BeforeSha256 { get; }
 
@@ -68,6 +71,7 @@ public sealed class WishFile
         return new(before.Dialect.Name, Sha256(before.Program), leastIncrementMm, marker, wish, named)
         {
             BlockSkip = before.Dialect.BlockSkip,
+            ToolRadii = CompensatedPath.Concerns(before) ? before.Dialect.ToolRadii : ToolRadii.None,
         };
     }
 

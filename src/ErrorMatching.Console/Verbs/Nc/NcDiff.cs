@@ -32,8 +32,8 @@ internal sealed class NcDiff : Verb
         var (before, after, dialect) = (
             arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
-        var was = NcVerb.Interpret(before, dialect, blockSkip, cancellation);
-        var now = NcVerb.Interpret(after, dialect, blockSkip, cancellation);
+        var was = NcVerb.Interpret(before, dialect, blockSkip, ToolRadii.None, cancellation);
+        var now = NcVerb.Interpret(after, dialect, blockSkip, ToolRadii.None, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -41,7 +41,7 @@ internal sealed class NcProve : Verb
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
-        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, cancellation);
+        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, wish.ToolRadii, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -57,7 +57,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, cancellation);
+        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, wish.ToolRadii, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         return proof.Holds

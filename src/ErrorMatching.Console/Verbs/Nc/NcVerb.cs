@@ -11,6 +11,7 @@ internal abstract class NcVerb : Verb
     private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
+    private readonly ToolRadiiOption _radii = new();
 
     protected NcVerb(string name, string description, string example)
         : base(name, description, example)
@@ -18,6 +19,10 @@ internal abstract class NcVerb : Verb
         Arguments.Add(_program);
         Options.Add(_dialect);
         Options.Add(_blockSkip);
+        Options.Add(_radii.One);
+        Options.Add(_radii.Several);
+        Demand(_radii.One, ToolRadiiOption.IsRadius, "a radius in mm such as 3 or 4.975");
+        Demand(_radii.Several, ToolRadiiOption.AreRadii, "numbers with a radius in mm each, such as D1=3,D2=4.975");
     }
 
     /// <summary>The option that names a control.</summary>
@@ -46,18 +51,19 @@ internal abstract class NcVerb : Verb
     /// <exception cref="InputException">A file cannot be opened. The dialect is unknown, or the program is too large. The dialect's
     /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
-    public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, CancellationToken cancellation)
+    public static NcPath Interpret(string file, string dialect, BlockSkip blockSkip, ToolRadii radii, CancellationToken cancellation)
     {
         // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
         var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
-        var known = InputFile.Dialect(dialect).With(blockSkip);
+        var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
         return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file).Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_program);
-        var path = Interpret(file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), cancellation);
+        var path = Interpret(
+            file, arguments.GetRequiredValue(_dialect), BlockSkips.Of(arguments.GetValue(_blockSkip)), _radii.Of(arguments), cancellation);
         cancellation.ThrowIfCancellationRequested();
         return path.Refusal is { } refusal && !ShowsWhatIsWrong
             ? FailureOf.Refused(file, refusal)

@@ -3,10 +3,16 @@ namespace ErrorMatching.Nc;
 /// <summary>The radii that a control uses for cutter compensation, as far as somebody stated them.</summary>
 public sealed class ToolRadii
 {
-    private readonly double? _radius;
-    private readonly IReadOnlyDictionary<int, double> _byNumber;
+    private ToolRadii(double? radius, IReadOnlyDictionary<int, double> byNumber) => (Otherwise, ByNumber) = (radius, byNumber);
 
-    private ToolRadii(double? radius, IReadOnlyDictionary<int, double> byNumber) => (_radius, _byNumber) = (radius, byNumber);
+    /// <summary>The radius for all numbers that have none of their own, and without D, mm; null if it is not stated.</summary>
+    public double? Otherwise { get; }
+
+    /// <summary>Radii in mm by the number that D names.</summary>
+    public IReadOnlyDictionary<int, double> ByNumber { get; }
+
+    /// <summary>True if some radius is stated.</summary>
+    public bool AreStated => Otherwise is not null || ByNumber.Count > 0;
 
     /// <summary>Nothing is stated: only diameters that the program itself gives are known.</summary>
     public static ToolRadii None { get; } = new(null, new Dictionary<int, double>());
@@ -23,7 +29,7 @@ public sealed class ToolRadii
     /// <summary>The radius for a D word, mm; null if nobody stated it.</summary>
     /// <param name="number">Value of the word; null if there is none, NaN if only the machine knows it.</param>
     public double? For(double? number) =>
-        number is { } d && d == Math.Floor(d) && Math.Abs(d) < int.MaxValue && _byNumber.TryGetValue((int)d, out var radius)
+        number is { } d && d == Math.Floor(d) && Math.Abs(d) < int.MaxValue && ByNumber.TryGetValue((int)d, out var radius)
             ? radius
-            : _radius;
+            : Otherwise;
 }
