@@ -100,6 +100,12 @@ public sealed partial class CompensatedProgramTests
         foreach (var element in wish.Elements)
         {
             var was = path.Motions[element.Motion];
+            if (!center.Path.Motions[element.Motion].MovesInPlane)
+            {
+                // A corner cut the short element off.
+                continue;
+            }
+
             var index = center.Motions.ToList().FindIndex(m => m.Motion == element.Motion && !m.IsInserted);
             var (from, to) = (was.Plane.Project(peer.Motions[index - 1].End), was.Plane.Project(peer.Motions[index].End));
             var wanted = left + (was.Has(MotionFlags.CompensationLeft) ? radius : -radius);
