@@ -70,13 +70,18 @@ public sealed class CompensationRuleTests
     [Theory]
     [InlineData("X10\nY6.1\nX0\n", null)]
     [InlineData("X10\nY5.9\nX0\n", "compensation-gouge")]
-    [InlineData("G3 X3 Y3 J3\n", "compensation-gouge")]
+    [InlineData("G3 X3 Y3 J3\nG1 Y9\n", null)]
+    [InlineData("G3 X2.99 Y2.99 J2.99\nG1 Y9\n", "compensation-gouge")]
     [InlineData("G41 X10\n", null)]
     [InlineData("G42 X10\n", "compensation-unfollowed")]
     [InlineData("X10 D2\nX20\n", "compensation-unfollowed")]
     [InlineData("X10\nG55\nX20\n", "compensation-unfollowed")]
     public void What_does_not_fit_is_refused_on_every_control(string contour, string? code) =>
         Assert.Equal(code, Refused(contour, NcDialects.FanucMill));
+
+    [Fact]
+    public void An_arc_as_tight_as_the_tool_is_touched_from_its_center() => Assert.Equal(
+        ["Line 0 3", "Line 0 3", "Line 0 9"], Center("G3 X3 Y3 J3\nG1 Y9\n", NcDialects.FanucMill));
 
     private static IEnumerable<string> Center(string contour, NcDialect dialect) => Follow(contour, dialect).Motions.Skip(1).Select(
         m => string.Create(CultureInfo.InvariantCulture, $"{m.Kind} {m.End.X + 0.0:0.####} {m.End.Y + 0.0:0.####}"));

@@ -9,6 +9,9 @@ internal sealed class CompensationRun
     /// <summary>Lengths up to this one are zero, mm.</summary>
     private const double Tiny = 1e-9;
 
+    /// <summary>An arc that is tighter than the tool by up to this is as tight as it, mm.</summary>
+    private const double SameRadius = 0.001;
+
     private const MotionFlags Sides = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
 
     private const MotionFlags Unfollowed = MotionFlags.Transformed | MotionFlags.UnsureMode | MotionFlags.UnknownWord
@@ -138,7 +141,7 @@ internal sealed class CompensationRun
         }
 
         var element = OffsetElement.Of(motion, index, _left);
-        if (element.IsArc && Math.Min(element.StartRadius, element.Radius) <= Tiny)
+        if (IsTooTight(element))
         {
             return TooTight(motion);
         }
@@ -148,7 +151,17 @@ internal sealed class CompensationRun
             return refusal;
         }
 
-        Add(motion, index, element.End, element.Center);
+        if (element.IsArc && Math.Min(element.StartRadius, element.Radius) <= SameRadius && !_rule.ArcsExceedRadius)
+        {
+            // The tool's center stays where it is while the tool touches the whole arc.
+            element = element with { Center = element.End, StartRadius = 0, Radius = 0 };
+            Add(motion with { Kind = MotionKind.Line }, index, element.End, default);
+        }
+        else
+        {
+            Add(motion, index, element.End, element.Center);
+        }
+
         _last = element;
         return null;
     }
@@ -212,7 +225,7 @@ internal sealed class CompensationRun
         }
 
         _last = OffsetElement.Of(motion, index, _left);
-        if (Math.Min(_last.StartRadius, _last.Radius) <= Tiny)
+        if (IsTooTight(_last))
         {
             return TooTight(motion);
         }
@@ -233,6 +246,10 @@ internal sealed class CompensationRun
 
         return null;
     }
+
+    // The two radii of an arc differ by the rounding of its words.
+    private bool IsTooTight(in OffsetElement element) =>
+        element.IsArc && Math.Min(element.StartRadius, element.Radius) <= (_rule.ArcsExceedRadius ? Tiny : -SameRadius);
 
     // Leads the tool's center from the last element to the next one.
     private Refusal? Turn(in OffsetElement next, in NcMotion motion)

@@ -127,7 +127,7 @@ internal readonly record struct OffsetElement(
 
     private Line2 LineAtEnd => new(End, EndTangent);
 
-    private Circle2 CircleAtStart => new(Center, StartRadius);
+    private Circle2 CircleAtStart => new(Center, Math.Max(StartRadius, 0));
 
-    private Circle2 CircleAtEnd => new(Center, Radius);
+    private Circle2 CircleAtEnd => new(Center, Math.Max(Radius, 0));
 }

@@ -9,6 +9,9 @@ internal sealed class CompensationRule
     /// <summary>True if the control stops where the way in is not longer than the tool radius.</summary>
     public bool StartExceedsRadius { get; set; }
 
+    /// <summary>True if the control stops where an arc is as tight as the tool, false only where it is tighter.</summary>
+    public bool ArcsExceedRadius { get; set; }
+
     /// <summary>True if compensation may begin on an arc.</summary>
     public bool StartsOnArcs { get; set; }
 

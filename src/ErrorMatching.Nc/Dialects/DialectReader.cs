@@ -56,6 +56,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         {
             case "compensationStart": rule.Start = (CompensationStart)Starts[value.Text]; break;
             case "compensationStartExceedsRadius": rule.StartExceedsRadius = value.Flag; break;
+            case "compensationArcsExceedRadius": rule.ArcsExceedRadius = value.Flag; break;
             case "compensationStartsOnArcs": rule.StartsOnArcs = value.Flag; break;
             case "compensationWorksInYz": rule.WorksInYz = value.Flag; break;
             case "compensationCorners": rule.Corners = (CompensationCorner)Corners[value.Text]; break;
