@@ -7,7 +7,8 @@ namespace ErrorMatching.Nc.Tests;
 public sealed class CompensatedDisplacementTests
 {
     // N50 is 3.1 mm long and has an inside corner at its start: a tool radius of 3 needs 3.
-    private const string Step = "G21 G17 G40 G90 G91.1 G94 F100\nG0 X-20 Y0 Z5\nN30 G41.1 D6 G1 X0\nN40 X10\nN50 Y3.1\nN60 X20\nN70 G40 Y20\n";
+    private const string Step = "G21 G17 G40 G90 G91.1 G94 F100\nG0 X-20 Y0 Z5\n"
+        + "N30 G41.1 D6 G1 X0\nN40 X10\nN50 Y3.1\nN60 X20\nN70 G40 Y20\n";
 
     [Fact]
     public void A_contour_that_the_tool_still_fits_into_is_displaced() =>
@@ -24,7 +25,8 @@ public sealed class CompensatedDisplacementTests
     [Fact]
     public void An_arc_that_gets_tighter_than_the_tool_is_refused()
     {
-        const string Round = "G21 G17 G40 G90 G91.1 F100\nG0 X-20 Y0 Z5\nG41.1 D6 G1 X0\nN40 X10\nN50 G3 X13.1 Y3.1 J3.1\nN60 G1 Y20\nG40 X0\n";
+        const string Round = "G21 G17 G40 G90 G91.1 F100\nG0 X-20 Y0 Z5\nG41.1 D6 G1 X0\n"
+            + "N40 X10\nN50 G3 X13.1 Y3.1 J3.1\nN60 G1 Y20\nG40 X0\n";
         Assert.Contains("G3", Bench.Normal(Round, 0.05, "N40..N60", NcDialects.LinuxCnc), StringComparison.Ordinal);
         Assert.Equal(NcRefusalCodes.CompensationGouge, Bench.RefusedNormal(Round, 0.15, "N40..N60", NcDialects.LinuxCnc).Code);
     }

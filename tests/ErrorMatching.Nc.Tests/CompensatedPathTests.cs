@@ -10,7 +10,10 @@ public sealed class CompensatedPathTests
     {
         var center = Follow("G41.1 D6 G1 X0\nX10\nY10\nX20\n");
         Assert.Equal(
-            [(MotionKind.Line, 0, 3), (MotionKind.Line, 7, 3), (MotionKind.Line, 7, 10), (MotionKind.ArcClockwise, 10, 13), (MotionKind.Line, 20, 13)],
+            [
+                (MotionKind.Line, 0, 3), (MotionKind.Line, 7, 3), (MotionKind.Line, 7, 10), (MotionKind.ArcClockwise, 10, 13),
+                (MotionKind.Line, 20, 13),
+            ],
             Shown(center).Skip(1));
         Assert.Equal([false, false, false, true, false], center.Motions.Skip(1).Select(m => m.IsInserted));
         Assert.Null(center.Refusal);

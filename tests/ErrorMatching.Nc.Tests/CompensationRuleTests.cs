@@ -9,7 +9,11 @@ public sealed class CompensationRuleTests
     private const string Start = "G17 G40 G90 G0 X-20 Y0 Z5\nG41 D1 G1 X0 F100\n";
 
     private static readonly NcDialect TypeB = OwnDialect.Of(
-        """, "settings": { "compensationStart": { "value": "next-normal-or-corner", "statement": "Type B.", "source": "parameter 5003#0 = 1" } }""");
+        """
+        , "settings": {
+          "compensationStart": { "value": "next-normal-or-corner", "statement": "Type B.", "source": "parameter 5003#0 = 1" }
+        }
+        """);
 
     [Fact]
     public void A_way_in_ends_at_right_angles_to_the_contour()

@@ -13,8 +13,10 @@ public sealed partial class CompensatedProgramTests
 {
     private const double ToleranceMm = 0.0015;
 
+    private const string Setting = "ERRORMATCH_COMPENSATED_PROGRAMS";
+
     private static readonly int Programs =
-        Environment.GetEnvironmentVariable("ERRORMATCH_COMPENSATED_PROGRAMS") is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : 60;
+        Environment.GetEnvironmentVariable(Setting) is { } text ? int.Parse(text, CultureInfo.InvariantCulture) : 60;
 
     [Fact]
     public void The_path_of_the_center_is_that_of_rs274()
@@ -42,7 +44,8 @@ public sealed partial class CompensatedProgramTests
         }
 
         TestContext.Current.TestOutputHelper?.WriteLine(
-            $"{Programs} programs, {refused} refused by rs274, {warned} by us only, {ours.Count} of these without a reason, {differences.Count} differ");
+            $"{Programs} programs, {refused} refused by rs274, {warned} by us only, {ours.Count} of these without a reason, "
+                + $"{differences.Count} differ");
         Assert.True(differences.Count == 0, $"{differences.Count} of {Programs} programs differ, first {differences.FirstOrDefault()}");
         Assert.True(ours.Count == 0, $"{ours.Count} of {Programs} programs are refused without a reason, first {ours.FirstOrDefault()}");
     }
@@ -82,7 +85,8 @@ public sealed partial class CompensatedProgramTests
         }
 
         TestContext.Current.TestOutputHelper?.WriteLine(
-            $"{Programs} programs, {cut} displaced, {refused} refused since the control would stop, {other} for another reason, {wrong.Count} wrong");
+            $"{Programs} programs, {cut} displaced, {refused} refused since the control would stop, {other} for another reason, "
+                + $"{wrong.Count} wrong");
         Assert.True(wrong.Count == 0, $"{wrong.Count} of {Programs} programs are wrong, first {wrong.FirstOrDefault()}");
         Assert.True(cut > Programs / 4, $"Only {cut} of {Programs} programs are displaced.");
     }
@@ -109,11 +113,11 @@ public sealed partial class CompensatedProgramTests
             var index = center.Motions.ToList().FindIndex(m => m.Motion == element.Motion && !m.IsInserted);
             var (from, to) = (was.Plane.Project(peer.Motions[index - 1].End), was.Plane.Project(peer.Motions[index].End));
             var wanted = left + (was.Has(MotionFlags.CompensationLeft) ? radius : -radius);
-            var off = was.IsArc ? Beside(was, to) - wanted : Math.Max(Math.Abs(Beside(was, from) - wanted), Math.Abs(Beside(was, to) - wanted));
+            var off = Math.Max(was.IsArc ? 0 : Math.Abs(Beside(was, from) - wanted), Math.Abs(Beside(was, to) - wanted));
 
             // A near tangent moves the start of the next element: what is no corner to the control is cut as one straight piece.
             var straightens = 0.0013 * radius;
-            if (Math.Abs(off) > ToleranceMm + peer.Motions[index].ResolutionMm + straightens && was.PlaneLength > 0.5)
+            if (off > ToleranceMm + peer.Motions[index].ResolutionMm + straightens && was.PlaneLength > 0.5)
             {
                 return FormattableString.Invariant($"line {was.Block + 1} is cut {off} mm beside the wanted place");
             }
@@ -160,8 +164,8 @@ public sealed partial class CompensatedProgramTests
     [GeneratedRegex(@"(?<code>G4[12])\.1(?<d> D[0-9.]+)", RegexOptions.ExplicitCapture)]
     private static partial Regex Compensation();
 
-    // A program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own path goes backwards on
-    // a line, is on the wrong side of an arc's center, or goes along an arc by half a turn more or less than programmed.
+    // A program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own path goes backwards
+    // on a line, is on the wrong side of an arc's center, or goes along an arc by half a turn more or less than programmed.
     private static bool CutsWrong(PeerRun peer, CompensatedPath ours)
     {
         var motions = ours.Path.Motions;
@@ -225,8 +229,10 @@ public sealed partial class CompensatedProgramTests
                 : null;
             if (wrong is not null)
             {
-                return FormattableString.Invariant(
-                    $"motion {i}, {wrong}: N{theirs.Line} {theirs.Kind} to {theirs.End} about {theirs.Center} turns {theirs.Turns}, ours N{line} {own.Kind} to {own.End} about {own.Center} turns {own.Turns} {peer.Refusal} {ours.Refusal}");
+                return string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"motion {i}, {wrong}: N{theirs.Line} {theirs.Kind} to {theirs.End} about {theirs.Center} turns {theirs.Turns}, ours "
+                        + $"N{line} {own.Kind} to {own.End} about {own.Center} turns {own.Turns} {peer.Refusal} {ours.Refusal}");
             }
         }
 

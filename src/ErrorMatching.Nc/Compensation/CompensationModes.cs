@@ -46,7 +46,8 @@ internal sealed class CompensationModes(NcPath path, string lead)
         left = 0;
         if (_on is not { } on)
         {
-            return At(motion.Block, NcRefusalCodes.CompensationUnfollowed, "cutter compensation is on here by a word that is not followed.");
+            return At(
+                motion.Block, NcRefusalCodes.CompensationUnfollowed, "cutter compensation is on here by a word that is not followed.");
         }
 
         var byDiameter = on.Meaning is NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter;
@@ -65,7 +66,8 @@ internal sealed class CompensationModes(NcPath path, string lead)
         switch (found.Meaning)
         {
             case NcMeaning.Unknown when isOn:
-                return At(found.Block, NcRefusalCodes.CompensationStop, $"the control stops at {found.Word} while cutter compensation is on.");
+                return At(
+                    found.Block, NcRefusalCodes.CompensationStop, $"the control stops at {found.Word} while cutter compensation is on.");
             case NcMeaning.Harmless when isOn:
                 return At(
                     found.Block,

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
@@ -187,8 +188,10 @@ internal sealed class CompensationRun
         {
             if (_rule.StartExceedsRadius && radius > 0)
             {
-                return Refuse(motion, NcRefusalCodes.CompensationEntry, FormattableString.Invariant(
-                    $"cutter compensation begins on a move of {from.DistanceTo(to):0.###} mm in the plane, which must be longer than the tool radius of {radius:0.###} mm. Lengthen the way in."));
+                return Refuse(motion, NcRefusalCodes.CompensationEntry, string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"cutter compensation begins on a move of {from.DistanceTo(to):0.###} mm in the plane, which must be longer than the "
+                        + $"tool radius of {radius:0.###} mm. Lengthen the way in."));
             }
 
             return GoAsProgrammed(motion, index);
@@ -220,8 +223,8 @@ internal sealed class CompensationRun
     {
         if (!_rule.StartsOnArcs && radius > 0)
         {
-            return Refuse(motion, NcRefusalCodes.CompensationEntry, "it is an arc; cutter compensation begins on a straight move only. Post "
-                + "a straight way in.");
+            return Refuse(
+                motion, NcRefusalCodes.CompensationEntry, "cutter compensation begins on a straight move only. Post a straight way in.");
         }
 
         _last = OffsetElement.Of(motion, index, _left);
@@ -315,8 +318,11 @@ internal sealed class CompensationRun
 
         var most = _rule.ArcGrowthRadians / (motion.Has(MotionFlags.Inch) ? ControlState.MmPerInch : 1);
         return _last.IsArc && endsStraight && remaining > _last.Sweep(_last.Start, _last.End) + most
-            ? Refuse(motion, NcRefusalCodes.CompensationStop, "the control stops here: the contour turns slightly outwards before this arc, "
-                + "and under cutter compensation the arc gets too long. Make them tangent.")
+            ? Refuse(
+                motion,
+                NcRefusalCodes.CompensationStop,
+                "the control stops here: the contour turns slightly outwards before this arc, and under cutter compensation the arc gets "
+                    + "too long. Make them tangent.")
             : null;
     }
 
@@ -335,11 +341,15 @@ internal sealed class CompensationRun
     private Refusal Around(in NcMotion motion) => Refuse(motion, NcRefusalCodes.CompensationUnfollowed, "cutter compensation begins or "
         + "ends around a corner here, and the path of the tool's center is not followed there.");
 
-    private Refusal TooTight(in NcMotion motion) => Refuse(motion, NcRefusalCodes.CompensationGouge, FormattableString.Invariant(
-        $"under cutter compensation the tool with a radius of {Math.Abs(_left):0.###} mm does not fit into this arc with a radius of {motion.Center.DistanceTo(motion.PlaneEnd):0.###} mm. Use a smaller tool, or a larger arc."));
+    private Refusal TooTight(in NcMotion motion) => Refuse(motion, NcRefusalCodes.CompensationGouge, string.Create(
+        CultureInfo.InvariantCulture,
+        $"under cutter compensation the tool with a radius of {Math.Abs(_left):0.###} mm does not fit into this arc with a radius of "
+            + $"{motion.Center.DistanceTo(motion.PlaneEnd):0.###} mm. Use a smaller tool, or a larger arc."));
 
-    private Refusal TooShort(int index) => Refuse(_path.Motions[index], NcRefusalCodes.CompensationGouge, FormattableString.Invariant(
-        $"under cutter compensation the tool with a radius of {Math.Abs(_left):0.###} mm does not fit into an inside corner of this element, which is too short for it. Use a smaller tool, or leave the element out."));
+    private Refusal TooShort(int index) => Refuse(_path.Motions[index], NcRefusalCodes.CompensationGouge, string.Create(
+        CultureInfo.InvariantCulture,
+        $"under cutter compensation the tool with a radius of {Math.Abs(_left):0.###} mm does not fit into an inside corner of this "
+            + $"element, which is too short for it. Use a smaller tool, or leave the element out."));
 
     private Refusal Refuse(in NcMotion motion, string code, string message) =>
         BlockRefusal.At(_path.Program, motion.Block, code, _lead + message);

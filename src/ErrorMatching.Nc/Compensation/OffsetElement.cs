@@ -87,8 +87,9 @@ internal readonly record struct OffsetElement(
             return places.Nearest(ProgrammedEnd);
         }
 
-        var (first, second) = (IsBefore(places.First) && next.IsAfter(places.First), IsBefore(places.Second) && next.IsAfter(places.Second));
-        return first == second ? places.Nearest(ProgrammedEnd) : first ? places.First : places.Second;
+        var isFirst = IsBefore(places.First) && next.IsAfter(places.First);
+        var isSecond = IsBefore(places.Second) && next.IsAfter(places.Second);
+        return isFirst == isSecond ? places.Nearest(ProgrammedEnd) : isFirst ? places.First : places.Second;
     }
 
     /// <summary>The angle from one place on its circle to another in its direction, radians, above 0 and up to a full turn.</summary>
@@ -100,17 +101,8 @@ internal readonly record struct OffsetElement(
 
     /// <summary>How much of the element the tool's center travels between two places near its ends: mm of a line, radians of an arc;
     /// negative if it would have to go backwards.</summary>
-    public double Remaining(Point2 from, Point2 to)
-    {
-        if (!IsArc)
-        {
-            return (to - from).Dot(EndTangent);
-        }
-
-        // Half a turn between the programmed end and the new one is not near it.
-        var whole = Sweep(Start, End) - Turned(Start, from);
-        return Math.Abs(whole - Sweep(from, to)) > Math.PI && whole < 6.2 ? -1 : whole - Turned(to, End);
-    }
+    public double Remaining(Point2 from, Point2 to) =>
+        IsArc ? Sweep(Start, End) - Turned(Start, from) - Turned(to, End) : (to - from).Dot(EndTangent);
 
     // The angle from one place to another in its direction, radians, in (-pi, pi].
     private double Turned(Point2 from, Point2 to)

@@ -58,26 +58,32 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     /// <summary>Switches compensation, or how it goes around corners or begins.</summary>
     public void Apply(NcMeaning meaning)
     {
-        Record(meaning, meaning switch
+        Record(meaning, SideOf(meaning) switch
         {
-            NcMeaning.CompensationLeft or NcMeaning.CompensationLeftByDiameter => "G41",
-            NcMeaning.CompensationRight or NcMeaning.CompensationRightByDiameter => "G42",
+            MotionFlags.CompensationLeft => "G41",
+            MotionFlags.CompensationRight => "G42",
             _ => "G40",
         });
-        switch (meaning)
+        if (SideOf(meaning) is { } side)
         {
-            case NcMeaning.CompensationOff: control.Compensate(MotionFlags.None); break;
-            case NcMeaning.CompensationLeft or NcMeaning.CompensationLeftByDiameter: control.Compensate(MotionFlags.CompensationLeft); break;
-            case NcMeaning.CompensationRight or NcMeaning.CompensationRightByDiameter: control.Compensate(MotionFlags.CompensationRight); break;
+            control.Compensate(side);
         }
     }
+
+    // Null for a word that does not switch compensation.
+    private static MotionFlags? SideOf(NcMeaning meaning) => meaning switch
+    {
+        NcMeaning.CompensationOff => MotionFlags.None,
+        NcMeaning.CompensationLeft or NcMeaning.CompensationLeftByDiameter => MotionFlags.CompensationLeft,
+        NcMeaning.CompensationRight or NcMeaning.CompensationRightByDiameter => MotionFlags.CompensationRight,
+        _ => null,
+    };
 
     private bool SwitchesOn()
     {
         foreach (var tenths in values.Words.Codes)
         {
-            if (values.Dialect.MeaningOf(tenths) is NcMeaning.CompensationLeft or NcMeaning.CompensationRight
-                or NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter)
+            if (SideOf(values.Dialect.MeaningOf(tenths)) is not (null or MotionFlags.None))
             {
                 return true;
             }

@@ -78,7 +78,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             var subjects = new List<SubjectRange>();
             if (!SubjectRange.TryRead(word, topic, subjects, out var bad) || subjects.Exists(s => !s.HasNumbers))
             {
-                Problems.Add(JsonRefusal.At(value, "bad-subject", $"\"{bad ?? word}\"", "G codes and M functions, with spaces between them"));
+                Problems.Add(JsonRefusal.At(value, "bad-subject", $"\"{bad}\"", "G codes and M functions, with spaces between them"));
                 continue;
             }
 

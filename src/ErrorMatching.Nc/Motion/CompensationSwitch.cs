@@ -1,6 +1,7 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A word that concerns cutter compensation: switches it, selects the tool's radius, or must not be there while it is on.</summary>
+/// <summary>A word that concerns cutter compensation: it switches it, selects the tool's radius, or must not be there while it is
+/// on.</summary>
 /// <param name="Block">Its block.</param>
 /// <param name="Joint">The joint of the path at which it takes effect: it applies to this motion and later ones.</param>
 /// <param name="Meaning">What it does; <see cref="NcMeaning.Unknown"/> for a word at which the control stops,

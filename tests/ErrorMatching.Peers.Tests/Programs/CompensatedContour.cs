@@ -6,7 +6,7 @@ namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
 /// A random program of contours under G41.1 and G42.1: lines and arcs, inside and outside corners, tangents, leads of all kinds, moves of
-/// the third axis, and, in the rough ones, elements that are too small for the tool. Its contour elements are numbered N101, N102 and so on.
+/// the third axis, and, in the rough ones, elements that are too small for the tool. Blocks are numbered by their lines.
 /// </summary>
 internal sealed class CompensatedContour
 {
