@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;

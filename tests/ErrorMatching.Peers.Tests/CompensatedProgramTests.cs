@@ -27,7 +27,7 @@ public sealed partial class CompensatedProgramTests
         {
             var contour = new CompensatedContour(seed);
             var peer = Rs274.Run(contour.Text);
-            var center = CompensatedPath.Of(Read(contour.Text));
+            var center = CompensatedPath.Of(Read(contour.Text), TestContext.Current.CancellationToken);
             refused += peer.Refusal is null ? 0 : 1;
             if (FirstDifference(peer, center) is { } difference)
             {
@@ -161,7 +161,7 @@ public sealed partial class CompensatedProgramTests
 
     private static string Text(NcProgram program) => System.Text.Encoding.Latin1.GetString(program.Bytes.Span);
 
-    [GeneratedRegex(@"(?<code>G4[12])\.1(?<d> D[0-9.]+)", RegexOptions.ExplicitCapture)]
+    [GeneratedRegex(@"(?<code>G4[12])\.1(?<d> D[0-9.]+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Compensation();
 
     // A program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own path goes backwards
