@@ -17,7 +17,7 @@ internal sealed class CompensationModes(NcPath path, string lead)
     public bool StartsOtherwiseAround { get; private set; }
 
     /// <summary>Outside corners that turn by up to the rule's angle.</summary>
-    public CompensationCorner Corners { get; private set; } = path.Dialect.Compensation.Corners;
+    public CompensationCorner Corners { get; private set; } = path.Dialect.Compensation.OutsideCorners;
 
     /// <summary>Outside corners that turn further.</summary>
     public CompensationCorner SharpCorners { get; private set; } = path.Dialect.Compensation.SharpCorners;

@@ -19,7 +19,7 @@ internal sealed class CompensationRule
     public bool WorksInYz { get; set; }
 
     /// <summary>Outside corners that turn by up to <see cref="SharpDegrees"/>.</summary>
-    public CompensationCorner Corners { get; set; }
+    public CompensationCorner OutsideCorners { get; set; }
 
     /// <summary>Outside corners that turn further.</summary>
     public CompensationCorner SharpCorners { get; set; }

@@ -13,7 +13,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
     private static readonly Dictionary<string, int> Starts = KebabNames.Of(typeof(CompensationStart));
-    private static readonly Dictionary<string, int> Corners = KebabNames.Of(typeof(CompensationCorner));
+    private static readonly Dictionary<string, int> CornerNames = KebabNames.Of(typeof(CompensationCorner));
 
     public List<Refusal> Problems { get; } = [];
 
@@ -59,8 +59,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "compensationArcsExceedRadius": rule.ArcsExceedRadius = value.Flag; break;
             case "compensationStartsOnArcs": rule.StartsOnArcs = value.Flag; break;
             case "compensationWorksInYz": rule.WorksInYz = value.Flag; break;
-            case "compensationCorners": rule.Corners = (CompensationCorner)Corners[value.Text]; break;
-            case "compensationSharpCorners": rule.SharpCorners = (CompensationCorner)Corners[value.Text]; break;
+            case "compensationCorners": rule.OutsideCorners = (CompensationCorner)CornerNames[value.Text]; break;
+            case "compensationSharpCorners": rule.SharpCorners = (CompensationCorner)CornerNames[value.Text]; break;
             case "compensationSharpDegrees": rule.SharpDegrees = value.Number; break;
             case "compensationStraightDegrees": rule.StraightDegrees = value.Number; break;
             case "compensationArcGrowthRadians": rule.ArcGrowthRadians = value.Number; break;
