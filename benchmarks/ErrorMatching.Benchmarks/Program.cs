@@ -21,6 +21,11 @@ if (args is ["million", .. var million])
     return MillionBlocks.Run(million.FirstOrDefault());
 }
 
+if (args is ["compensated", .. var contour])
+{
+    return CompensatedBlocks.Run(contour.FirstOrDefault());
+}
+
 if (args is ["huge"])
 {
     return HugeFiles.Run();

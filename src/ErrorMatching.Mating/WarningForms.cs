@@ -20,6 +20,12 @@ public static class WarningForms
         "Point {0} lies on a rounded corner at an end of {1}: it says something about both elements together, so each of them is less "
             + "certain. For the next parts, choose a key point further from the corner in the job.");
 
+    /// <summary>Point, the distance in mm at which the tool passes it, and block.</summary>
+    public static SentenceForm PointNotReached { get; } = new(
+        "point-not-reached",
+        "Under cutter compensation the tool passes the point {0} at {1} mm: it leaves a round of its own radius in the inside corner of "
+            + "{2}. What is corrected there cannot be cut. For the next parts, choose a key point that the tool touches.");
+
     /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(
         "aligned",
@@ -40,7 +46,10 @@ public static class WarningForms
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
-        [SparsePoints, FoldedCurve, PointOnCorner, Aligned, MeasuredNotThere, GaugeCoarse, LotWords.Outlier, LotWords.Moved];
+        [
+            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, Aligned, MeasuredNotThere, GaugeCoarse, LotWords.Outlier,
+            LotWords.Moved,
+        ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>
     /// <param name="warning">The warning of a report.</param>

@@ -39,6 +39,18 @@ public static class NcRefusalCodes
     /// <summary>Cutter compensation could no longer enter or leave a displaced contour as before.</summary>
     public const string CompensationEntry = "compensation-entry";
 
+    /// <summary>Under cutter compensation the tool does not fit: an arc is too tight, or an element is too short for it.</summary>
+    public const string CompensationGouge = "compensation-gouge";
+
+    /// <summary>The control stops at a word that must not be there while cutter compensation is on.</summary>
+    public const string CompensationStop = "compensation-stop";
+
+    /// <summary>The path of the tool's center under cutter compensation is not followed.</summary>
+    public const string CompensationUnfollowed = "compensation-unfollowed";
+
+    /// <summary>Cutter compensation is on, and nobody stated the tool's radius.</summary>
+    public const string ToolRadiusUnknown = "tool-radius-unknown";
+
     /// <summary>The work offset or origin changes between blocks that must change together.</summary>
     public const string FrameChange = "frame-change";
 

@@ -14,6 +14,8 @@ public sealed class DeclaredRoleTests
     [
         NcMeaning.Harmless, NcMeaning.Smoothing, NcMeaning.Dwell, NcMeaning.InverseTimeFeed, NcMeaning.FeedPerMinute,
         NcMeaning.FeedPerRevolution, NcMeaning.RetractToInitial, NcMeaning.RetractToR,
+        NcMeaning.CompensationRoundCorners, NcMeaning.CompensationSharpCorners, NcMeaning.CompensationNormalEntry,
+        NcMeaning.CompensationOtherEntry,
         NcMeaning.LengthOffset, NcMeaning.CycleOff, NcMeaning.ModalCycle, NcMeaning.StoreReference, NcMeaning.CycleCall, NcMeaning.Unknown,
     ];
 

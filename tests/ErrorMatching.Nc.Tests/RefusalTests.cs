@@ -118,6 +118,8 @@ public sealed class RefusalTests
             NcRefusalCodes.EndlessLoop, NcRefusalCodes.MissingProgram, NcRefusalCodes.MissingLabel, NcRefusalCodes.UnknownCondition,
             NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
             NcRefusalCodes.BlockSkip,
+            NcRefusalCodes.CompensationGouge, NcRefusalCodes.CompensationStop, NcRefusalCodes.CompensationUnfollowed,
+            NcRefusalCodes.ToolRadiusUnknown,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(
             BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);

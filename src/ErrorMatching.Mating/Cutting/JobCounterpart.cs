@@ -29,7 +29,7 @@ public sealed record JobCounterpart(
     /// <summary>The dialect of the program, with the switch state from the job.</summary>
     /// <param name="own">The shop's dialect if the job names a file; null for a built-in one.</param>
     /// <exception cref="InputException">No dialect has the job's name.</exception>
-    public NcDialect DialectOf(NcDialect? own) => (own ?? NcDialects.Named(Dialect)).With(BlockSkip);
+    public NcDialect DialectOf(NcDialect? own) => (own ?? NcDialects.Named(Dialect)).With(BlockSkip).With(ToolRadii.Of(ToolDiameterMm / 2));
 
     /// <summary>Position of a part point in the program, mm, in the axis order of a plane.</summary>
     /// <param name="point">The point as designed.</param>

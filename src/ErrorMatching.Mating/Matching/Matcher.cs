@@ -27,6 +27,11 @@ public static class Matcher
             return unmapped;
         }
 
+        if (CompensatedPath.Check(path) is { } stop && CompensatedPath.Stops(stop))
+        {
+            return Named(stop, maps);
+        }
+
         var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
         var counterpart = input.Counterpart is null
             ? null

@@ -213,6 +213,13 @@ public static class MatchReporter
             yield return WarningForms.Warning(WarningForms.PointOnCorner, foot.Label, block);
         }
 
+        foreach (var point in ReachCheck.Unreached(result.Input.Job, result.Before, result.Maps, result.Input.Theoretical))
+        {
+            var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions.BlockOf(point.Motion)]);
+            yield return WarningForms.Warning(
+                WarningForms.PointNotReached, point.Label, point.GapMm.ToString("0.000", CultureInfo.InvariantCulture), block);
+        }
+
         foreach (var warning in GaugeCapability.WarningsOf(result.Input.Job))
         {
             yield return warning;

@@ -16,7 +16,8 @@ internal sealed class BlockCodes(
     TransformCodes transforms,
     MachineMoves machine,
     CannedCycles canned,
-    ModeMemory memory)
+    ModeMemory memory,
+    CompensationWords switches)
 {
     /// <summary>The M function of a tool change.</summary>
     public const int ToolChange = 6;
@@ -24,9 +25,11 @@ internal sealed class BlockCodes(
     public MotionFlags ReadCodes()
     {
         var flags = MotionFlags.None;
+        switches.ReadOffset();
         foreach (var tenths in values.Words.Codes)
         {
             var meaning = values.Dialect.MeaningOf(tenths);
+            switches.StopAt(tenths);
             switch (meaning)
             {
                 case NcMeaning.Unknown:
@@ -66,6 +69,7 @@ internal sealed class BlockCodes(
         var flags = MotionFlags.None;
         foreach (var function in values.Words.Functions)
         {
+            switches.StopAtFunction(function);
             switch (values.Dialect.FunctionOf(function))
             {
                 case FunctionRole.Harmless when function == ToolChange:
@@ -251,16 +255,17 @@ internal sealed class BlockCodes(
                 break;
             case NcMeaning.RetractToInitial: control.State.RetractsToR = false; break;
             case NcMeaning.RetractToR: control.State.RetractsToR = true; break;
-            case NcMeaning.PlaneXY: control.Plane(CoordinatePlane.XY); break;
-            case NcMeaning.PlaneZX: control.Plane(CoordinatePlane.ZX); break;
-            case NcMeaning.PlaneYZ: control.Plane(CoordinatePlane.YZ); break;
+            case NcMeaning.PlaneXY: switches.Plane(CoordinatePlane.XY); break;
+            case NcMeaning.PlaneZX: switches.Plane(CoordinatePlane.ZX); break;
+            case NcMeaning.PlaneYZ: switches.Plane(CoordinatePlane.YZ); break;
             case NcMeaning.Absolute: control.Distance(incremental: false); break;
             case NcMeaning.Incremental: control.Distance(incremental: true); break;
             case NcMeaning.AbsoluteCenters: control.State.AbsoluteCenters = true; break;
             case NcMeaning.IncrementalCenters: control.State.AbsoluteCenters = false; break;
-            case NcMeaning.CompensationOff: control.Compensate(MotionFlags.None); break;
-            case NcMeaning.CompensationLeft: control.Compensate(MotionFlags.CompensationLeft); break;
-            case NcMeaning.CompensationRight: control.Compensate(MotionFlags.CompensationRight); break;
+            case >= NcMeaning.CompensationOff and <= NcMeaning.CompensationRight
+                or >= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.CompensationOtherEntry:
+                switches.Apply(meaning);
+                break;
             case NcMeaning.InverseTimeFeed: control.State.InverseTime = true; break;
             case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: control.State.InverseTime = false; break;
             default:

@@ -58,7 +58,8 @@ internal sealed class BlockExecutor
         var offsets = new OffsetCodes(control, values, layers);
         _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
         _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
-        _codes = new(control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory);
+        _codes = new(control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory,
+            new(control, values, result));
 
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);

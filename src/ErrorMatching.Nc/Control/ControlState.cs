@@ -11,6 +11,9 @@ internal sealed class ControlState(NcDialect dialect)
     /// <summary>Modes and the tool's place: all that plain cuts depend on, so that two runs can be compared by it.</summary>
     public ModalState State = ModalState.Initial with { RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc };
 
+    /// <summary>Value of the D word in force; null if there was none, NaN if only the machine knows it.</summary>
+    public double? Offset { get; set; }
+
     /// <summary>Millimeters per programmed unit of length.</summary>
     public double Unit => State.Inch ? MmPerInch : 1;
 

@@ -11,6 +11,7 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     private readonly List<(int Block, int Joint)> _placeDependents = [];
     private readonly List<int> _toolChanges = [];
     private readonly List<(int Motions, int Block)> _poles = [];
+    private readonly List<CompensationSwitch> _switches = [];
 
     public NcMotions Motions { get; } = motions;
 
@@ -27,6 +28,9 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
 
     /// <summary>The joints with a tool change.</summary>
     public IReadOnlyList<int> ToolChanges => _toolChanges;
+
+    /// <summary>Words that concern cutter compensation, in execution order.</summary>
+    public IReadOnlyList<CompensationSwitch> CompensationSwitches => _switches;
 
     /// <summary>Reports what is wrong with the block, once, no matter how often it runs.</summary>
     /// <returns>The flag.</returns>
@@ -66,4 +70,7 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     public void StatePole() => _poles.Add((Motions.Length, Block));
 
     public void ChangeTool() => _toolChanges.Add(Motions.Length);
+
+    public void SwitchCompensation(NcMeaning meaning, string word, double? offset, double unit) =>
+        _switches.Add(new(Block, Motions.Length, meaning, word, offset, unit));
 }

@@ -13,6 +13,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> FunctionRoles = KebabNames.Of(typeof(FunctionRole));
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
+    private static readonly Dictionary<string, int> Starts = KebabNames.Of(typeof(CompensationStart));
+    private static readonly Dictionary<string, int> CornerNames = KebabNames.Of(typeof(CompensationCorner));
 
     // What only languages have, and all else that can be followed in one.
     private static readonly NcMeaning[] MeaningsOfLanguages =
@@ -75,6 +77,49 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
             case "commentLength": tables.CommentLength = (int)value.Number; break;
             case "turnsLetter": tables.TurnsLetter = LetterOf(value); break;
+            default: SetCompensation(tables.Compensation, name, value); break;
+        }
+    }
+
+    private void SetCompensation(CompensationRule rule, string name, JsonItem value)
+    {
+        switch (name)
+        {
+            case "compensationStart": rule.Start = (CompensationStart)Starts[value.Text]; break;
+            case "compensationStartExceedsRadius": rule.StartExceedsRadius = value.Flag; break;
+            case "compensationArcsExceedRadius": rule.ArcsExceedRadius = value.Flag; break;
+            case "compensationStartsOnArcs": rule.StartsOnArcs = value.Flag; break;
+            case "compensationWorksInYz": rule.WorksInYz = value.Flag; break;
+            case "compensationCorners": rule.OutsideCorners = (CompensationCorner)CornerNames[value.Text]; break;
+            case "compensationSharpCorners": rule.SharpCorners = (CompensationCorner)CornerNames[value.Text]; break;
+            case "compensationSharpDegrees": rule.SharpDegrees = value.Number; break;
+            case "compensationStraightDegrees": rule.StraightDegrees = value.Number; break;
+            case "compensationArcGrowthRadians": rule.ArcGrowthRadians = value.Number; break;
+            case "compensationStops": SetStops(rule, value); break;
+        }
+    }
+
+    private void SetStops(CompensationRule rule, JsonItem value)
+    {
+        rule.StopCodes.Clear();
+        rule.StopFunctions.Clear();
+        foreach (var word in value.Text.Split(' ', StringSplitOptions.RemoveEmptyEntries))
+        {
+            var (topic, stops) = word[0] == 'M' ? (DialectTopic.Function, rule.StopFunctions) : (DialectTopic.Code, rule.StopCodes);
+            var subjects = new List<SubjectRange>();
+            if (!SubjectRange.TryRead(word, topic, subjects, out var bad) || subjects.Exists(s => !s.HasNumbers))
+            {
+                Problems.Add(JsonRefusal.At(value, "bad-subject", $"\"{bad}\"", "G codes and M functions, with spaces between them"));
+                continue;
+            }
+
+            foreach (var subject in subjects)
+            {
+                for (var number = subject.First; number <= subject.Last; number += subject.Step)
+                {
+                    stops.Add(number);
+                }
+            }
         }
     }
 

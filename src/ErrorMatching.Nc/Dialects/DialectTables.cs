@@ -51,6 +51,8 @@ internal sealed class DialectTables
 
     public int CommentLength { get; set; }
 
+    public CompensationRule Compensation { get; } = new();
+
     public NcMeaning[] MeaningOf { get; } = new NcMeaning[Codes];
 
     public int[] FamilyOf { get; } = new int[Codes];

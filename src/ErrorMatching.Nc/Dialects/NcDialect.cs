@@ -50,6 +50,9 @@ public sealed class NcDialect
     /// <summary>State of the block skip switches.</summary>
     public BlockSkip BlockSkip { get; private init; }
 
+    /// <summary>The radii that the control uses for cutter compensation, as far as somebody stated them.</summary>
+    public ToolRadii ToolRadii { get; private init; } = ToolRadii.None;
+
     /// <summary>Decimals of the least increment in millimeters.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
 
@@ -91,6 +94,9 @@ public sealed class NcDialect
     /// <summary>Most characters of a comment, with what encloses it.</summary>
     public int CommentLength => _tables.CommentLength;
 
+    /// <summary>How the control leads the tool's center under cutter compensation.</summary>
+    internal CompensationRule Compensation => _tables.Compensation;
+
     /// <summary>All statements of the dialect about its control, each with its source, in the order of a manual: settings, codes,
     /// letters, functions, flow, programs, notes.</summary>
     /// <remarks>If it restates something from a dialect that it continues, only its own statement is listed. Created on first
@@ -107,7 +113,15 @@ public sealed class NcDialect
     /// <param name="blockSkip">The state; unstated keeps the dialect's own.</param>
     public NcDialect With(BlockSkip blockSkip) => blockSkip == BlockSkip || blockSkip == BlockSkip.Unstated
         ? this
-        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip };
+        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip, ToolRadii = ToolRadii };
+
+    /// <summary>The same control with these radii of its tools.</summary>
+    /// <param name="radii">The radii.</param>
+    public NcDialect With(ToolRadii radii) => new(Name, Description, _tables, Files, () => Facts)
+    {
+        BlockSkip = BlockSkip,
+        ToolRadii = radii,
+    };
 
     /// <summary>Meaning of a G code.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>

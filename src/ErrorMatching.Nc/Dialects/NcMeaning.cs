@@ -278,6 +278,7 @@ public enum NcMeaning : byte
 
     /// <summary>Sets it from the pole before (G112).</summary>
     PoleFromPole,
+
     /// <summary>The straight motion of its block is a rapid (FMAX).</summary>
     RapidInBlock,
 
@@ -327,4 +328,23 @@ public enum NcMeaning : byte
 
     /// <summary>Refused: an element of a contour that only the control computes (FL, FC).</summary>
     ComputedContour,
+
+    /// <summary>Cutter compensation left of the path; D is the diameter of the tool (G41.1).</summary>
+    CompensationLeftByDiameter,
+
+    /// <summary>Cutter compensation right of the path; D is the diameter of the tool (G42.1).</summary>
+    CompensationRightByDiameter,
+
+    /// <summary>Outside corners under cutter compensation are rounded by an arc (G450).</summary>
+    CompensationRoundCorners,
+
+    /// <summary>Outside corners under cutter compensation go on to the intersection (G451).</summary>
+    CompensationSharpCorners,
+
+    /// <summary>Cutter compensation begins and ends at right angles to the contour (NORM).</summary>
+    CompensationNormalEntry,
+
+    /// <summary>Cutter compensation begins and ends around the contour's first and last point, in a way that is not followed
+    /// (KONT).</summary>
+    CompensationOtherEntry,
 }

@@ -108,6 +108,9 @@ public sealed class NcPath
         return low == 0 ? -1 : Poles[low - 1].Block;
     }
 
+    /// <summary>Words that concern cutter compensation, in execution order.</summary>
+    internal IReadOnlyList<CompensationSwitch> CompensationSwitches { get; init; } = [];
+
     /// <summary>True if the tool was changed at one of the joints.</summary>
     internal bool ChangesTool(int firstJoint, int lastJoint)
     {

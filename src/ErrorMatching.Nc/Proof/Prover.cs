@@ -28,6 +28,10 @@ public sealed class Prover
         {
             _findings.Add(refusal);
         }
+        else
+        {
+            CompensationCheck.Run(_task, _findings);
+        }
 
         if (_findings.Failures.Count == 0 && DifferentMotions(markerBlock) is { } different)
         {

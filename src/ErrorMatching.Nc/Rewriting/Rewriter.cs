@@ -29,8 +29,34 @@ public static class Rewriter
             return change.Refusal;
         }
 
-        return (JointObstacles.Of(change.Result) ?? CompensationEntry.Of(change.Result)) is { } obstacle
-            ? obstacle
-            : WordEditor.Run(change.Result, keepRadii: wish.Elements.Count == 0);
+        return JointObstacles.Of(change.Result) is { } obstacle ? obstacle
+            : CompensatedPath.Concerns(path) ? Compensated(path, change.Result, wish)
+            : CompensationEntry.Of(change.Result) is { } entry ? entry
+            : Edit(change.Result, wish);
     }
+
+    // Under cutter compensation the control must still be able to cut the result. Where its path is not followed, the ways in and out are
+    // checked by themselves.
+    private static Outcome<Rewrite> Compensated(NcPath path, PathChange change, DisplacementWish wish)
+    {
+        var before = CompensatedPath.Check(path);
+        if (before is not null && CompensatedPath.Stops(before))
+        {
+            return before;
+        }
+
+        if ((before is not null || !path.Dialect.Compensation.StartExceedsRadius) && CompensationEntry.Of(change) is { } entry)
+        {
+            return entry;
+        }
+
+        var rewrite = Edit(change, wish);
+        return before is null && rewrite.IsUsable
+            && CompensatedPath.Check(NcInterpreter.Run(rewrite.Result.Program, path), "displaced as asked, ") is { } after
+            ? after
+            : rewrite;
+    }
+
+    private static Outcome<Rewrite> Edit(PathChange change, DisplacementWish wish) =>
+        WordEditor.Run(change, keepRadii: wish.Elements.Count == 0);
 }

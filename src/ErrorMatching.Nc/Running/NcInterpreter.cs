@@ -144,6 +144,7 @@ public sealed class NcInterpreter
             ToolChanges = _result.ToolChanges,
             CalledPrograms = _run.CalledPrograms,
             Poles = _result.Poles,
+            CompensationSwitches = _result.CompensationSwitches,
         };
     }
 

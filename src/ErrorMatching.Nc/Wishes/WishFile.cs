@@ -34,6 +34,9 @@ public sealed class WishFile
     /// it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
+    /// <summary>The tools' radii for cutter compensation in both programs, as far as they were stated.</summary>
+    public ToolRadii ToolRadii { get; init; } = ToolRadii.None;
+
     /// <summary>SHA-256 of the wish's original program, and of the programs that it calls (<see cref="NcPath.Sha256"/>).</summary>
     public string BeforeSha256 { get; }
 
@@ -67,6 +70,7 @@ public sealed class WishFile
         return new(before.Dialect.Name, before.Sha256, leastIncrementMm, marker, wish, named)
         {
             BlockSkip = before.Dialect.BlockSkip,
+            ToolRadii = CompensatedPath.Concerns(before) ? before.Dialect.ToolRadii : ToolRadii.None,
         };
     }
 

@@ -32,7 +32,19 @@ internal static class WishReader
         return new(root["dialect"].Text, root["beforeSha256"].Text, root["leastIncrementMm"].Number, marker, wish, motions)
         {
             BlockSkip = BlockSkips.Of(root.Find("blockSkip")?.Text),
+            ToolRadii = Radii(root),
         };
+    }
+
+    private static ToolRadii Radii(JsonItem root)
+    {
+        var radii = new Dictionary<int, double>();
+        foreach (var tool in root.Find("toolRadii")?.Items ?? [])
+        {
+            radii[(int)tool["number"].Number] = tool["radiusMm"].Number;
+        }
+
+        return ToolRadii.OfTable(radii, root.Find("toolRadiusMm")?.Number);
     }
 
     /// <summary>Checks a wish against its program.</summary>

@@ -50,6 +50,7 @@ internal sealed class WishWriter : IDisposable
             _json.WriteString("blockSkip", blockSkip);
         }
 
+        WriteRadii(file.ToolRadii);
         _json.WriteString("beforeSha256", file.BeforeSha256);
         _json.WriteNumber("leastIncrementMm", file.LeastIncrementMm);
         _json.WriteString("marker", file.Marker);
@@ -67,6 +68,28 @@ internal sealed class WishWriter : IDisposable
         }
 
         _json.WriteEndObject();
+    }
+
+    private void WriteRadii(ToolRadii radii)
+    {
+        if (radii.Otherwise is { } radius)
+        {
+            _json.WriteNumber("toolRadiusMm", radius);
+        }
+
+        if (radii.ByNumber.Count > 0)
+        {
+            _json.WriteStartArray("toolRadii");
+            foreach (var (number, mm) in radii.ByNumber.OrderBy(r => r.Key))
+            {
+                _json.WriteStartObject();
+                _json.WriteNumber("number", number);
+                _json.WriteNumber("radiusMm", mm);
+                _json.WriteEndObject();
+            }
+
+            _json.WriteEndArray();
+        }
     }
 
     private void WriteMotions(string name, WishFile file, ReadOnlySpan<byte> indent)

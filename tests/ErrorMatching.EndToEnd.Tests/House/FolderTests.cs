@@ -20,7 +20,7 @@ public sealed partial class FolderTests
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "LotReports", "Writing"],
         ["Nc"] =
         [
-            "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Wishes", "Rewriting", "Proof",
+            "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Compensation", "Wishes", "Rewriting", "Proof",
             "Certificates", "Comparison",
         ],
         ["Mating"] =

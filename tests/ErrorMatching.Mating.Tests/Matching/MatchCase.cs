@@ -7,7 +7,7 @@ namespace ErrorMatching.Mating.Tests;
 
 /// <summary>
 /// A match in text: a job with one line unless it says otherwise, points as <c>label x y[ z]; ...</c>, and a program.
-/// Tool diameter 6 mm, no tolerance, a gauge without error.
+/// Tool diameter 6 mm, under cutter compensation one that fits into each notch of these tests; no tolerance, a gauge without error.
 /// </summary>
 internal sealed record MatchCase(string Program)
 {
@@ -19,7 +19,8 @@ internal sealed record MatchCase(string Program)
 
     public string[] Features { get; init; } = [Line("L1", "N50", "1", "2")];
 
-    public double ToolDiameterMm { get; init; } = 6;
+    public double ToolDiameterMm { get; init; } =
+        Program.Contains("G41", StringComparison.Ordinal) || Program.Contains("G42", StringComparison.Ordinal) ? 2 : 6;
 
     public string Frame { get; init; } = "{}";
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -13,9 +14,14 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
 
     public override string Schema => "errormatch/nc-check/1";
 
-    public override Failure? Failure => (path.Refusal ?? (isStrict ? _understanding.Refusal : null)) is { } refusal
+    private readonly Refusal? _compensation = CompensatedPath.Check(path);
+
+    public override Failure? Failure => (path.Refusal ?? Stop ?? (isStrict ? _understanding.Refusal : null)) is { } refusal
         ? FailureOf.Refused(file, refusal)
         : null;
+
+    // Where nobody stated the tool, only a note says what the control would do.
+    private Refusal? Stop => _compensation is { } stop && CompensatedPath.Stops(stop) && path.Dialect.ToolRadii.AreStated ? stop : null;
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -41,6 +47,7 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
         }
 
         json.WriteEndArray();
+        WriteCompensation(json);
         ShownNotes.Write(json, (file, path));
         if (Failure is { } failure)
         {
@@ -102,6 +109,13 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
         }
 
         Note(compensated, "run under cutter compensation (G41, G42), which is not applied: the path is as programmed");
+        if (compensated > 0)
+        {
+            notes.Add(_compensation is { } refusal
+                ? $"The path of the tool's center: {refusal.Message}"
+                : "The control can lead the tool's center along this contour; nc motion --compensated prints its path.");
+        }
+
         Note(cycles, "belong to cycles that are not followed: only their positions are known");
         Note(references, "go to a position of the machine, which the program does not say");
         Note(unknown, "end where at least one coordinate is not said by the program");
@@ -120,6 +134,22 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
                 notes.Add($"{Count(count)} of {Count(path.Motions.Length)} motions {what}.");
             }
         }
+    }
+
+    // What the control makes of the contour under G41 and G42.
+    private void WriteCompensation(Utf8JsonWriter json)
+    {
+        if (!CompensatedPath.Concerns(path))
+        {
+            return;
+        }
+
+        json.WriteStartObject("compensation");
+        json.WriteBoolean("followed", _compensation is null);
+        json.WriteBoolean("stops", _compensation is { } refusal && CompensatedPath.Stops(refusal));
+        json.WriteString("code", _compensation?.Code);
+        json.WriteString("message", _compensation?.Message);
+        json.WriteEndObject();
     }
 
     private void WriteProblems(Utf8JsonWriter json, string name, IEnumerable<NcProblem> problems)

@@ -35,8 +35,8 @@ internal sealed class NcDiff : Verb
             arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(before, dialect, blockSkip, libraries, cancellation);
-        var now = NcVerb.Interpret(after, dialect, blockSkip, libraries, cancellation);
+        var was = NcVerb.Interpret(before, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
+        var now = NcVerb.Interpret(after, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -47,7 +47,7 @@ internal sealed class NcProve : Verb
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, libraries, cancellation);
+        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -63,7 +63,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, libraries, cancellation);
+        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         if (!proof.Holds)

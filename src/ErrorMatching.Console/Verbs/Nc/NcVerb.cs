@@ -12,6 +12,7 @@ internal abstract class NcVerb : Verb
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
     private readonly Option<string[]> _libraries = LibraryOption();
+    private readonly ToolRadiiOption _radii = new();
 
     protected NcVerb(string name, string description, string example)
         : base(name, description, example)
@@ -20,6 +21,10 @@ internal abstract class NcVerb : Verb
         Options.Add(_dialect);
         Options.Add(_blockSkip);
         Options.Add(_libraries);
+        Options.Add(_radii.One);
+        Options.Add(_radii.Several);
+        Demand(_radii.One, ToolRadiiOption.IsRadius, "a radius in mm such as 3 or 4.975");
+        Demand(_radii.Several, ToolRadiiOption.AreRadii, "numbers with a radius in mm each, such as D1=3,D2=4.975");
     }
 
     /// <summary>The option that names a control.</summary>
@@ -56,11 +61,11 @@ internal abstract class NcVerb : Verb
     /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(
-        string file, string dialect, BlockSkip blockSkip, string[]? libraries, CancellationToken cancellation)
+        string file, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
     {
         // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
         var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
-        var known = InputFile.Dialect(dialect).With(blockSkip);
+        var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
         return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
     }
 
@@ -71,6 +76,7 @@ internal abstract class NcVerb : Verb
             file,
             arguments.GetRequiredValue(_dialect),
             BlockSkips.Of(arguments.GetValue(_blockSkip)),
+            _radii.Of(arguments),
             arguments.GetValue(_libraries),
             cancellation);
         cancellation.ThrowIfCancellationRequested();

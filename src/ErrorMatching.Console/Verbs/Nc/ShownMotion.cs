@@ -17,10 +17,19 @@ internal sealed class ShownMotion
 
     /// <summary>A motion of a program.</summary>
     public ShownMotion(NcPath path, int index)
+        : this(path, index, path.Motions[index], path.Motions.AssumedEnd(index))
     {
-        _motion = path.Motions[index];
-        End = path.Motions.AssumedEnd(index);
-        Index = index;
+    }
+
+    /// <summary>A motion of the tool's center.</summary>
+    public ShownMotion(CompensatedPath center, int index)
+        : this(center.Path, index, Of(center, center.Motions[index]), Assumed(center, center.Motions[index]))
+    {
+    }
+
+    private ShownMotion(NcPath path, int index, in NcMotion motion, Point3 end)
+    {
+        (Index, _motion, End) = (index, motion, end);
         Block = path.Program.NumberOf(path.Program[_motion.Block]);
         _center = _motion.IsArc ? _motion.Plane.Lift(_motion.Center, _motion.Plane.Height(_motion.Start)) : null;
     }
@@ -104,6 +113,26 @@ internal sealed class ShownMotion
         }
 
         json.WriteEndArray();
+    }
+
+    private static NcMotion Of(CompensatedPath center, in CompensatedMotion motion) => center.Path.Motions[motion.Motion] with
+    {
+        Kind = motion.Kind,
+        Start = motion.Start,
+        End = motion.End,
+        Center = motion.Center,
+        Turns = motion.Turns,
+        UnknownEnd = motion.UnknownEnd,
+    };
+
+    // Coordinates that the program does not determine are those of the programmed motion.
+    private static Point3 Assumed(CompensatedPath center, in CompensatedMotion motion)
+    {
+        var assumed = center.Path.Motions.AssumedEnd(motion.Motion);
+        return new(
+            (motion.UnknownEnd & AxisSet.X) != AxisSet.None ? assumed.X : motion.End.X,
+            (motion.UnknownEnd & AxisSet.Y) != AxisSet.None ? assumed.Y : motion.End.Y,
+            (motion.UnknownEnd & AxisSet.Z) != AxisSet.None ? assumed.Z : motion.End.Z);
     }
 
     // Adding zero turns -0 into 0.
