@@ -22,7 +22,8 @@ public sealed class DeclaredRoleTests
     private static readonly string[] OfLanguages =
     [
         "rapid-in-block", "arc-by-radius", "arc-about-pole", "polar-arc", "polar-line", "polar-tangent-arc", "arc-sense", "set-pole",
-        "corner-rounding", "corner-chamfer", "datum-shift", "unknown-origin", "tool-axis-retract", "approach", "departure", "computed-contour",
+        "corner-rounding", "corner-chamfer", "datum-shift", "unknown-origin", "tool-axis-retract", "approach", "departure",
+        "computed-contour",
     ];
 
     // Not every family has a code for these states: G556 and the codes behind it.

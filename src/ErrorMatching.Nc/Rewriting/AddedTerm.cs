@@ -2,8 +2,8 @@ using System.Text;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Adds a constant to a value that the control computes: <c>[#1+5.]</c> becomes <c>[#1+5.+0.1]</c>. The expression itself stays as it
-/// is, so its value changes by the constant, whatever its variables are.</summary>
+/// <summary>Adds a constant to a value that the control computes: <c>[#1+5.]</c> becomes <c>[#1+5.+0.1]</c>. The expression itself stays as
+/// it is, so its value changes by the constant, whatever its variables are.</summary>
 internal static class AddedTerm
 {
     private static readonly NumberStyle _style = new(Plus: true, Point: true, LeadingZero: true, FixedDecimals: -1, WholeDigits: 1);
