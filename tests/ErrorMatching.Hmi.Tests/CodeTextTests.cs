@@ -20,6 +20,7 @@ public sealed partial class CodeTextTests
     private static readonly string[] NoCodes =
     [
         "probing-log", "errormatch-machine", "errormatch-cell", "along-axis", "conditional-stop", "delta-nc300", "siemens-840d",
+        "heidenhain-klartext",
         "fanuc-p98xx",
         "answers-again", "held-again", "no-answer",
     ];
