@@ -230,7 +230,10 @@ public sealed class NcTests
         using var shop = new Workshop();
         var dialects = (await shop.Run("nc dialects --json")).Json.GetProperty("dialects").EnumerateArray().ToArray();
         Assert.Equal(
-            ["generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl"],
+            [
+                "generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl",
+                "heidenhain-klartext",
+            ],
             dialects.Select(d => d.GetProperty("name").GetString()));
         Assert.All(
             dialects.SelectMany(d => d.GetProperty("facts").EnumerateArray()),
