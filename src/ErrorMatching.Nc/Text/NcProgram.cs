@@ -178,6 +178,14 @@ public sealed class NcProgram
     /// <summary>Finds the N word of a block: its first word, after block skip and comments.</summary>
     public bool TryNumber(NcBlock block, out NcToken token)
     {
+        // A block that begins with the letter of another word has none; most blocks of programs without numbers do.
+        var bytes = BytesOf(block);
+        if (bytes.Length > 0 && SyntaxBytes.IsLetter(bytes[0]) && (bytes[0] | 0x20) != 'n')
+        {
+            token = default;
+            return false;
+        }
+
         foreach (var candidate in Tokens(block))
         {
             if (candidate.Kind is NcTokenKind.Space or NcTokenKind.BlockSkip or NcTokenKind.Comment)

@@ -47,9 +47,6 @@ internal sealed class NcMotionAnswer(string file, NcPath path) : DocumentAnswer
     public override void WriteText(Page page)
     {
         page.Line(string.Join(',', ShownMotion.Fields));
-        for (var i = 0; i < path.Motions.Length; i++)
-        {
-            page.Line(string.Join(',', new ShownMotion(path, i).Cells()));
-        }
+        new MotionLines(path).WriteTo(page);
     }
 }

@@ -75,7 +75,7 @@ internal sealed class ShownMotion
     /// <summary>A number without an exponent, rounded to remove binary noise.</summary>
     public static string Text(double? value) => value is { } v ? Clean(v).ToString("0.#########", CultureInfo.InvariantCulture) : "";
 
-    /// <summary>The values of the fields as texts.</summary>
+    /// <summary>The values of the fields as texts, as <see cref="MotionLines"/> prints them.</summary>
     public IReadOnlyList<string> Cells() =>
     [
         Index.ToString(CultureInfo.InvariantCulture), Line.ToString(CultureInfo.InvariantCulture), Block, Kind,
