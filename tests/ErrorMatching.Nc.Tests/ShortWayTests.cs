@@ -27,6 +27,8 @@ public sealed class ShortWayTests
                 "N10 X{0} Y{1} Z-.5",
                 "Y{1} F200.",
                 "G0 X{0}",
+                "X{0} A{1} C1.",
+                "B{1}",
                 "Z{1}",
                 "G91 X{0}",
                 "G90",
@@ -51,6 +53,32 @@ public sealed class ShortWayTests
                 && shortWay.PlaceDependents.SequenceEqual(longWay.PlaceDependents)
                 && shortWay.Refusal == longWay.Refusal;
         }));
+
+    [Fact]
+    public void A_census_counts_plain_blocks_as_it_counts_their_tokens() =>
+        Check.One(
+            Config.QuickThrowOnFailure.WithMaxTest(5000).WithEndSize(40),
+            Prop.ForAll(Programs.Zip(Gen.Choose(0, NcDialects.Names.Count - 1)).ToArbitrary(), p =>
+        {
+            var program = NcProgram.FromText(string.Join('\n', p.Item1), NcDialects.All[p.Item2].Syntax);
+            var words = 0;
+            for (var block = 0; block < program.BlockCount; block++)
+            {
+                foreach (var token in program.Tokens(program[block]))
+                {
+                    words += token.Kind is NcTokenKind.Word or NcTokenKind.ExpressionWord or NcTokenKind.Keyword ? 1 : 0;
+                }
+            }
+
+            return NcCensus.Of(program) == new NcCensus(program.BlockCount, words, true);
+        }));
+
+    [Fact]
+    public void A_long_program_is_counted_in_two_halves()
+    {
+        var text = string.Concat(Enumerable.Repeat("N1 X1.5 Y2\r\nX3 (c)\n\n", 10_001));
+        Assert.Equal(new NcCensus(30_003, 40_004, true), NcCensus.Of(NcProgram.FromText(text)));
+    }
 
     [Fact]
     public void A_straight_move_that_starts_elsewhere_says_so_on_the_short_way()

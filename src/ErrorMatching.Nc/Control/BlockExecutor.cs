@@ -33,6 +33,7 @@ internal sealed class BlockExecutor
     private readonly PoleCodes _pole;
     private readonly ToolLengthCodes _lengths;
     private readonly uint _straightLetters;
+    private readonly uint _axes;
     private readonly uint _cutLetters;
 
     public BlockExecutor(ControlState control, ProgramRun run, RunResult result)
@@ -68,7 +69,9 @@ internal sealed class BlockExecutor
         Integers = new(run.Program, values);
         _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls), Switches);
 
-        _straightLetters = StraightLetters & ~(values.OtherAxes | values.UnknownLetters);
+        // A rotary axis that moves along only marks the motion: its place is not followed.
+        _straightLetters = (StraightLetters | values.OtherAxes) & ~values.UnknownLetters;
+        _axes = BlockWords.LinearAxes | values.OtherAxes;
         _cutLetters = _straightLetters | (CutLetters & ~(values.OtherAxes | values.UnknownLetters));
         run.Returned = _memory.Return;
     }
@@ -150,7 +153,7 @@ internal sealed class BlockExecutor
             state.Feed = _words.Value('F') * (state.InchFeed && !state.InverseTime ? ControlState.MmPerInch : 1);
         }
 
-        if ((_words.Present & BlockWords.LinearAxes) != 0)
+        if ((_words.Present & _axes) != 0)
         {
             if (Integers.Matter && (_words.Integers & BlockWords.LinearAxes) != 0)
             {
@@ -159,8 +162,9 @@ internal sealed class BlockExecutor
 
             var given = _words.Present & BlockWords.LinearAxes;
             var incremental = state.Incremental ? given : 0;
-            _writer.AppendStraight(_values.End(state.Position, given, incremental),
-                state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
+            var flags = (_words.Present & _values.OtherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None;
+            _writer.AppendStraight(
+                flags, _values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
         }
 
         return true;

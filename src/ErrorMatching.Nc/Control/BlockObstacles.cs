@@ -15,7 +15,7 @@ internal sealed class BlockObstacles(
     public MotionFlags Read()
     {
         var flags = MotionFlags.None;
-        if (values.Words.Statements.Count > 0)
+        if (values.Words.Statements.Length > 0)
         {
             flags |= statements.Read();
         }

@@ -8,9 +8,6 @@ internal sealed partial class BlockWords
 {
     private static readonly System.Buffers.SearchValues<byte> ZeroBytes = System.Buffers.SearchValues.Create("+-0. \t"u8);
 
-    /// <summary>Number of digits that a double holds exactly.</summary>
-    private const int ExactDigits = 15;
-
     private static ReadOnlySpan<double> Powers => [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
     /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
@@ -23,7 +20,7 @@ internal sealed partial class BlockWords
     /// <summary>Reads letters with numbers, and spaces between them. False for anything else.</summary>
     private bool ReadPlain(ReadOnlySpan<byte> text, bool spacesInNumbers)
     {
-        var at = 0;
+        var (at, words) = (0, 0);
         var (present, repeated, integers) = (0u, 0u, 0u);
         while (true)
         {
@@ -34,11 +31,16 @@ internal sealed partial class BlockWords
 
             if ((uint)at >= (uint)text.Length)
             {
-                (Present, Repeated, Integers) = (present, repeated, integers);
+                (Present, Repeated, Integers, Count) = (present, repeated, integers, words);
                 return true;
             }
 
             var letter = (text[at++] | 0x20) - 'a';
+            while ((uint)at < (uint)text.Length && text[at] == ' ')
+            {
+                at++;
+            }
+
             if ((uint)letter >= 26 || (uint)at >= (uint)text.Length)
             {
                 return false;
@@ -69,11 +71,12 @@ internal sealed partial class BlockWords
                 count += decimals;
             }
 
-            if ((uint)(count - 1) >= ExactDigits || (spacesInNumbers && at < text.Length && text[at] == ' ' && GoesOn(text[at..])))
+            if ((uint)(count - 1) >= NcNumber.ExactDigits || (spacesInNumbers && at < text.Length && text[at] == ' ' && GoesOn(text[at..])))
             {
                 return false;
             }
 
+            words++;
             digits = negative ? -digits : digits;
             switch (letter)
             {
@@ -107,6 +110,7 @@ internal sealed partial class BlockWords
     public void ReadTokens(ReadOnlySpan<byte> bytes, int start, int end, NcSyntax syntax, Func<NcToken, double?> compute)
     {
         Clear();
+        _arePlain = false;
         foreach (var token in new NcTokenizer(bytes, start, end, syntax))
         {
             switch (token.Kind)
@@ -140,7 +144,7 @@ internal sealed partial class BlockWords
                     PolarAngleGrows = token.Distance == WordDistance.Incremental;
                     break;
                 case NcTokenKind.Keyword or NcTokenKind.Assignment or NcTokenKind.Expression:
-                    _statements.Add(token);
+                    AddStatement(token);
                     break;
                 case NcTokenKind.Comment when bytes[token.Start] == ';':
                     Semicolon = token;

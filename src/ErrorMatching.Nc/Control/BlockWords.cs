@@ -15,9 +15,16 @@ internal sealed partial class BlockWords
     private readonly double[] _values = new double[32];
     private readonly int[] _codes = new int[16];
     private readonly int[] _functions = new int[16];
-    private readonly List<NcToken> _statements = [];
+    private NcToken[] _statements = new NcToken[4];
+    private int _statementCount;
     private int _codeCount;
     private int _functionCount;
+
+    // True while only what plain words have was set, so that the rest need not be cleared.
+    private bool _arePlain = true;
+
+    /// <summary>Number of words of a block of plain words.</summary>
+    public int Count { get; private set; }
 
     /// <summary>Letters with a known value, one bit each; bit 0 is A. The addresses of <see cref="NcAddress"/> follow Z.</summary>
     public uint Present { get; private set; }
@@ -82,7 +89,7 @@ internal sealed partial class BlockWords
     public bool IsPolar => PolarDistance is not null || PolarAngle is not null;
 
     /// <summary>Assignments, words of several letters, strings and separate expressions, in order.</summary>
-    public IReadOnlyList<NcToken> Statements => _statements;
+    public ReadOnlySpan<NcToken> Statements => _statements.AsSpan(0, _statementCount);
 
     /// <summary>The first bytes that no rule explains; of length 0 if there are none.</summary>
     public NcToken Invalid { get; private set; }
@@ -118,11 +125,15 @@ internal sealed partial class BlockWords
 
     private void Clear()
     {
-        (Present, Computed, Unknown, Repeated, Integers, Absolute, Incremental) = (0, 0, 0, 0, 0, 0, 0);
-        (_codeCount, _functionCount, Corner, CornerValue, Invalid, Semicolon) = (0, 0, 0, 0, default, default);
-        (PlaneAngle, PolarDistance, PolarAngle, PolarDistanceGrows, PolarAngleGrows) = (null, null, null, false, false);
-        (PoleRadius, PoleAngle, LineAngle) = (null, null, null);
-        _statements.Clear();
+        (Present, Repeated, Integers, _codeCount, _functionCount) = (0, 0, 0, 0, 0);
+        if (!_arePlain)
+        {
+            (Computed, Unknown, Absolute, Incremental) = (0, 0, 0, 0);
+            (Corner, CornerValue, Invalid, Semicolon) = (0, 0, default, default);
+            (PlaneAngle, PolarDistance, PolarAngle, PolarDistanceGrows, PolarAngleGrows) = (null, null, null, false, false);
+            (PoleRadius, PoleAngle, LineAngle) = (null, null, null);
+            (_statementCount, _arePlain) = (0, true);
+        }
     }
 
     // G codes have at most one decimal; more decimals are not a code.
@@ -151,6 +162,16 @@ internal sealed partial class BlockWords
         var isFunction = _functionCount < _functions.Length && decimals == 0 && digits is >= 0 and < int.MaxValue;
         _functionCount = Math.Min(_functionCount + 1, _functions.Length);
         _functions[_functionCount - 1] = isFunction ? (int)digits : -1;
+    }
+
+    private void AddStatement(in NcToken token)
+    {
+        if (_statementCount == _statements.Length)
+        {
+            Array.Resize(ref _statements, 2 * _statementCount);
+        }
+
+        _statements[_statementCount++] = token;
     }
 
     private void AddNumber(int letter, double value, bool isInteger)

@@ -96,7 +96,7 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     // A stop, a wait, coolant, spindle: the path and the tool are the same whether the block runs or not.
     private bool ChangesNothing()
     {
-        if (values.Words.Statements.Count > 0 || values.Words.Invalid.Length > 0 || values.Words.Semicolon.Length > 0
+        if (values.Words.Statements.Length > 0 || values.Words.Invalid.Length > 0 || values.Words.Semicolon.Length > 0
             || values.Words.Computed != 0 || values.Words.IsPolar || values.Words.HasPolarEnd || values.Words.Corner != 0)
         {
             return false;

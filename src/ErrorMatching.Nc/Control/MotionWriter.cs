@@ -21,10 +21,10 @@ internal sealed class MotionWriter(ControlState control, CoordinateLayers layers
 
     /// <summary>Moves it on straight, for programmed coordinates that equal work coordinates and without a corner.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AppendStraight(Point3 end, AxisSet unknownEnd)
+    public void AppendStraight(MotionFlags flags, Point3 end, AxisSet unknownEnd)
     {
         ref var state = ref control.State;
-        result.Motions.AddStraight(result.Block, state, state.Flags, end, unknownEnd);
+        result.Motions.AddStraight(result.Block, state, flags | state.Flags, end, unknownEnd);
         state.Position = end;
         state.Unknown = unknownEnd;
     }

@@ -11,6 +11,9 @@ public readonly record struct NcNumber(long Digits, int Decimals)
     /// <summary>Maximum number of digits that is represented exactly.</summary>
     public const int MaxDigits = 18;
 
+    /// <summary>Number of digits that a double holds exactly.</summary>
+    internal const int ExactDigits = 15;
+
     private static readonly long[] Powers = MakePowers();
 
     /// <summary>The nearest double: the correctly rounded decimal for up to 15 digits.</summary>

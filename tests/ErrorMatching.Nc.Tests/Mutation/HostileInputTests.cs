@@ -55,13 +55,30 @@ public sealed class HostileInputTests
         foreach (var dialect in NcDialects.All)
         {
             var program = NcProgram.Read(bytes, dialect.Syntax);
-            Assert.True(NcCensus.Of(program).RoundTrips, $"{dialect.Name}: the tokens are not the program.");
+            Assert.True(Copied(program).AsSpan().SequenceEqual(bytes), $"{dialect.Name}: the tokens are not the program.");
+            Assert.True(NcCensus.Of(program).RoundTrips, $"{dialect.Name}: the census says that they are not.");
             var path = Within(bytes.Length, $"{dialect.Name}: reading", () => NcInterpreter.Run(program, dialect));
             if (program.BlockCount > 0)
             {
                 Displace(path, draw);
             }
         }
+    }
+
+    private static byte[] Copied(NcProgram program)
+    {
+        var copy = new List<byte>();
+        for (var i = 0; i < program.BlockCount; i++)
+        {
+            foreach (var token in program.Tokens(program[i]))
+            {
+                copy.AddRange(program.Bytes.Span.Slice(token.Start, token.Length));
+            }
+
+            copy.AddRange(program.Bytes.Span[program[i].End..(program[i].Start + program[i].FullLength)]);
+        }
+
+        return [.. copy];
     }
 
     private static void Displace(NcPath path, Mutator draw)
