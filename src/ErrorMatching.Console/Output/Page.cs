@@ -55,7 +55,12 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     /// <summary>Writes names and their values in two columns.</summary>
     public void Facts(IReadOnlyList<(string Name, string Value)> facts)
     {
-        var width = facts.Max(f => f.Name.Length);
+        var width = 0;
+        foreach (var (name, _) in facts)
+        {
+            width = Math.Max(width, name.Length);
+        }
+
         foreach (var (name, value) in facts)
         {
             Line(name.PadRight(width) + "  " + PrintedText.OneLine(value));

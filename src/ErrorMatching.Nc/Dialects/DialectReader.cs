@@ -253,11 +253,13 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
             _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
         };
-        var names = Roles.Where(r => Array.IndexOf(fitting, (LetterRole)r.Value) >= 0).Select(r => r.Key);
         return role == LetterRole.Unknown || Array.IndexOf(fitting, role) >= 0
             ? null
-            : $"{string.Join(" or ", names)}, or unknown: the letter can have no other role";
+            : $"{string.Join(" or ", NamesOf(fitting))}, or unknown: the letter can have no other role";
     }
+
+    private static IEnumerable<string> NamesOf(LetterRole[] roles) =>
+        Roles.Where(r => Array.IndexOf(roles, (LetterRole)r.Value) >= 0).Select(r => r.Key);
 
     private void Code(SubjectRange subject, NcMeaning meaning, int family, bool lengthsOnly)
     {

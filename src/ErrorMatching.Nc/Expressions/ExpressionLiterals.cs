@@ -8,6 +8,11 @@ internal static class ExpressionLiterals
     /// <summary>Reads a number without sign.</summary>
     public static NcValue Number(ref ExpressionText text, NcSyntax syntax)
     {
+        if (TryShort(ref text, syntax, out var exact))
+        {
+            return NcValue.Of(exact);
+        }
+
         Span<byte> digits = stackalloc byte[64];
         var (start, length, points) = (text.At, 0, 0);
         for (; SyntaxBytes.IsDigit(text.Peek()) || text.Peek() == '.' || (syntax == NcSyntax.LinuxCnc && SpaceInNumber(text)); text.At++)
@@ -40,6 +45,32 @@ internal static class ExpressionLiterals
         return Utf8Parser.TryParse(digits[..length], out double value, out var read) && read == length && double.IsFinite(value)
             ? NcValue.Of(value)
             : text.FailAt(start, "this is no number");
+    }
+
+    // Digits with at most one point, up to what a double holds exactly, and nothing behind that could belong to the number: one division,
+    // which rounds once as parsing does.
+    private static bool TryShort(ref ExpressionText text, NcSyntax syntax, out double value)
+    {
+        var rest = text.Rest;
+        var (at, digits, count, point) = (0, 0L, 0, -1);
+        for (; at < rest.Length && (SyntaxBytes.IsDigit(rest[at]) || (rest[at] == '.' && point < 0)); at++)
+        {
+            if (rest[at] == '.')
+            {
+                point = count;
+            }
+            else if (++count <= NcNumber.ExactDigits)
+            {
+                digits = (10 * digits) + (rest[at] - '0');
+            }
+        }
+
+        var isShort = count is > 0 and <= NcNumber.ExactDigits
+            && (at == rest.Length || rest[at] is (byte)']' or (byte)'*' or (byte)'/' or (byte)'+' or (byte)'-'
+                || (syntax != NcSyntax.Siemens && SyntaxBytes.IsLetter(rest[at])));
+        value = isShort ? new NcNumber(digits, point < 0 ? 0 : count - point).Value : 0;
+        text.At += isShort ? at : 0;
+        return isShort;
     }
 
     /// <summary>Reads a text in quotation marks.</summary>

@@ -145,6 +145,13 @@ internal ref struct ExpressionReader
     private OperatorSpelling? Operator(out int length)
     {
         SkipSpaces();
+        length = 0;
+        if (Text.Peek() is 0 or (byte)']' or (byte)')' or (byte)',')
+        {
+            // Nearly every expression ends so, and no operator begins so.
+            return null;
+        }
+
         foreach (var candidate in _syntax.Operators)
         {
             if (IsSiemens && candidate.IsWord ? Text.StandsAlone(candidate.Spelling) : Text.StandsHere(candidate.Spelling))
@@ -154,7 +161,6 @@ internal ref struct ExpressionReader
             }
         }
 
-        length = 0;
         return null;
     }
 

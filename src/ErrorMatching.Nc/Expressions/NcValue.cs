@@ -26,6 +26,13 @@ internal readonly record struct NcValue(NcValueKind Kind, double Number, string?
 
     public static NcValue Of(string text) => new(NcValueKind.Text, 0, text);
 
+    /// <summary>True if both are the same. Spelled out, because the generic comparison that the compiler writes would be compiled at each
+    /// start.</summary>
+    public bool Equals(NcValue other) =>
+        Kind == other.Kind && Number.Equals(other.Number) && string.Equals(Text, other.Text, StringComparison.Ordinal);
+
+    public override int GetHashCode() => HashCode.Combine((int)Kind, Number, Text);
+
     public override string ToString() => Kind switch
     {
         NcValueKind.Number => Number.ToString("R", CultureInfo.InvariantCulture),

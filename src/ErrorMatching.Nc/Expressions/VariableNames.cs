@@ -7,9 +7,8 @@ internal sealed class VariableNames
     public const int MaxLength = 128;
 
     private readonly HashSet<string> _known = new(StringComparer.Ordinal);
-    private readonly HashSet<string>.AlternateLookup<ReadOnlySpan<char>> _lookup;
-
-    public VariableNames() => _lookup = _known.GetAlternateLookup<ReadOnlySpan<char>>();
+    private HashSet<string>.AlternateLookup<ReadOnlySpan<char>> _lookup;
+    private bool _isLookedUp;
 
     /// <summary>The name in upper case without spaces; null if it is too long.</summary>
     public string? Of(ReadOnlySpan<byte> spelling) => Find(spelling, adds: true);
@@ -37,6 +36,12 @@ internal sealed class VariableNames
             }
 
             name[length++] = char.ToUpperInvariant((char)c);
+        }
+
+        if (!_isLookedUp)
+        {
+            // Most programs read no names.
+            (_lookup, _isLookedUp) = (_known.GetAlternateLookup<ReadOnlySpan<char>>(), true);
         }
 
         if (_lookup.TryGetValue(name[..length], out var known) || !adds)
