@@ -30,7 +30,7 @@ internal static class DenseCompensation
             var (times, processor) = (new List<double>(), new List<double>());
             for (var run = 0; run < Runs; run++)
             {
-                var (watch, before) = (Stopwatch.StartNew(), OfChildren());
+                var (watch, before) = (Stopwatch.StartNew(), Measurement.ProcessorTimeOfChildren());
                 using var process = Process.Start(
                     new ProcessStartInfo(
                         console, ["surface", "compensate", job, "--measured", measured, "--out", Path.Combine(folder, "out")])
@@ -46,7 +46,7 @@ internal static class DenseCompensation
                 }
 
                 times.Add(watch.Elapsed.TotalSeconds);
-                processor.Add(OfChildren() - before);
+                processor.Add(Measurement.ProcessorTimeOfChildren() - before);
             }
 
             times.Sort();
@@ -63,13 +63,6 @@ internal static class DenseCompensation
         {
             Directory.Delete(folder, recursive: true);
         }
-    }
-
-    // Seconds of user and system time of the processes that have ended, in ticks of 10 ms (proc(5): cutime and cstime).
-    private static double OfChildren()
-    {
-        var fields = File.ReadAllText("/proc/self/stat").Split(')')[^1].Split(' ', StringSplitOptions.RemoveEmptyEntries);
-        return (long.Parse(fields[13], CultureInfo.InvariantCulture) + long.Parse(fields[14], CultureInfo.InvariantCulture)) / 100.0;
     }
 
     private static string Job()

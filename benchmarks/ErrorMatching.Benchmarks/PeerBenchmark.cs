@@ -99,7 +99,8 @@ internal static class PeerBenchmark
         return new(name, best, allocated);
     }
 
-    private static string? Find() =>
+    /// <summary>LinuxCNC's interpreter on the path; null if it is not installed.</summary>
+    public static string? Find() =>
         (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
         .Select(f => Path.Combine(f, "rs274"))
         .FirstOrDefault(File.Exists);

@@ -16,6 +16,11 @@ if (args is ["rs274", .. var blocks])
     return PeerBenchmark.Run(blocks.FirstOrDefault());
 }
 
+if (args is ["real", .. var timed])
+{
+    return RealPrograms.Run(timed.FirstOrDefault());
+}
+
 if (args is ["million", .. var million])
 {
     return MillionBlocks.Run(million.FirstOrDefault());

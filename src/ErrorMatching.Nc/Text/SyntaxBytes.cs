@@ -62,18 +62,21 @@ internal static class SyntaxBytes
         var depth = 0;
         while (at < end)
         {
-            var c = bytes[at];
-            if (c == '"')
+            var c = bytes[at++];
+            if (c == close)
             {
-                at = BehindString(bytes, at, end);
-                continue;
+                if (--depth == 0)
+                {
+                    return at;
+                }
             }
-
-            depth += c == open ? 1 : c == close ? -1 : 0;
-            at++;
-            if (depth == 0)
+            else if (c == open)
             {
-                return at;
+                depth++;
+            }
+            else if (c == '"')
+            {
+                at = BehindString(bytes, at - 1, end);
             }
         }
 
