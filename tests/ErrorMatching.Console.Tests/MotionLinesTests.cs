@@ -32,13 +32,15 @@ public sealed class MotionLinesTests
         var (text, expected) = (new StringBuilder("G20 G90 G1 F100\n"), new List<double>());
         for (var i = 0; i < 20_000; i++)
         {
-            var inches = ((random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-5, 12))).ToString("0.0######", CultureInfo.InvariantCulture);
+            var value = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-5, 12));
+            var inches = value.ToString("0.0######", CultureInfo.InvariantCulture);
             expected.Add(Math.Round(double.Parse(inches, CultureInfo.InvariantCulture) * 25.4, 10));
             text.Append(CultureInfo.InvariantCulture, $"Y{inches}\n");
         }
 
         Assert.Equal(
-            expected.Select(e => (Math.Round(e, 9) + 0.0).ToString("0.#########", CultureInfo.InvariantCulture)), Cells(text.ToString(), "y"));
+            expected.Select(e => (Math.Round(e, 9) + 0.0).ToString("0.#########", CultureInfo.InvariantCulture)),
+            Cells(text.ToString(), "y"));
     }
 
     [Fact]
