@@ -11,6 +11,7 @@ public class DialectTests
     public void All_are_listed() => Assert.Equal(
         [
             "generic", "fanuc", "delta-nc300", "haas", "mazak-eia", "mitsubishi-m80", "okuma-osp", "siemens-840d", "linuxcnc", "grbl",
+            "heidenhain-klartext",
         ],
         Shell.Json(0, "errormatch/nc-dialects/1", "nc", "dialects").GetProperty("dialects").EnumerateArray().Select(d => d.Text("name")));
 

@@ -46,7 +46,7 @@ internal static class RandomCircles
         {
             More = $", \"method\": \"{Methods[seed % Methods.Length]}\"",
         };
-        return new(seed, flavor, program, toolRadius, frame, [feature]);
+        return new(seed, flavor, program, flavor.ToolOf(toolRadius), frame, [feature]);
     }
 
     private static (string Program, string Blocks) Write(int seed, Random random, Flavor flavor, Ring path)

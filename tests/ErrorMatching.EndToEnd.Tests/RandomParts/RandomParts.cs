@@ -49,7 +49,7 @@ internal sealed class RandomParts
         }
 
         var features = parts._contour.Features.Select((f, i) => new RandomFeature($"F{i + 1}", f.Kind, f.Shape, blocks[i], groups[i]));
-        return new(seed, parts._flavor, parts._writer.Text, parts._toolRadius, parts._frame, [.. features]);
+        return new(seed, parts._flavor, parts._writer.Text, parts._flavor.ToolOf(parts._toolRadius), parts._frame, [.. features]);
     }
 
     /// <summary>Writes the program; answers the blocks of each feature.</summary>

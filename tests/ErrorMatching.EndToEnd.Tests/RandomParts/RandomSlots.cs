@@ -43,7 +43,7 @@ internal static class RandomSlots
             new(Math.Round(Draw.Between(random, -120, 120), 3), Math.Round(Draw.Between(random, -120, 120), 3)));
         var (program, blocks) = Write(seed, random, flavor, path, isSlot);
         var feature = new RandomFeature("S1", "slot", isSlot ? "slot" : "key", blocks, KeyPoints(random, nominal, part, isSlot, frame));
-        return new(seed, flavor, program, toolRadius, frame, [feature]);
+        return new(seed, flavor, program, flavor.ToolOf(toolRadius), frame, [feature]);
     }
 
     private static (string Program, string Blocks) Write(int seed, Random random, Flavor flavor, Shape path, bool isSlot)

@@ -159,7 +159,6 @@ public sealed class SurfaceDisplacerTests
     [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nG2 X20 Y10 I10 J0\nG0 Z20\nM2\n", "arc-form")]
     [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z8 F500\nX20\nG0 Z20\nM2\n", "program-off-surface")]
     [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z2.5 F500\nX20\nG0 Z20\nM2\n", "program-in-surface")]
-    [InlineData("G21 G90 G17\nG0 X0 Y10 Z20\nG1 Z3 F500\nX[#500+10]\nG0 Z20\nM2\n", "expression")]
     public void What_cannot_follow_is_refused(string program, string code)
     {
         var result = SurfaceDisplacer.Displace(
