@@ -30,7 +30,7 @@ public static class MatingRun
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
-        var previous = Previous(request, job, theoretical, NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax));
+        var (previous, anew) = Previous(request, job, theoretical, NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax));
         try
         {
             var called = files.Called();
@@ -54,6 +54,7 @@ public static class MatingRun
                 report = report with { Warnings = [.. report.Warnings, missing] };
             }
 
+            report = anew is null ? report : report with { Notes = [.. report.Notes, anew] };
             return new MatchedProgram(
                 result,
                 GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
@@ -66,11 +67,13 @@ public static class MatingRun
         }
     }
 
-    private static PreviousMatch? Previous(MatingRequest request, MatingJob job, MeasurementFile theoretical, NcProgram program)
+    // The match before, or why a new lot begins.
+    private static (PreviousMatch? Match, string? Anew) Previous(
+        MatingRequest request, MatingJob job, MeasurementFile theoretical, NcProgram program)
     {
         if (request.Previous is not { } given)
         {
-            return null;
+            return default;
         }
 
         if (job.Compensation.From != CompensationSource.Counterpart)
@@ -84,12 +87,12 @@ public static class MatingRun
 
         try
         {
-            return PreviousMatchReport.Of(given, job, theoretical, program);
+            return (PreviousMatchReport.Of(given, job, theoretical, program), null);
         }
         catch (InputException e) when (
             request.MayBeginAnew && e.Code is PreviousMatchReport.LotMissing or PreviousMatchReport.OtherPoints)
         {
-            return null;
+            return (null, $"The pieces before do not count, and a new lot begins: {e.Message}");
         }
     }
 

@@ -7,8 +7,10 @@ namespace ErrorMatching.Measurement;
 /// it.</summary>
 /// <param name="pieces">The pieces.</param>
 /// <param name="lot">What was found at each.</param>
-internal sealed class LotPlot(MeasuredLot pieces, Lot lot)
+/// <param name="column">What a piece shows.</param>
+internal sealed class LotPlot(MeasuredLot pieces, Lot lot, string column)
 {
+    private readonly string _column = column.ToLowerInvariant();
     private readonly PointPlot _plot = new(
         PlotAxis.Around(lot.Pieces.SelectMany((p, k) => new[]
         {
@@ -46,15 +48,15 @@ internal sealed class LotPlot(MeasuredLot pieces, Lot lot)
                 var (x, shown, expected) = (_plot.X(k), piece.ShownMm, piece.ExpectedMm);
                 SvgShapes.Circle(html, "before marker", x, _plot.Y(1000 * shown), 4, Title(k, "without corrections", shown));
                 SvgShapes.Plus(html, "after marker", x, _plot.Y(1000 * expected), Title(k, "expected", expected));
-                SvgShapes.Diamond(html, "left marker", x, _plot.Y(1000 * left), Title(k, "left", left));
+                SvgShapes.Diamond(html, "left marker", x, _plot.Y(1000 * left), Title(k, _column, left));
             }
 
             SvgShapes.Circle(html, "before marker", _plot.Left + 8, 16, 4, null);
             SvgShapes.Text(html, "legend", _plot.Left + 20, 20, "start", "without corrections");
             SvgShapes.Plus(html, "after marker", _plot.Left + 218, 16, "expected of it");
             SvgShapes.Text(html, "legend", _plot.Left + 230, 20, "start", "expected of it");
-            SvgShapes.Diamond(html, "left marker", _plot.Left + 428, 16, "left on the piece");
-            SvgShapes.Text(html, "legend", _plot.Left + 440, 20, "start", "left on the piece");
+            SvgShapes.Diamond(html, "left marker", _plot.Left + 428, 16, _column);
+            SvgShapes.Text(html, "legend", _plot.Left + 440, 20, "start", _column);
         }
     }
 

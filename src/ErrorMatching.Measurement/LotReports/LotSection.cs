@@ -9,8 +9,10 @@ public static class LotSection
     /// <summary>The section; none for the first piece.</summary>
     /// <param name="pieces">The pieces.</param>
     /// <param name="lot">What they say about the next one; null for a first piece.</param>
-    public static IEnumerable<PageSection> Of(MeasuredLot pieces, Lot? lot) =>
-        lot is null ? [] : [new("lot", "The pieces so far", html => Write(html, pieces, lot))];
+    /// <param name="shown">What a piece shows, as a column is named: its errors against what was wanted of it, or against its
+    /// design.</param>
+    public static IEnumerable<PageSection> Of(MeasuredLot pieces, Lot? lot, string shown = "Left on it") =>
+        lot is null ? [] : [new("lot", "The pieces so far", html => Write(html, pieces, lot, shown))];
 
     /// <summary>The word for what happened at a piece.</summary>
     internal static string Word(LotEvent happened) => happened switch
@@ -21,11 +23,11 @@ public static class LotSection
         _ => throw new ArgumentOutOfRangeException(nameof(happened), happened, "Unknown event."),
     };
 
-    private static void Write(HtmlText html, MeasuredLot pieces, Lot lot)
+    private static void Write(HtmlText html, MeasuredLot pieces, Lot lot, string shown)
     {
         using (html.In("figure"))
         {
-            new LotPlot(pieces, lot).Write(html);
+            new LotPlot(pieces, lot, shown).Write(html);
             html.Put(
                 "figcaption",
                 "The next program corrects what is expected of the next piece. How much a piece counts follows from the noise and the "
@@ -37,7 +39,7 @@ public static class LotSection
             "lot-table",
             "The pieces, in the order of cutting",
             [
-                new("Piece"), new("Corrected, µm", true), new("Left, mean, µm", true), new("Left, standard deviation, µm", true),
+                new("Piece"), new("Corrected, µm", true), new($"{shown}, mean, µm", true), new($"{shown}, standard deviation, µm", true),
                 new("Without corrections, µm", true), new("Expected of it, µm", true), new("What happened"),
             ],
             Enumerable.Range(0, pieces.Pieces.Count),

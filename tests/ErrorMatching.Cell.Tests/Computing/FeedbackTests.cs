@@ -46,6 +46,24 @@ public sealed class FeedbackTests
     }
 
     [Fact]
+    public void A_report_without_a_lot_begins_a_new_one_and_says_so()
+    {
+        using var folder = new TemporaryFolder();
+        var request = Counterpart(Samples.Feedback(folder) with { Accumulates = true });
+        var first = Samples.Program(request);
+        var old = System.Text.Encoding.UTF8.GetString(first.Report.Span).Replace("\"lot\"", "\"none\"", StringComparison.Ordinal);
+        var again = request with
+        {
+            Measurement = Samples.File("complex-mating", "counterpart-after.csv"),
+            Base = first.Program,
+            Sums = first.Sums,
+            Previous = new("report.json", System.Text.Encoding.UTF8.GetBytes(old)),
+        };
+        var next = Samples.Program(again, Samples.NoLimits with { SumLimitMm = 5 });
+        Assert.Contains("a new lot begins", System.Text.Encoding.UTF8.GetString(next.Report.Span), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Corrections_of_a_job_that_accumulates_add_up_and_the_sum_is_limited()
     {
         using var folder = new TemporaryFolder();

@@ -22,7 +22,7 @@ public static class MatchReportHtml
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
                 new("key-points", "Key points", html => MatchKeyPoints.Write(html, report)),
                 new("quantities", "Lengths and angles", html => MatchQuantities.Write(html, report)),
-                .. report.Lot is { } lot ? LotSection.Of(lot.Pieces, lot.Next) : [],
+                .. report.Lot is { } lot ? LotSection.Of(lot.Pieces, lot.Next, "Off its design") : [],
                 new("proof", "Proof", html => MatchProof.Write(html, report)),
                 new("program", "Program", html => MatchProgram.Write(html, report)),
                 new("measuring", "Measuring", html => MatchMeasuring.Write(html, report)),
