@@ -54,7 +54,7 @@ internal static class MatchVerdictText
     {
         ArgumentNullException.ThrowIfNull(report);
         return report.ProbabilityAfter is not { } after ? null
-            : report is { IsUnchanged: false, ProbabilityBefore: { } before }
+            : report is { IsCorrected: true, ProbabilityBefore: { } before }
             ? Texts.Current.With("Pair.RiskBefore", VerdictParts.Percent(1 - after), VerdictParts.Percent(1 - before))
             : Texts.Current.With("Pair.Risk", VerdictParts.Percent(1 - after));
     }

@@ -47,7 +47,7 @@ internal static class PreviousMatchReport
         }
 
         return Made(report, pieces, program)
-            ? new(given.File, Sha256(bytes), pieces)
+            ? new(given.File, Sha256(bytes), pieces) { Offsets = MatchReportJson.OffsetsOf(report) }
             : throw report.Refusal("program", "other-program", "the report of the program that cut this counterpart");
     }
 

@@ -10,11 +10,16 @@ internal static class Outlines
 
     /// <summary>The boundary along a pass: the path offset by the tool radius, or the path itself under cutter compensation.</summary>
     public static IReadOnlyList<Point2> Boundary(JobCounterpart counterpart, NcPath path, FeaturePass pass) =>
-        Boundary(counterpart, path, pass, _ => 0);
+        Boundary(counterpart, path, pass, _ => 0, RigidTransform2.Identity);
 
     /// <summary>That boundary, moved toward the tool by a distance that depends on the length along the pass.</summary>
     public static IReadOnlyList<Point2> Boundary(
-        JobCounterpart counterpart, NcPath path, FeaturePass pass, Func<double, double> towardTool)
+        JobCounterpart counterpart, NcPath path, FeaturePass pass, Func<double, double> towardTool) =>
+        Boundary(counterpart, path, pass, towardTool, RigidTransform2.Identity);
+
+    /// <summary>That boundary, then moved in the program's frame.</summary>
+    public static IReadOnlyList<Point2> Boundary(
+        JobCounterpart counterpart, NcPath path, FeaturePass pass, Func<double, double> towardTool, RigidTransform2 move)
     {
         var toPart = counterpart.Frame.Inverse();
         var points = new List<Point2>();
@@ -33,8 +38,8 @@ internal static class Outlines
             {
                 var fraction = (double)step / steps;
                 var towardMaterial = pass.Feet[0].MaterialIsLeft ? motion.TangentAt(fraction).Left : -motion.TangentAt(fraction).Left;
-                points.Add(toPart.Apply(
-                    motion.PlaneAt(fraction) + (towardMaterial * (radius - towardTool(from + ((to - from) * fraction))))));
+                var place = motion.PlaneAt(fraction) + (towardMaterial * (radius - towardTool(from + ((to - from) * fraction))));
+                points.Add(toPart.Apply(move.Apply(place)));
             }
         }
 

@@ -143,15 +143,25 @@ internal sealed class CourseEstimator
             run.Solve(isWhole: true);
         }
 
-        var toPart = _job.Counterpart.Frame.Inverse();
-        return new([.. _maps.Select((map, f) => Predict(map, f, after, toPart))]);
+        return PredictOn(r => r.OnCuts(after));
     }
 
-    private FeaturePrediction Predict(FeatureMap map, int feature, NcPath after, RigidTransform2 toPart)
+    /// <summary>Predicts the mating error that other cuts leave, after a prediction for a program.</summary>
+    /// <param name="cuts">The cuts of each run.</param>
+    public MatingPrediction PredictOn(Func<RunEstimate, RunPath> cuts)
+    {
+        var toPart = _job.Counterpart.Frame.Inverse();
+        return new([.. _maps.Select((map, f) => Predict(map, f, cuts, toPart))]);
+    }
+
+    /// <summary>The places at which ways of cutting are compared, after a prediction for a program.</summary>
+    public IReadOnlyList<ComparedPlace> Places() => [.. _runs.SelectMany(r => r.Places(e => _features[e]))];
+
+    private FeaturePrediction Predict(FeatureMap map, int feature, Func<RunEstimate, RunPath> cuts, RigidTransform2 toPart)
     {
         var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);
         var run = _runs.First(r => r.Run.Contains(pass) && r.Points.Any(p => p.Feature == feature));
-        var (cutsBefore, cutsAfter) = (run.OnCuts(_path), run.OnCuts(after));
+        var (cutsBefore, cutsAfter) = (run.OnCuts(_path), cuts(run));
         for (var p = 0; p < run.Points.Count; p++)
         {
             if (run.Points[p] is var point && point.Feature == feature)

@@ -130,14 +130,12 @@ internal sealed class RunEstimate
     /// <returns>The error, its place in the program's frame; null if the element has fewer than two key points of its own.</returns>
     public PredictedError? WorstBetween(BoundaryElement element, RunPath after)
     {
-        double[] feet = [.. element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along)];
-        if (feet.Length < 2)
+        if (Span(element) is not var (from, to, steps))
         {
             return null;
         }
 
-        var (index, from, to) = (IndexOf(element), feet.Min(), feet.Max());
-        var steps = Math.Clamp((int)Math.Ceiling((to - from) / SpacingMm), 1, MostPlaces);
+        var index = IndexOf(element);
         var (worst, at) = (0.0, from);
         for (var k = 0; k <= steps; k++)
         {
@@ -154,6 +152,50 @@ internal sealed class RunEstimate
             var (place, toTool) = Run.PlaceAt(element, along);
             return cuts.FootOf(place + (toTool * Field!.Mean(index, along)), toTool).DistanceMm - Run.Radius;
         }
+    }
+
+    /// <summary>The places at which another way of cutting is compared: the key points, and the boundary between the outermost ones of
+    /// each element.</summary>
+    public IEnumerable<ComparedPlace> Places(Func<BoundaryElement, int> featureOf)
+    {
+        for (var i = 0; i < Points.Count; i++)
+        {
+            yield return new(
+                this,
+                Points[i].Feature,
+                Points[i].Index,
+                Points[i].Theoretical + Points[i].Deviation,
+                Points[i].Normal,
+                Nominal[i].DistanceMm);
+        }
+
+        for (var e = 0; e < Run.Elements.Count; e++)
+        {
+            var element = Run.Elements[e];
+            if (Span(element) is not { } span)
+            {
+                continue;
+            }
+
+            for (var k = 0; k <= span.Steps; k++)
+            {
+                var along = span.From + ((span.To - span.From) * k / span.Steps);
+                var (place, normal) = Run.PlaceAt(element, along);
+                yield return new(this, featureOf(element), -1, place + (normal * Field!.Mean(e, along)), normal, Run.Radius)
+                {
+                    StandardDeviationMm = Field.StandardDeviation(e, along),
+                };
+            }
+        }
+    }
+
+    // The part of an element between its outermost key points, and in how many steps it is compared.
+    private static (double From, double To, int Steps)? Span(BoundaryElement element)
+    {
+        double[] feet = [.. element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along)];
+        return feet.Length < 2
+            ? null
+            : (feet.Min(), feet.Max(), Math.Clamp((int)Math.Ceiling((feet.Max() - feet.Min()) / SpacingMm), 1, MostPlaces));
     }
 
     /// <summary>What was assumed about an element before it was measured.</summary>
@@ -177,6 +219,22 @@ internal sealed class RunEstimate
 
         throw new ArgumentException("The element is not of this run.", nameof(element));
     }
+}
+
+/// <summary>A place at which ways of cutting are compared, in the program's frame.</summary>
+/// <param name="Run">Its run.</param>
+/// <param name="Feature">Index of its feature in the job.</param>
+/// <param name="Point">Index of the key point in the feature; -1 between key points.</param>
+/// <param name="Place">Where the boundary should be.</param>
+/// <param name="Normal">Unit normal toward the tool.</param>
+/// <param name="NominalMm">Distance of the path from a boundary that is right, mm.</param>
+internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Point2 Place, Vector2 Normal, double NominalMm)
+{
+    /// <summary>How well it is known where the boundary should be between key points, mm; 0 at a key point, which is as measured.</summary>
+    public double StandardDeviationMm { get; init; }
+
+    /// <summary>The mating error there, mm: positive where too much material stands.</summary>
+    public double ErrorOn(RunPath cuts) => cuts.FootOf(Place, Normal).DistanceMm - NominalMm;
 }
 
 /// <summary>A key point beside a run, in the program's frame.</summary>

@@ -1,6 +1,7 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Mating;
@@ -37,6 +38,7 @@ internal sealed class JobReader(JsonItem root)
             Features = [.. root["features"].Items.Select(f => features.Read(f, chain))],
             Counterpart = ReadCounterpart(root["counterpart"]),
             Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
+            Correction = root.Find("correction") is { } correction ? ReadCorrection(correction) : JobCorrection.Default,
             Rule = root.Find("decision") is { } decision ? ReadRule(decision) : DecisionRule.Simple,
             Chain = chain,
             Recognition = root.Find("recognition") is { } rules ? new(ReadRules(rules["part"]), ReadRules(rules["counterpart"])) : null,
@@ -117,7 +119,7 @@ internal sealed class JobReader(JsonItem root)
         item.Find("frame") is { } frame ? ReadFrame(frame) : RigidTransform2.Identity,
         item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm)
     {
-        BlockSkip = Nc.BlockSkips.Of(item.Find("blockSkip")?.Text),
+        BlockSkip = BlockSkips.Of(item.Find("blockSkip")?.Text),
         Libraries = [.. item.Find("libraries")?.Items.Select(i => i.Text) ?? []],
     };
 
@@ -135,6 +137,40 @@ internal sealed class JobReader(JsonItem root)
         item.Find("amount")?.Text == "excess" ? CompensationAmount.Excess : JobCompensation.Default.Amount,
         item.Find("along")?.Text == "vector" ? CompensationDirection.Vector : JobCompensation.Default.Along,
         item.Find("limitMm")?.Number ?? JobCompensation.Default.LimitMm);
+
+    private JobCorrection ReadCorrection(JsonItem item)
+    {
+        var limits = OffsetLimits.Default;
+        var correction = new JobCorrection(
+            [
+                .. item["allow"].Items.Select(i => i.Text switch
+                {
+                    "tool-wear" => CorrectionKind.ToolWear,
+                    "work-offset" => CorrectionKind.WorkOffset,
+                    _ => CorrectionKind.Blocks,
+                })],
+            item.Find("otherCuts")?.Text == "may-move",
+            item.Find("withinMm")?.Number ?? JobCorrection.DefaultWithinMm,
+            (int?)item.Find("firstVariable")?.Number ?? 0,
+            (int?)item.Find("programNumber")?.Number ?? JobCorrection.DefaultProgramNumber,
+            (int?)item.Find("tool")?.Number,
+            (int?)item.Find("radiusOffset")?.Number,
+            new(
+                (decimal?)item.Find("stepMm")?.Number ?? limits.StepMm,
+                (decimal?)item.Find("totalMm")?.Number ?? limits.TotalMm,
+                (decimal?)item.Find("stepDegrees")?.Number ?? limits.StepDegrees,
+                (decimal?)item.Find("totalDegrees")?.Number ?? limits.TotalDegrees));
+        if (correction.AllowsOffsets && correction.FirstVariable == 0)
+        {
+            _problems.Refuse(
+                item,
+                "first-variable-missing",
+                "no key \"firstVariable\"",
+                "the first of ten variables of the control in which the program of the offsets keeps what it did");
+        }
+
+        return correction;
+    }
 
     private static DecisionRule ReadRule(JsonItem item) => item["rule"].Text == "guard-band"
         ? DecisionRule.GuardBand(item.Find("riskPercent")?.Number ?? DecisionRule.DefaultRiskPercent)

@@ -58,6 +58,9 @@ public sealed record MatingJob
     /// <summary>How deviations are compensated.</summary>
     public required JobCompensation Compensation { get; init; }
 
+    /// <summary>By what a correction may be made.</summary>
+    public required JobCorrection Correction { get; init; }
+
     /// <summary>How points are accepted near their limits.</summary>
     public required DecisionRule Rule { get; init; }
 

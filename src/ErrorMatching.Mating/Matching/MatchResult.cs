@@ -32,6 +32,9 @@ public sealed record MatchResult(
     /// <summary>In feedback, the counterparts measured so far, and what the program to cut corrects; otherwise null.</summary>
     public CounterpartLot? Lot { get; init; }
 
+    /// <summary>By what the correction is made; null if the job allows blocks alone.</summary>
+    public CorrectionChoice? Correction { get; init; }
+
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 

@@ -126,7 +126,7 @@ public static class Matcher
         var outcome = estimator.Estimate();
         if (!outcome.IsUsable)
         {
-            return Named(outcome.Refusal, maps);
+            return ByOffset(input, path, maps, part, counterpart, lot, decision, estimator) ?? Named(outcome.Refusal, maps);
         }
 
         var (wish, rewrite) = (outcome.Result.Wish, outcome.Result.Rewrite);
@@ -146,6 +146,23 @@ public static class Matcher
 
         var after = NcInterpreter.Run(program, path);
         var prediction = estimator.Predict(after);
+        CorrectionChoice? correction = null;
+        if (input.Job.Correction.AllowsOffsets)
+        {
+            var chooser = new OffsetChooser(input.Job, path, maps, decision, estimator, after, OffsetsBefore(input));
+            correction = chooser.Choose(compensates: true);
+            if (correction.IsOffset)
+            {
+                return Unchanged(
+                    input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!));
+            }
+
+            if (!input.Job.Correction.Allows(CorrectionKind.Blocks))
+            {
+                return Insufficient(correction);
+            }
+        }
+
         return new MatchResult(
                 input,
                 path,
@@ -160,9 +177,46 @@ public static class Matcher
                 marker,
                 proof)
         {
-            Lot = lot?.After(prediction.Features.SelectMany(f => f.Points.Select(p => p.AfterMm - p.BeforeMm))),
+            Lot = After(lot, prediction),
+            Correction = correction,
         };
     }
+
+    private static CounterpartLot? After(CounterpartLot? lot, MatingPrediction prediction) =>
+        lot?.After(prediction.Features.SelectMany(f => f.Points.Select(p => p.AfterMm - p.BeforeMm)));
+
+    // Blocks cannot follow; an offset that brings the boundary to where it should be may.
+    private static Outcome<MatchResult>? ByOffset(
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        CounterpartLot? lot,
+        MatingDecision decision,
+        CourseEstimator estimator)
+    {
+        if (!input.Job.Correction.AllowsOffsets || input.Job.Compensation is not { Gain: 1, Amount: CompensationAmount.Whole })
+        {
+            return null;
+        }
+
+        estimator.Predict(path);
+        var chooser = new OffsetChooser(input.Job, path, maps, decision, estimator, null, OffsetsBefore(input));
+        return chooser.Choose(compensates: true) is { IsOffset: true } correction
+            ? Unchanged(input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!))
+            : null;
+    }
+
+    // In feedback the counterpart was cut with the offsets of the match before. In feed-forward each piece starts from none.
+    private static OffsetTotals? OffsetsBefore(MatchInput input) =>
+        input.Job.Compensation.From == CompensationSource.Counterpart ? input.Previous?.Offsets ?? OffsetTotals.None : null;
+
+    private static Outcome<MatchResult> Insufficient(CorrectionChoice correction) => new Refusal(
+        "offset-insufficient",
+        $"no offset that the job allows is enough: {string.Join("; ", correction.Refused.Select(r => r.Reason))}. Allow blocks, or another "
+            + "offset.",
+        new());
 
     // Adds the name of the feature that owns the refused block, if any.
     private static Refusal Named(Refusal refusal, IReadOnlyList<FeatureMap> maps) =>
@@ -177,11 +231,23 @@ public static class Matcher
         AlignedMeasurement part,
         AlignedMeasurement? counterpart,
         CounterpartLot? lot,
-        MatingDecision decision)
+        MatingDecision decision,
+        CorrectionChoice? correction = null,
+        MatingPrediction? predicted = null)
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
-        var prediction = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical).Predict(path);
-        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof) { Lot = lot };
+        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
+        var prediction = predicted ?? estimator.Predict(path);
+        if (correction is null && input.Job.Correction.AllowsOffsets)
+        {
+            correction = new OffsetChooser(input.Job, path, maps, decision, estimator, path, OffsetsBefore(input)).Choose(compensates: false);
+        }
+
+        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof)
+        {
+            Lot = predicted is null ? lot : After(lot, prediction),
+            Correction = correction,
+        };
     }
 }

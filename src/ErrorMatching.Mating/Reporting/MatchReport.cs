@@ -63,6 +63,9 @@ public sealed record MatchReport
     /// <summary>The tool-radius wear value equivalent to the whole correction (<see cref="UniformOffset"/>), or null.</summary>
     public double? RadiusWearMm { get; init; }
 
+    /// <summary>By what the correction is made; null if the job allows blocks alone, and in older reports.</summary>
+    public ReportCorrection? Correction { get; init; }
+
     /// <summary>In feedback, the counterparts measured so far, for the next match; null in feed-forward and in older reports.</summary>
     public CounterpartLot? Lot { get; init; }
 
@@ -74,6 +77,9 @@ public sealed record MatchReport
 
     /// <summary>True if the program is the original, byte for byte.</summary>
     public bool IsUnchanged => Program.ChangedBlocks == 0 && Proof.Marker is null;
+
+    /// <summary>True if something is corrected, by the program or by an offset.</summary>
+    public bool IsCorrected => !IsUnchanged || Correction is { Choice.IsOffset: true };
 
     /// <summary>The key points that a warning reports on rounded corners: each says something about both elements.</summary>
     public IReadOnlyList<string> OnCorners =>

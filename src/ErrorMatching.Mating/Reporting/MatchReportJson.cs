@@ -40,6 +40,7 @@ public static class MatchReportJson
             w.Object("proof", () => report.Proof.Write(w));
             w.Object("time", () => report.Time.Write(w));
             w.Number("radiusWearMm", report.RadiusWearMm);
+            w.Optional("correction", report.Correction, c => c.Write(w));
             w.Optional("lot", report.Lot, l => LotJson.Write(w, l.Pieces, l.Next));
             w.Warnings(report.Warnings);
             w.Texts("notes", report.Notes);
@@ -74,10 +75,19 @@ public static class MatchReportJson
             Proof = ReportProof.Read(document.Object("proof")),
             Time = ReportTime.Read(document.Object("time")),
             RadiusWearMm = document.OptionalNumber("radiusWearMm"),
+            Correction = document.OptionalObject("correction") is { } correction ? ReportCorrection.Read(correction) : null,
             Lot = pieces is null ? null : new(pieces, next),
             Warnings = document.Warnings(),
             Notes = document.Texts("notes"),
         };
+    }
+
+    /// <summary>The corrections by offsets with which the program of a document is cut; null if its job allowed none.</summary>
+    /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
+    public static OffsetTotals? OffsetsOf(ReportReader document)
+    {
+        ArgumentNullException.ThrowIfNull(document);
+        return document.OptionalObject("correction") is { } correction ? ReportCorrection.Read(correction).Totals : null;
     }
 
     private static IReadOnlyList<ReportFeature> ReadFeatures(ReportReader document)

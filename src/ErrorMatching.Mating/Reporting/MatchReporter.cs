@@ -46,10 +46,24 @@ public static class MatchReporter
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
             RadiusWearMm = UniformOffset.RadiusWearMm(result.Decision),
+            Correction = result.Correction is { } correction ? Correction(correction, programFile) : null,
             Lot = result.Lot,
             Warnings = [.. evaluations.SelectMany(e => e.Warnings), .. Warnings(result)],
             Notes = Notes(result),
         };
+    }
+
+    private static ReportCorrection Correction(CorrectionChoice choice, string programFile) => choice.Program is not { } program
+        ? new(choice, null, null)
+        : new(choice, OffsetsFile(programFile), Convert.ToHexStringLower(SHA256.HashData(program)));
+
+    // Beside the program to cut, with its extension.
+    private static string OffsetsFile(string programFile)
+    {
+        var name = "offsets" + Path.GetExtension(programFile);
+        return Path.Combine(
+            Path.GetDirectoryName(programFile) ?? "",
+            string.Equals(name, Path.GetFileName(programFile), StringComparison.OrdinalIgnoreCase) ? "errormatch-" + name : name);
     }
 
     private static double? ProbabilityAfter(FeatureMap map, FeaturePrediction predicted) =>
@@ -120,7 +134,9 @@ public static class MatchReporter
             ResidualsMm = evaluation.ResidualsMm,
             Curve = evaluation.Curve is { } curve ? ReportCurve.Of(curve) : null,
             TheoreticalOutline = Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0]),
-            CorrectedOutline = Outlines.Boundary(job.Counterpart, result.After, map.Passes[0]),
+            CorrectedOutline = result.Correction is { IsOffset: true } offset
+                ? Outlines.Boundary(job.Counterpart, result.Before, map.Passes[0], _ => offset.StepRadiusMm, offset.StepMove)
+                : Outlines.Boundary(job.Counterpart, result.After, map.Passes[0]),
             ActualOutline = map.Feature.MeasuredOutline(
                 new(
                     job.Counterpart,

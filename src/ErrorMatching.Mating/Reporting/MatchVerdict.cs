@@ -19,8 +19,11 @@ public sealed record MatchVerdict
     /// <summary>True if the counterpart can be cut; false if somebody has to decide first.</summary>
     public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits;
 
-    /// <summary>True if the program differs from the original.</summary>
+    /// <summary>True if something is corrected, by the program or by an offset.</summary>
     public required bool IsCompensated { get; init; }
+
+    /// <summary>What to do with the control's offsets before cutting, in a sentence; null if nothing.</summary>
+    public string? OffsetsToDo { get; init; }
 
     /// <summary>Number of key points with limits.</summary>
     public required int Points { get; init; }
@@ -79,7 +82,8 @@ public sealed record MatchVerdict
                 : notAccepted.Count > 0 ? VerdictCode.NotAccepted
                 : judged.Length == 0 ? VerdictCode.NoLimits
                 : VerdictCode.Within,
-            IsCompensated = !report.IsUnchanged,
+            IsCompensated = report.IsCorrected,
+            OffsetsToDo = CorrectionWords.ToDo(report.Correction),
             Points = judged.Length,
             Outside = outside,
             NotAccepted = notAccepted,

@@ -32,6 +32,14 @@ public static class ReportWords
         return rule.IsGuarded ? "guard-band" : "simple";
     }
 
+    /// <summary>tool-wear, work-offset or blocks.</summary>
+    public static string Of(CorrectionKind kind) => kind switch
+    {
+        CorrectionKind.ToolWear => "tool-wear",
+        CorrectionKind.WorkOffset => "work-offset",
+        _ => "blocks",
+    };
+
     /// <summary>none, datum or best-fit.</summary>
     public static string Of(JobAlignmentKind kind) =>
         kind switch { JobAlignmentKind.None => "none", JobAlignmentKind.Datum => "datum", _ => "best-fit" };

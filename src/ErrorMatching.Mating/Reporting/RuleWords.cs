@@ -24,7 +24,7 @@ public static class RuleWords
         if (report.ProbabilityBefore is { } probability)
         {
             yield return $"Probability that every point is within its limits without compensation: {ReportNumber.Probability(probability)}"
-                + (report is { ProbabilityAfter: { } after, IsUnchanged: false } ? $", with it: {ReportNumber.Probability(after)}" : "")
+                + (report is { ProbabilityAfter: { } after, IsCorrected: true } ? $", with it: {ReportNumber.Probability(after)}" : "")
                 + ", if the errors of the points are independent.";
         }
 

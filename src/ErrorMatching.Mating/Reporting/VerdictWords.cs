@@ -11,7 +11,8 @@ public static class VerdictWords
     public static string Of(MatchVerdict verdict)
     {
         ArgumentNullException.ThrowIfNull(verdict);
-        var unchanged = verdict.IsCompensated ? "" : " Nothing is compensated: the program stays as it is.";
+        var unchanged = (verdict.IsCompensated ? "" : " Nothing is compensated: the program stays as it is.")
+            + (verdict.OffsetsToDo is { } offsets ? $" {offsets}" : "");
         return verdict.Code switch
         {
             VerdictCode.Within => $"{Within(verdict)}.{unchanged} Cut it.",
@@ -40,7 +41,7 @@ public static class VerdictWords
         ArgumentNullException.ThrowIfNull(report);
         return report.ProbabilityAfter is not { } after ? null
             : $"Risk that a point will be outside its limits: {ReportNumber.Probability(1 - after)}"
-                + (report.IsUnchanged || report.ProbabilityBefore is not { } before ? ""
+                + (!report.IsCorrected || report.ProbabilityBefore is not { } before ? ""
                     : $" (without compensation: {ReportNumber.Probability(1 - before)})")
                 + ".";
     }

@@ -27,8 +27,20 @@ public sealed class CompensatedPath
     /// <exception cref="OperationCanceledException">The run was canceled.</exception>
     public static CompensatedPath Of(NcPath path, CancellationToken cancellation = default)
     {
+        ArgumentNullException.ThrowIfNull(path);
+        return Of(path, path.Dialect.ToolRadii, cancellation);
+    }
+
+    /// <summary>Follows the tool's center for other radii than the dialect's.</summary>
+    /// <param name="path">The programmed path.</param>
+    /// <param name="radii">The radii that the control uses.</param>
+    /// <param name="cancellation">Stops a long run.</param>
+    /// <exception cref="OperationCanceledException">The run was canceled.</exception>
+    public static CompensatedPath Of(NcPath path, ToolRadii radii, CancellationToken cancellation = default)
+    {
+        ArgumentNullException.ThrowIfNull(path);
         var motions = new List<CompensatedMotion>(path.Motions.Length);
-        return new(path, motions, new CompensationRun(path, motions).Follow(cancellation) ?? path.Refusal);
+        return new(path, motions, new CompensationRun(path, radii, motions).Follow(cancellation) ?? path.Refusal);
     }
 
     /// <summary>The reason why the control would stop, or why the path of the tool's center is not followed; null if it is followed to its
@@ -36,7 +48,7 @@ public sealed class CompensatedPath
     /// <param name="path">The programmed path.</param>
     /// <param name="lead">Begins the message after the name of the block.</param>
     public static Refusal? Check(NcPath path, string lead = "") =>
-        Concerns(path) ? new CompensationRun(path, null, lead).Follow(CancellationToken.None) : null;
+        Concerns(path) ? new CompensationRun(path, path.Dialect.ToolRadii, null, lead).Follow(CancellationToken.None) : null;
 
     /// <summary>True if a refusal says that the control would stop, and not only that its path is not followed.</summary>
     public static bool Stops(Refusal refusal) =>

@@ -3,7 +3,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Nc;
 
 /// <summary>How the control compensates at the current motion: side and radius, corners, and its way in.</summary>
-internal sealed class CompensationModes(NcPath path, string lead)
+internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lead)
 {
     private readonly IReadOnlyList<CompensationSwitch> _switches = path.CompensationSwitches;
     private readonly CompensationRule _rule = path.Dialect.Compensation;
@@ -51,7 +51,7 @@ internal sealed class CompensationModes(NcPath path, string lead)
         }
 
         var byDiameter = on.Meaning is NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter;
-        var radius = !byDiameter ? path.Dialect.ToolRadii.For(on.Offset) : on.Offset is { } d && !double.IsNaN(d) ? d * on.Unit / 2 : null;
+        var radius = !byDiameter ? radii.For(on.Offset) : on.Offset is { } d && !double.IsNaN(d) ? d * on.Unit / 2 : null;
         left = (motion.Has(MotionFlags.CompensationLeft) ? 1 : -1) * (radius ?? 0);
         return radius is not null
             ? null

@@ -38,9 +38,9 @@ internal sealed class CompensationRun
     private bool _isBeside;
     private Point3 _programmed;
 
-    public CompensationRun(NcPath path, List<CompensatedMotion>? motions, string lead = "")
+    public CompensationRun(NcPath path, ToolRadii radii, List<CompensatedMotion>? motions, string lead = "")
     {
-        (_path, _rule, _modes, _trace, _lead) = (path, path.Dialect.Compensation, new(path, lead), new(motions), lead);
+        (_path, _rule, _modes, _trace, _lead) = (path, path.Dialect.Compensation, new(path, radii, lead), new(motions), lead);
         _corners = new(_rule, _modes, _trace);
     }
 

@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.RegularExpressions;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
@@ -77,6 +78,10 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
             case "commentLength": tables.CommentLength = (int)value.Number; break;
             case "turnsLetter": tables.TurnsLetter = LetterOf(value); break;
+            case "workOffsets": SetWorkOffsets(value); break;
+            case "offsetProgram": tables.Offsets.Program = LinesOf(value, OffsetRule.InProgram, []); break;
+            case "radiusOffset": tables.Offsets.Radius = LinesOf(value, OffsetRule.InRadius, OffsetRule.BeforeRadius); break;
+            case "workOffset": tables.Offsets.Work = LinesOf(value, OffsetRule.InWork, OffsetRule.BeforeWork); break;
             default: SetCompensation(tables.Compensation, name, value); break;
         }
     }
@@ -121,6 +126,36 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
                 }
             }
         }
+    }
+
+    private void SetWorkOffsets(JsonItem value)
+    {
+        var subjects = new List<SubjectRange>();
+        if (!SubjectRange.TryRead(value.Text, DialectTopic.Code, subjects, out var bad))
+        {
+            Problems.Add(JsonRefusal.At(value, "bad-subject", $"\"{bad}\"", "G codes with spaces between them"));
+        }
+
+        tables.Offsets.Codes = [.. subjects.Select(s => s.First)];
+    }
+
+    // Lines with names in braces. Names of the correction before are for lines with a question mark only.
+    private IReadOnlyList<string> LinesOf(JsonItem value, IReadOnlyList<string> names, IReadOnlyList<string> before)
+    {
+        foreach (var line in value.Items)
+        {
+            string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
+            foreach (Match match in OffsetRule.Name().Matches(line.Text))
+            {
+                if (!known.Contains(match.Groups[1].Value, StringComparer.Ordinal))
+                {
+                    Problems.Add(JsonRefusal.At(
+                        line, "unknown-value", match.Value, $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
+                }
+            }
+        }
+
+        return [.. value.Items.Select(i => i.Text)];
     }
 
     private static byte LetterOf(JsonItem value) => value.Text.Length == 0 ? (byte)0 : (byte)value.Text[0];

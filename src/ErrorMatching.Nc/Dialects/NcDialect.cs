@@ -97,6 +97,9 @@ public sealed class NcDialect
     /// <summary>How the control leads the tool's center under cutter compensation.</summary>
     internal CompensationRule Compensation => _tables.Compensation;
 
+    /// <summary>How a program changes the control's offsets.</summary>
+    internal OffsetRule Offsets => _tables.Offsets;
+
     /// <summary>All statements of the dialect about its control, each with its source, in the order of a manual: settings, codes,
     /// letters, functions, flow, programs, notes.</summary>
     /// <remarks>If it restates something from a dialect that it continues, only its own statement is listed. Created on first

@@ -35,10 +35,25 @@ internal static class RandomMatch
         return Input(part, "part", Csv(part, p => p.Theoretical), Csv(part, p => rough[p.Label]), null);
     }
 
+    /// <summary>Feed-forward of a part whose boundary deviates along its normals as a function says, for a job that allows
+    /// offsets.</summary>
+    /// <param name="part">The part.</param>
+    /// <param name="deviation">The deviation of a key point along its normal, mm.</param>
+    /// <param name="correction">The job's <c>correction</c>.</param>
+    public static MatchInput Offsets(RandomPart part, Func<RandomKeyPoint, double> deviation, string correction) =>
+        Input(
+            part,
+            "part",
+            Csv(part, p => p.Theoretical),
+            Csv(part, p => part.Frame.ToPart(p.Place + (p.Normal * deviation(p)))),
+            null,
+            "linuxcnc",
+            correction);
+
     private static MatchInput Input(
-        RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc")
+        RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc", string? correction = null)
     {
-        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from, dialect)), "random.json");
+        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from, dialect, correction)), "random.json");
         return new(
             job,
             MeasurementReader.Read(theoretical, "theoretical.csv", job.Gauge.Format),
@@ -48,7 +63,7 @@ internal static class RandomMatch
             Encoding.ASCII.GetBytes(part.Program));
     }
 
-    private static string Job(RandomPart part, string from, string dialect)
+    private static string Job(RandomPart part, string from, string dialect, string? correction)
     {
         var features = part.Features.Select(
             f => $$"""{ "name": "{{f.Name}}", "kind": "{{f.Kind}}", "points": {{Points(f)}}, "blocks": ["{{f.Blocks}}"], "toleranceMm": [0, 0]{{f.More}} }""");
@@ -62,7 +77,7 @@ internal static class RandomMatch
                 "program": "counterpart.nc", "dialect": "{{dialect}}", "toolDiameterMm": {{Text(2 * part.ToolRadius)}}, "measured": "counterpart.csv",
                 "frame": { "mirror": "{{part.Frame.Mirror}}", "rotateDeg": {{Text(part.Frame.RotateDegrees)}}, "translateMm": [{{Text(part.Frame.Translate.U)}}, {{Text(part.Frame.Translate.V)}}] }
               },
-              "compensation": { "from": "{{from}}" }
+              "compensation": { "from": "{{from}}" }{{(correction is null ? "" : $", \"correction\": {correction}")}}
             }
             """;
     }

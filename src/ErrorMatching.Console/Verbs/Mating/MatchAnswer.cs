@@ -19,7 +19,14 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
     /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
-        [(In("report.json"), _json), (In("report.html"), matched.ReportHtml()), (_report.Program.File, matched.Program)];
+        [
+            (In("report.json"), _json),
+            (In("report.html"), matched.ReportHtml()),
+            .. matched.Match.Correction?.Program is { } offsets
+                ? ((string, ReadOnlyMemory<byte>)[])[(_report.Correction!.File!, offsets)]
+                : [],
+            (_report.Program.File, matched.Program),
+        ];
 
     public override void WriteText(Page page)
     {
@@ -72,7 +79,12 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             page.Line("Note: " + note);
         }
 
-        if (_report.RadiusWearMm is { } wear)
+        foreach (var sentence in _report.Correction is { } correction ? CorrectionWords.Why(correction) : [])
+        {
+            page.Line(sentence);
+        }
+
+        if (_report.RadiusWearMm is { } wear && _report.Correction is null)
         {
             page.Line($"A tool-radius wear value of {Show.Signed(wear)} mm would do the same.");
         }
@@ -91,8 +103,9 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         }
     }
 
-    private string Summary => _report.IsUnchanged
-        ? "nothing to compensate, the program stays as it is"
+    private string Summary => _report is { IsUnchanged: true, IsCorrected: true }
+        ? "an offset follows the measured " + ReportWords.Of(_report.Compensation.From) + ", the program stays as it is"
+        : _report.IsUnchanged ? "nothing to compensate, the program stays as it is"
         : string.Create(
             CultureInfo.InvariantCulture,
             $"{_report.Program.ChangedWords} words in {_report.Program.ChangedBlocks} blocks follow the measured "
@@ -141,7 +154,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             return;
         }
 
-        page.Line($"Wrote {_report.Program.File}, {In("report.html")} and {In("report.json")}.");
+        var offsets = _report.Correction?.File is { } file ? $"{file}, " : "";
+        page.Line($"Wrote {offsets}{_report.Program.File}, {In("report.html")} and {In("report.json")}.");
         if (OutsideWords.ToDecide(_report.Outside) is { } decide)
         {
             page.Line(decide);
@@ -153,7 +167,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Next: open {In("report.html")} in a browser, cut the counterpart with {_report.Program.File}, measure it, and compare by "
+            $"Next: open {In("report.html")} in a browser, {(offsets.Length > 0 ? $"run {_report.Correction!.File}, " : "")}cut the counterpart with {_report.Program.File}, measure it, and compare by "
                 + $"errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took "
                 + $"{_report.Time.CalculatingS:0.000} s."));
     }

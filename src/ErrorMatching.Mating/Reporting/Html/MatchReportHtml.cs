@@ -20,6 +20,9 @@ public static class MatchReportHtml
                 new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
                 new("summary", "Summary", html => MatchSummary.Write(html, report)),
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
+                .. report.Correction is { } correction
+                    ? (PageSection[])[new("correction", "Offsets", html => MatchCorrection.Write(html, correction))]
+                    : [],
                 new("key-points", "Key points", html => MatchKeyPoints.Write(html, report)),
                 new("quantities", "Lengths and angles", html => MatchQuantities.Write(html, report)),
                 .. report.Lot is { } lot ? LotSection.Of(lot.Pieces, lot.Next, "Off its design") : [],

@@ -1,0 +1,63 @@
+using System.Globalization;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Report texts of the kind of a correction.</summary>
+public static class CorrectionWords
+{
+    /// <summary>What to do with the offsets, in a sentence; null if the job allows none, or they are not touched.</summary>
+    public static string? ToDo(ReportCorrection? correction)
+    {
+        if (correction?.File is null)
+        {
+            return null;
+        }
+
+        var file = Path.GetFileName(correction.File);
+        return correction.Choice.Kind switch
+        {
+            CorrectionKind.ToolWear => $"The program stays as it is: run {file} before it, which corrects {Of(correction.Choice.Radius!)}.",
+            CorrectionKind.WorkOffset => $"The program stays as it is: run {file} before it, which corrects {Of(correction.Choice.Work!)}.",
+            _ when IsNothing(correction) => $"Run {file} before it, which takes earlier corrections out of the offsets.",
+            _ => $"Run {file} before it, which keeps the earlier corrections of the offsets.",
+        };
+    }
+
+    /// <summary>By what the correction is made, and why not by less: a sentence for each kind.</summary>
+    public static IEnumerable<string> Why(ReportCorrection correction)
+    {
+        ArgumentNullException.ThrowIfNull(correction);
+        foreach (var refused in correction.Choice.Refused)
+        {
+            yield return $"Not by {Name(refused.Kind)}: {refused.Reason}.";
+        }
+
+        if (correction.Choice.IsOffset)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"By {Name(correction.Choice.Kind!.Value)}: the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm from "
+                    + $"where blocks would bring it{(correction.Choice.IsWithinNoise ? ", which is not more than the gauge's noise" : "")}.");
+        }
+    }
+
+    private static bool IsNothing(ReportCorrection correction) =>
+        correction.Choice.Radius is null or { TotalMm: 0 } && correction.Choice.Work is null or { Total: { XMm: 0, YMm: 0, RotationDegrees: 0 } };
+
+    private static string Of(RadiusCorrection radius) => string.Create(
+        CultureInfo.InvariantCulture, $"the tool's radius in D{radius.Number} by {radius.TotalMm:+0.0000;-0.0000} mm in all");
+
+    private static string Of(WorkOffsetCorrection work) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"work offset {work.Number} by X{work.Total.XMm:+0.0000;-0.0000;+0.0000} Y{work.Total.YMm:+0.0000;-0.0000;+0.0000} mm")
+        + (work.Total.RotationDegrees == 0 ? " in all"
+            : string.Create(CultureInfo.InvariantCulture, $" and {work.Total.RotationDegrees:+0.000000;-0.000000} degrees in all"));
+
+    private static string Name(CorrectionKind kind) => kind switch
+    {
+        CorrectionKind.ToolWear => "the tool's radius",
+        CorrectionKind.WorkOffset => "the work offset",
+        _ => "blocks",
+    };
+}

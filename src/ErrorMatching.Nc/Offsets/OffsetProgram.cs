@@ -1,0 +1,119 @@
+using System.Globalization;
+using System.Text;
+
+namespace ErrorMatching.Nc;
+
+/// <summary>The small program that brings a control's offsets to given corrections.</summary>
+/// <remarks>It keeps in the control's variables what each offset was without a correction, and the correction in all. What it sets is the
+/// sum of the two, so that it may be stopped anywhere and run again. It stops by itself if somebody changed an offset by hand, if the
+/// correction before is another one than expected, or if a step is too large.</remarks>
+public static class OffsetProgram
+{
+    /// <summary>Number of variables that it keeps values in.</summary>
+    public const int Variables = OffsetRule.Variables;
+
+    /// <summary>True if a control's radius offsets can be corrected.</summary>
+    public static bool CanChangeRadius(NcDialect dialect) => dialect.Offsets.Program.Count > 0 && dialect.Offsets.Radius.Count > 0;
+
+    /// <summary>True if a control's radius offsets belong to tools.</summary>
+    public static bool NeedsTool(NcDialect dialect) => dialect.Offsets.Radius.Any(l => l.Contains("{tool}", StringComparison.Ordinal));
+
+    /// <summary>True if a control's work offsets can be corrected.</summary>
+    public static bool CanShift(NcDialect dialect) => dialect.Offsets.Program.Count > 0 && dialect.Offsets.Work.Count > 0;
+
+    /// <summary>True if they can be rotated, too.</summary>
+    public static bool CanRotate(NcDialect dialect) =>
+        CanShift(dialect) && dialect.Offsets.Work.Any(l => l.Contains("{rotation}", StringComparison.Ordinal));
+
+    /// <summary>Number of a work offset in the control's list, from 1; 0 if it is not in it.</summary>
+    /// <param name="dialect">The dialect.</param>
+    /// <param name="tenths">Its code times ten: 540 is G54.</param>
+    public static int NumberOf(NcDialect dialect, int tenths)
+    {
+        for (var i = 0; i < dialect.Offsets.Codes.Count; i++)
+        {
+            if (dialect.Offsets.Codes[i] == tenths)
+            {
+                return i + 1;
+            }
+        }
+
+        return 0;
+    }
+
+    /// <summary>Writes the program.</summary>
+    /// <param name="dialect">The control.</param>
+    /// <param name="radius">The correction of a radius; null if none is made.</param>
+    /// <param name="work">The correction of a work offset; null if none is made.</param>
+    /// <param name="limits">The largest steps, which the program checks.</param>
+    /// <param name="firstVariable">The first of the variables in which it keeps values.</param>
+    /// <param name="programNumber">Number of the program, where programs have one.</param>
+    public static byte[] Write(
+        NcDialect dialect,
+        RadiusCorrection? radius,
+        WorkOffsetCorrection? work,
+        OffsetLimits limits,
+        int firstVariable,
+        int programNumber)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        ArgumentNullException.ThrowIfNull(limits);
+        var values = new Dictionary<string, string>(StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
+        for (var i = 0; i < Variables; i++)
+        {
+            values[Text(i, "'m'0")] = Text(firstVariable + i, "0");
+        }
+
+        values["step"] = Text(limits.StepMm);
+        values["stepDegrees"] = Text(limits.StepDegrees);
+        var body = new List<string>();
+        if (radius is not null)
+        {
+            var own = new Dictionary<string, string>(values, StringComparer.Ordinal)
+            {
+                ["number"] = Text(radius.Number, "0"),
+                ["tool"] = Text(radius.Tool, "0"),
+                ["radius"] = Text(radius.TotalMm),
+            };
+            if (radius.BeforeMm is { } before)
+            {
+                own["radiusBefore"] = Text(before);
+            }
+
+            body.AddRange(Filled(dialect.Offsets.Radius, own, radius.BeforeMm is not null));
+        }
+
+        if (work is not null)
+        {
+            var own = new Dictionary<string, string>(values, StringComparer.Ordinal)
+            {
+                ["number"] = Text(work.Number, "0"),
+                ["x"] = Text(work.Total.XMm),
+                ["y"] = Text(work.Total.YMm),
+                ["rotation"] = Text(work.Total.RotationDegrees),
+            };
+            if (work.Before is { } before)
+            {
+                (own["xBefore"], own["yBefore"], own["rotationBefore"]) =
+                    (Text(before.XMm), Text(before.YMm), Text(before.RotationDegrees));
+            }
+
+            body.AddRange(Filled(dialect.Offsets.Work, own, work.Before is not null));
+        }
+
+        var lines = dialect.Offsets.Program.SelectMany(l => l == "{body}" ? body : [.. Filled([l], values, false)]);
+        return Encoding.ASCII.GetBytes(string.Concat(lines.Select(l => l + "\n")));
+    }
+
+    // Lines with values in place of names in braces; those that begin with a question mark only if the correction before is known.
+    private static IEnumerable<string> Filled(
+        IReadOnlyList<string> lines, Dictionary<string, string> values, bool isKnownBefore) =>
+        lines.Where(l => isKnownBefore || !l.StartsWith('?')).Select(l => Filled(l.StartsWith('?') ? l[1..] : l, values));
+
+    private static string Filled(string line, Dictionary<string, string> values) =>
+        OffsetRule.Name().Replace(line, m => values[m.Groups[1].Value]);
+
+    private static string Text(int value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
+
+    private static string Text(decimal value) => value.ToString("0.0#######", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,134 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.EndToEnd.Tests;
+
+/// <summary>
+/// Random parts that deviate as a larger tool, a shift, or a shift and a turn would make them, or in no such way: the job gets the
+/// smallest kind of correction that suffices. The referee cuts the program with the offset and probes the piece.
+/// </summary>
+public sealed class OffsetLoopTests
+{
+    private const int Parts = 200;
+
+    // The micrometer that an offset may be off, the increment of an offset (0.05 um in each axis), and the words of the program.
+    private const double Within = 0.001 + 0.0001 + 0.0015;
+
+    private const string Job =
+        """{ "allow": ["tool-wear", "work-offset", "blocks"], "otherCuts": "may-move", "firstVariable": 501, "stepDegrees": 0.5, "totalDegrees": 0.5, "stepMm": 0.6, "totalMm": 0.6 }""";
+
+    [Fact]
+    public void Every_part_gets_the_smallest_kind_that_suffices()
+    {
+        var (failures, kinds, done) = (new List<string>(), new Dictionary<(string, string), int>(), 0);
+        for (var seed = 0; done < Parts; seed++)
+        {
+            var part = RandomParts.Generate(seed);
+            part = part with { ToolRadius = part.Flavor.Compensated ? 0.2 : part.ToolRadius };
+            var way = new Way(part, seed);
+            var outcome = Matcher.Match(RandomMatch.Offsets(part, way.Deviation, Job));
+            if (outcome.Result is not { } result)
+            {
+                // Cutter compensation with this tool, or a step that no contour of the same blocks can follow.
+                Assert.True(seed < 2 * Parts, $"{done} of {seed} parts: {string.Join(' ', outcome.Refusals.Select(r => r.Message))}");
+                continue;
+            }
+
+            done++;
+            var kind = result.Correction!.Kind?.ToString() ?? "none";
+            kinds[(way.Name, kind)] = kinds.GetValueOrDefault((way.Name, kind)) + 1;
+            if (Problem(part, way, result, kind) is { } problem)
+            {
+                failures.Add($"{seed}, {part.Flavor}, {way.Name}: {problem}");
+            }
+        }
+
+        TestContext.Current.TestOutputHelper?.WriteLine(string.Join('\n', kinds.OrderBy(k => k.Key).Select(k => $"{k.Key}: {k.Value}")));
+        Assert.True(failures.Count == 0, $"{failures.Count}:\n{string.Join('\n', failures.Take(20))}");
+        foreach (var expected in new[] { ("growth", "ToolWear"), ("shift", "WorkOffset"), ("turn", "WorkOffset"), ("shape", "Blocks") })
+        {
+            Assert.True(kinds.GetValueOrDefault(expected) >= 10, $"{expected}: {kinds.GetValueOrDefault(expected)}");
+        }
+    }
+
+    private static string? Problem(RandomPart part, Way way, MatchResult result, string kind)
+    {
+        if (way.Smallest(part) is { } smallest && kind != smallest)
+        {
+            return $"{kind} instead of {smallest}: {string.Join("; ", result.Correction!.Refused.Select(r => r.Reason))}";
+        }
+
+        var cut = new VirtualCut(RefereeInterpreter.Run(Encoding.ASCII.GetString(result.Program.Span)), part.ToolRadius);
+        var nominal = new VirtualCut(RefereeInterpreter.Run(part.Program), part.ToolRadius);
+        var (radius, work) = (result.Correction!.Radius?.TotalMm ?? 0, result.Correction.Work?.Total ?? default);
+        var (sin, cos) = Math.SinCos((double)work.RotationDegrees * Math.PI / 180);
+        var shift = new Flat((double)work.XMm, (double)work.YMm);
+        foreach (var point in part.KeyPoints)
+        {
+            // Where the machine cuts what the program has at p: turned about the origin, and shifted. So p is found from the place backward.
+            var (place, normal) = (Back(point.Place - shift), Back(point.Normal));
+            var error = cut.Probe(place, normal) + (double)radius - nominal.Probe(point.Place, point.Normal) - way.Deviation(point);
+            if (!(Math.Abs(error) <= Within))
+            {
+                return string.Create(
+                    CultureInfo.InvariantCulture, $"{kind} leaves {error:0.0000} mm at {point.Label} (deviation {way.Deviation(point):0.0000})");
+            }
+        }
+
+        return null;
+
+        Flat Back(Flat v) => new((cos * v.U) + (sin * v.V), (cos * v.V) - (sin * v.U));
+    }
+
+    /// <summary>How a part deviates, by its number.</summary>
+    private sealed class Way
+    {
+        private readonly double _growth;
+        private readonly Flat _shift;
+        private readonly double _turn;
+        private readonly int _kind;
+
+        public Way(RandomPart part, int seed)
+        {
+            var random = new Random(seed);
+            _kind = seed % 4;
+            Name = new[] { "growth", "shift", "turn", "shape" }[_kind];
+            _growth = Signed(random, 0.02, 0.05);
+            _shift = new(Signed(random, 0.02, 0.05), Signed(random, 0.02, 0.05));
+
+            // About the middle of the key points, by what moves the outermost ones by some hundredths.
+            var places = part.KeyPoints.Select(p => p.Place).ToArray();
+            Middle = new(places.Average(p => p.U), places.Average(p => p.V));
+            _turn = Signed(random, 0.02, 0.05) / places.Max(p => (p - Middle).Length);
+        }
+
+        public string Name { get; }
+
+        private Flat Middle { get; }
+
+        public double Deviation(RandomKeyPoint point) => _kind switch
+        {
+            0 => _growth,
+            1 => _shift.Dot(point.Normal),
+            2 => (_shift + ((point.Place - Middle).Left * _turn)).Dot(point.Normal),
+            _ => point.Deviation,
+        };
+
+        /// <summary>The smallest kind that leaves at most a micrometer at the key points, where this is certain; otherwise null. A growth
+        /// that fits a deviation of its own, or a shift without a turn that does, are for the referee to judge.</summary>
+        public string? Smallest(RandomPart part)
+        {
+            double[] all = [.. part.KeyPoints.Select(Deviation)];
+            var spread = (all.Max() - all.Min()) / 2;
+            var byWear = part.Flavor.Compensated && spread < 0.0005;
+            return byWear ? "ToolWear"
+                : part.Flavor.Compensated && spread < 0.003 ? null
+                : _kind is 1 or 2 && all.Max(Math.Abs) > 0.003 ? "WorkOffset"
+                : null;
+        }
+
+        private static double Signed(Random random, double from, double to) =>
+            (from + ((to - from) * random.NextDouble())) * (random.Next(2) == 0 ? 1 : -1);
+    }
+}
