@@ -15,9 +15,6 @@ public sealed class OffsetLoopTests
     // The micrometer that an offset may be off, the increment of an offset (0.05 um in each axis), and the words of the program.
     private const double Within = 0.001 + 0.0001 + 0.0015;
 
-    private const string Job =
-        """{ "allow": ["tool-wear", "work-offset", "blocks"], "otherCuts": "may-move", "firstVariable": 501, "stepDegrees": 0.5, "totalDegrees": 0.5, "stepMm": 0.6, "totalMm": 0.6 }""";
-
     [Fact]
     public void Every_part_gets_the_smallest_kind_that_suffices()
     {
@@ -25,9 +22,9 @@ public sealed class OffsetLoopTests
         for (var seed = 0; done < Parts; seed++)
         {
             var part = RandomParts.Generate(seed);
-            part = part with { ToolRadius = part.Flavor.Compensated ? 0.2 : part.ToolRadius };
-            var way = new Way(part, seed);
-            var outcome = Matcher.Match(RandomMatch.Offsets(part, way.Deviation, Job));
+            part = OffsetWay.WithTool(part);
+            var way = new OffsetWay(part, seed);
+            var outcome = Matcher.Match(RandomMatch.Offsets(part, way.Deviation, OffsetWay.Job));
             if (outcome.Result is not { } result)
             {
                 // Cutter compensation with this tool, or a step that no contour of the same blocks can follow.
@@ -52,7 +49,7 @@ public sealed class OffsetLoopTests
         }
     }
 
-    private static string? Problem(RandomPart part, Way way, MatchResult result, string kind)
+    private static string? Problem(RandomPart part, OffsetWay way, MatchResult result, string kind)
     {
         if (way.Smallest(part) is { } smallest && kind != smallest)
         {
@@ -79,56 +76,5 @@ public sealed class OffsetLoopTests
         return null;
 
         Flat Back(Flat v) => new((cos * v.U) + (sin * v.V), (cos * v.V) - (sin * v.U));
-    }
-
-    /// <summary>How a part deviates, by its number.</summary>
-    private sealed class Way
-    {
-        private readonly double _growth;
-        private readonly Flat _shift;
-        private readonly double _turn;
-        private readonly int _kind;
-
-        public Way(RandomPart part, int seed)
-        {
-            var random = new Random(seed);
-            _kind = seed % 4;
-            Name = new[] { "growth", "shift", "turn", "shape" }[_kind];
-            _growth = Signed(random, 0.02, 0.05);
-            _shift = new(Signed(random, 0.02, 0.05), Signed(random, 0.02, 0.05));
-
-            // About the middle of the key points, by what moves the outermost ones by some hundredths.
-            var places = part.KeyPoints.Select(p => p.Place).ToArray();
-            Middle = new(places.Average(p => p.U), places.Average(p => p.V));
-            _turn = Signed(random, 0.02, 0.05) / places.Max(p => (p - Middle).Length);
-        }
-
-        public string Name { get; }
-
-        private Flat Middle { get; }
-
-        public double Deviation(RandomKeyPoint point) => _kind switch
-        {
-            0 => _growth,
-            1 => _shift.Dot(point.Normal),
-            2 => (_shift + ((point.Place - Middle).Left * _turn)).Dot(point.Normal),
-            _ => point.Deviation,
-        };
-
-        /// <summary>The smallest kind that leaves at most a micrometer at the key points, where this is certain; otherwise null. A growth
-        /// that fits a deviation of its own, or a shift without a turn that does, are for the referee to judge.</summary>
-        public string? Smallest(RandomPart part)
-        {
-            double[] all = [.. part.KeyPoints.Select(Deviation)];
-            var spread = (all.Max() - all.Min()) / 2;
-            var byWear = part.Flavor.Compensated && spread < 0.0005;
-            return byWear ? "ToolWear"
-                : part.Flavor.Compensated && spread < 0.003 ? null
-                : _kind is 1 or 2 && all.Max(Math.Abs) > 0.003 ? "WorkOffset"
-                : null;
-        }
-
-        private static double Signed(Random random, double from, double to) =>
-            (from + ((to - from) * random.NextDouble())) * (random.Next(2) == 0 ? 1 : -1);
     }
 }

@@ -37,6 +37,15 @@ internal static class Rs274
         return Run(file, home, home, skips);
     });
 
+    /// <summary>Interprets a text with a table of tools, in inches, since without settings the machine is one of inches.</summary>
+    public static PeerRun RunWithTools(string program, string tools) => WithHome(home =>
+    {
+        var (file, table) = (Path.Combine(home, "program.ngc"), Path.Combine(home, "tool.tbl"));
+        File.WriteAllText(file, program);
+        File.WriteAllText(table, tools);
+        return Run(file, home, home, options: ["-t", table]);
+    });
+
     /// <summary>Interprets a text as if it stood in a folder, whose subprograms it can call.</summary>
     public static PeerRun Run(string program, string folder) => WithHome(home =>
     {
@@ -44,6 +53,19 @@ internal static class Rs274
         File.WriteAllBytes(file, System.Text.Encoding.Latin1.GetBytes(program));
         return Run(file, home, folder);
     });
+
+    // The last origin and rotation that the control was given.
+    private static PeerOrigin Origin(string[] lines)
+    {
+        double[] Last(string name) =>
+            lines.LastOrDefault(l => l.Contains($" {name}(", StringComparison.Ordinal)) is { } line
+                ? [
+                    .. line[(line.IndexOf('(', StringComparison.Ordinal) + 1)..line.LastIndexOf(')')].Split(',').Select(
+                        t => double.Parse(t, System.Globalization.CultureInfo.InvariantCulture))]
+                : [0, 0, 0];
+        var (origin, turn) = (Last("SET_G5X_OFFSET"), Last("SET_XY_ROTATION"));
+        return new(origin[1], origin[2], turn[0]);
+    }
 
     private static PeerRun WithHome(Func<string, PeerRun> run)
     {
@@ -58,9 +80,9 @@ internal static class Rs274
         }
     }
 
-    private static PeerRun Run(string file, string home, string folder, bool skips = false)
+    private static PeerRun Run(string file, string home, string folder, bool skips = false, params string[] options)
     {
-        var start = new ProcessStartInfo(Executable!, skips ? ["-b", "-g", file] : ["-g", file])
+        var start = new ProcessStartInfo(Executable!, [.. options, .. skips ? (string[])["-b"] : [], "-g", file])
         {
             UseShellExecute = false,
             WorkingDirectory = folder,
@@ -83,6 +105,7 @@ internal static class Rs274
         var said = error.GetAwaiter().GetResult().Replace("executing\n", "", StringComparison.Ordinal).Trim();
         return new(new CanonReader().Read(lines), process.ExitCode == 0 ? null : $"exit {process.ExitCode}: {said}")
         {
+            Origin = Origin(lines),
             Log = [
                 .. lines.Select(
                     l => l.IndexOf(" LOG(\"", StringComparison.Ordinal) is >= 0 and var at ? l[(at + 6)..l.LastIndexOf('"')] : null)
