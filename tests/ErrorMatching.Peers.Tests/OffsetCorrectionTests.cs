@@ -27,7 +27,8 @@ public sealed partial class OffsetCorrectionTests
         {
             var part = OffsetWay.WithTool(RandomParts.Generate(seed));
             var way = new OffsetWay(part, seed);
-            if (Matcher.Match(RandomMatch.Offsets(part, way.Deviation, OffsetWay.Job)).Result is not { Correction: { IsOffset: true } offset })
+            var outcome = Matcher.Match(RandomMatch.Offsets(part, way.Deviation, OffsetWay.Job));
+            if (outcome.Result is not { Correction: { IsOffset: true } offset })
             {
                 Assert.True(seed < 10 * Jobs, $"only {done} jobs");
                 continue;
@@ -118,8 +119,10 @@ public sealed partial class OffsetCorrectionTests
     // One program: without what begins and ends a file of its own, with labels of its own for each part, and with the tool in the spindle
     // from the beginning.
     private static string Text(params string[] programs) => "G21 G17 G40 G90 G54\nT1 M6\n" + string.Concat(
-        programs.SelectMany((p, i) => p.Split('\n').Where(l => l.Length > 0 && l[0] is not ('%' or 'O') && l is not ("M2" or "T1 M6")).Select(
+        programs.SelectMany((p, i) => p.Split('\n').Where(IsKept).Select(
             l => Label().Replace(l, m => string.Create(CultureInfo.InvariantCulture, $"o{i}{m.Groups[1].Value} ")) + "\n"))) + "M2\n";
+
+    private static bool IsKept(string line) => line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6");
 
     [GeneratedRegex("^o([0-9]+) ")]
     private static partial Regex Label();

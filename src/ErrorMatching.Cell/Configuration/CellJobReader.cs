@@ -113,6 +113,15 @@ internal sealed class CellJobReader(
                 $"one for {machine.Dialect}, which {machine.Name} has");
         }
 
+        if (job.Mating is { Correction.AllowsOffsets: true })
+        {
+            problems.Refuse(
+                item["job"],
+                "offsets-in-cell",
+                "a job whose correction may be an offset of the control",
+                "one that allows blocks alone: a cell sends programs, and would leave the offset out");
+        }
+
         if (item.Find("piece") is { } piece)
         {
             CheckPiece(piece, job);

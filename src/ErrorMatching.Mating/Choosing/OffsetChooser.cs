@@ -7,9 +7,9 @@ namespace ErrorMatching.Mating;
 
 /// <summary>Finds the smallest kind of correction that suffices: the tool's radius, the work offset, or blocks.</summary>
 /// <remarks>An offset suffices if every key point, and the boundary between them, ends up as near to where blocks would bring it as the
-/// job asks, or as near to where it should be; between key points, as near as its course is known. It also suffices if what it leaves at the key points cannot be told from the gauge's noise
-/// (chi-square of all of them, and the largest of them, each at 5 %) and is nowhere more than a tenth of the tolerance: then the
-/// difference is one that blocks would only copy from the noise.</remarks>
+/// job asks, or as near to where it should be; between key points, as near as its course is known. It also suffices if what it leaves at
+/// the key points cannot be told from the gauge's noise (chi-square of all of them, and the largest of them, each at 5 %) and is nowhere
+/// more than a tenth of the tolerance: then the difference is one that blocks would only copy from the noise.</remarks>
 internal sealed class OffsetChooser
 {
     // Between key points, a course is known no better than this many standard deviations.
@@ -22,15 +22,13 @@ internal sealed class OffsetChooser
     private readonly MatingJob _job;
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
-    private readonly CourseEstimator _estimator;
     private readonly OffsetTotals? _before;
     private readonly double _uncertaintyMm;
     private readonly IReadOnlyList<ComparedPlace> _places;
     private readonly double[] _wanted;
     private readonly double[] _now;
     private readonly List<KindRefused> _refused = [];
-    private int? _radiusNumber;
-    private int? _workNumber;
+    private readonly OffsetUse _use;
 
     /// <summary>Prepares the choice.</summary>
     /// <param name="job">The job; it allows an offset.</param>
@@ -50,7 +48,7 @@ internal sealed class OffsetChooser
         NcPath? blocks,
         OffsetTotals? before)
     {
-        (_job, _path, _maps, _estimator, _before) = (job, path, maps, estimator, before);
+        (_job, _path, _maps, _before, _use) = (job, path, maps, before, new(job.Correction, path, maps));
         _uncertaintyMm = decision.Features[0].StandardUncertaintyMm;
         _places = estimator.Places();
         var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
@@ -67,13 +65,12 @@ internal sealed class OffsetChooser
     /// <param name="compensates">False if nothing is compensated.</param>
     public CorrectionChoice Choose(bool compensates)
     {
-        var (radius, work) = (RadiusReason(), WorkReason());
         if (!compensates)
         {
             return Made(null, null, null, 0, false);
         }
 
-        return Radius(radius) ?? Work(work) ?? Made(CorrectionKind.Blocks, null, null, 0, false);
+        return Radius(_use.NotByRadius) ?? Work(_use.NotByWorkOffset) ?? Made(CorrectionKind.Blocks, null, null, 0, false);
     }
 
     private CorrectionChoice? Radius(string? reason)
@@ -133,7 +130,7 @@ internal sealed class OffsetChooser
         }
 
         var best = double.PositiveInfinity;
-        var turns = Turns();
+        var turns = _use.NotByTurn;
         var middle = new Point2(_places.Average(p => p.Place.X), _places.Average(p => p.Place.Y));
         foreach (var isTurned in turns is null ? [false, true] : (bool[])[false])
         {
@@ -141,7 +138,7 @@ internal sealed class OffsetChooser
             {
                 var degrees = isTurned ? Rounded(fitted[2] * 180 / Math.PI, RotationDecimals) : 0;
                 var shift = ShiftAbout(middle, new(fitted[0], fitted[1]), (double)degrees);
-                var step = new PlaneShift(
+                var step = new OffsetShift(
                     Rounded(shift.X, _path.Dialect.MetricDecimals), Rounded(shift.Y, _path.Dialect.MetricDecimals), degrees);
                 if (step == default)
                 {
@@ -149,7 +146,7 @@ internal sealed class OffsetChooser
                 }
 
                 var before = _before?.Work ?? default;
-                var total = new PlaneShift(
+                var total = new OffsetShift(
                     before.XMm + step.XMm, before.YMm + step.YMm, before.RotationDegrees + step.RotationDegrees);
                 var move = OffsetFit.Move((double)step.XMm, (double)step.YMm, (double)step.RotationDegrees);
                 var cuts = Cuts(r => r.OnCuts(_path).Moved(move));
@@ -197,7 +194,8 @@ internal sealed class OffsetChooser
         double[] errors = [.. _places.Select(p => p.ErrorOn(cuts(p.Run)))];
         double[] differences = [.. errors.Zip(_wanted, (e, w) => Math.Min(Math.Abs(e - w), Math.Abs(e)))];
         differenceMm = differences.Max();
-        isNoise = differences.Where((d, k) => d > Math.Max(_job.Correction.WithinMm, Coverage * _places[k].StandardDeviationMm) + 1e-9).Any();
+        isNoise = differences.Where(
+            (d, k) => d > Math.Max(_job.Correction.WithinMm, Coverage * _places[k].StandardDeviationMm) + 1e-9).Any();
         return !isNoise || IsNoise(errors, differences);
     }
 
@@ -221,97 +219,6 @@ internal sealed class OffsetChooser
         var band = _maps[feature].Feature.Tolerance.Band;
         return band.UpperMm - band.LowerMm;
     }
-
-    // Why the tool's radius cannot be changed, or null.
-    private string? RadiusReason()
-    {
-        if (!OffsetProgram.CanChangeRadius(_path.Dialect))
-        {
-            return $"the dialect {_path.Dialect.Name} does not say how a radius offset is changed";
-        }
-
-        var numbers = OffsetsInUse.RadiusNumbers(_path);
-        var own = Own().Select(i => numbers[i]).Distinct().ToArray();
-        if (own.Contains(null))
-        {
-            return "the features are cut without cutter compensation, so the tool's radius moves nothing";
-        }
-
-        if (own.Length > 1)
-        {
-            return "the features are cut with several radius offsets";
-        }
-
-        var named = own[0] is { } n && n == Math.Floor(n) && n is > 0 and < int.MaxValue ? (int)n : (int?)null;
-        if ((named ?? _job.Correction.RadiusOffset) is not { } number)
-        {
-            return "the program does not name the radius offset by D; state \"radiusOffset\"";
-        }
-
-        if (OffsetProgram.NeedsTool(_path.Dialect) && _job.Correction.Tool is null)
-        {
-            return "the control keeps offsets by tool; state \"tool\"";
-        }
-
-        _radiusNumber = number;
-        return _job.Correction.OtherCutsMayMove ? null : Other(i => numbers[i] is { } x && (x.Equals(own[0]) || double.IsNaN(x)));
-    }
-
-    // Why the work offset cannot be changed, or null.
-    private string? WorkReason()
-    {
-        if (!OffsetProgram.CanShift(_path.Dialect))
-        {
-            return $"the dialect {_path.Dialect.Name} does not say how a work offset is changed";
-        }
-
-        var numbers = OffsetsInUse.WorkOffsets(_path);
-        var own = Own().Select(i => numbers[i]).Distinct().ToArray();
-        if (own is not [> 0])
-        {
-            return own.Length > 1
-                ? "the features are cut in several work offsets"
-                : "the features are cut in a work offset that cannot be changed";
-        }
-
-        if (Own().Any(i => _path.Frames[_path.Motions[i].Frame].IsTransformed))
-        {
-            return "the features are cut under a rotation, scaling or mirroring of the program";
-        }
-
-        if (Own().Any(i => _path.Motions[i].Plane != CoordinatePlane.XY))
-        {
-            return "the features are cut in another plane than XY";
-        }
-
-        _workNumber = own[0];
-        return _job.Correction.OtherCutsMayMove ? null : Other(i => numbers[i] == own[0] || numbers[i] < 0);
-    }
-
-    // Why the work offset cannot be rotated, or null.
-    private string? Turns()
-    {
-        if (!OffsetProgram.CanRotate(_path.Dialect))
-        {
-            return "the control cannot rotate it";
-        }
-
-        return Own().Select(i => _path.Frames[_path.Motions[i].Frame]).Any(
-            f => f.Shift != default || f.UnknownShift != AxisSet.None || f.ProgramShift != default)
-            ? "it is not rotated, because the program shifts its origin"
-            : null;
-    }
-
-    private string? Other(Func<int, bool> moves)
-    {
-        var other = OtherCuts.First(_path, _maps, moves);
-        return other < 0 ? null
-            : $"{_path.Program.NameOf(_path.Program[_path.Motions[other].Block])} belongs to no feature and would move, too; "
-                + "\"otherCuts\": \"may-move\" allows it";
-    }
-
-    private IEnumerable<int> Own() =>
-        _maps.SelectMany(m => m.Passes).SelectMany(p => FeaturePass.Moving(_path, p.First, p.Last));
 
     // The boundary beside the programmed one by a distance, and whether the control still follows it with the tool.
     private string? Beside(double distance, out Func<RunEstimate, RunPath> cuts)
@@ -355,7 +262,7 @@ internal sealed class OffsetChooser
         return null;
     }
 
-    private string? BeyondTurn(PlaneShift step, PlaneShift total)
+    private string? BeyondTurn(OffsetShift step, OffsetShift total)
     {
         var limits = _job.Correction.Limits;
         return Math.Abs(step.RotationDegrees) > limits.StepDegrees || Math.Abs(total.RotationDegrees) > limits.TotalDegrees
@@ -377,13 +284,13 @@ internal sealed class OffsetChooser
     }
 
     // Offsets that are not needed are set to what they were (in feedback) or to nothing (in feed-forward, which starts from there).
-    private CorrectionChoice Made(CorrectionKind? kind, decimal? radiusTotal, PlaneShift? workTotal, double difference, bool isNoise)
+    private CorrectionChoice Made(CorrectionKind? kind, decimal? radiusTotal, OffsetShift? workTotal, double difference, bool isNoise)
     {
         var job = _job.Correction;
-        var radius = job.Allows(CorrectionKind.ToolWear) && _radiusNumber is { } d
+        var radius = job.Allows(CorrectionKind.ToolWear) && _use.RadiusNumber is { } d
             ? new RadiusCorrection(d, job.Tool ?? 0, radiusTotal ?? _before?.RadiusMm ?? 0, _before?.RadiusMm)
             : null;
-        var work = job.Allows(CorrectionKind.WorkOffset) && _workNumber is { } w
+        var work = job.Allows(CorrectionKind.WorkOffset) && _use.WorkOffsetNumber is { } w
             ? new WorkOffsetCorrection(w, workTotal ?? _before?.Work ?? default, _before?.Work)
             : null;
         return new(
@@ -398,7 +305,7 @@ internal sealed class OffsetChooser
                 : OffsetProgram.Write(_path.Dialect, radius, work, job.Limits, job.FirstVariable, job.ProgramNumber));
     }
 
-    private Func<RunEstimate, RunPath> Cuts(Func<RunEstimate, RunPath> of)
+    private static Func<RunEstimate, RunPath> Cuts(Func<RunEstimate, RunPath> of)
     {
         var made = new Dictionary<RunEstimate, RunPath>(ReferenceEqualityComparer.Instance);
         return run => made.TryGetValue(run, out var cuts) ? cuts : made[run] = of(run);

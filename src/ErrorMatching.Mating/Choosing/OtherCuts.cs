@@ -31,7 +31,8 @@ internal static class OtherCuts
         return -1;
     }
 
-    private static bool Cuts(in NcMotion motion) => motion.Has(MotionFlags.Cycle) || (motion.Kind != MotionKind.Rapid && motion.MovesInPlane);
+    private static bool Cuts(in NcMotion motion) =>
+        motion.Has(MotionFlags.Cycle) || (motion.Kind != MotionKind.Rapid && motion.MovesInPlane);
 
     // One or two cuts between a feature and the end of the run of cuts, or an arc between two features.
     private static bool IsLead(NcPath path, bool[] own, int motion) =>

@@ -72,13 +72,14 @@ internal sealed class CourseEstimator
     public Outcome<CourseEstimate> Estimate()
     {
         var (best, least) = ((CourseEstimate?)null, double.PositiveInfinity);
-        (IReadOnlyList<ElementCut>, IReadOnlyList<FollowingLine>)[] states = [];
+        var states = _runs.Select(r => r.State).ToArray();
         _runs.ForEach(r => r.Compare(_path, isWhole: false));
         for (var round = 0; round < Rounds; round++)
         {
             var outcome = Made();
             if (!outcome.IsUsable && best is null)
             {
+                Restore(states);
                 return outcome.Refusal;
             }
 
@@ -104,12 +105,17 @@ internal sealed class CourseEstimator
             }
         }
 
+        Restore(states);
+        return best!;
+    }
+
+    // What the cuts follow on the path that is predicted next.
+    private void Restore((IReadOnlyList<ElementCut>, IReadOnlyList<FollowingLine>)[] states)
+    {
         for (var r = 0; r < _runs.Count; r++)
         {
             _runs[r].State = states[r];
         }
-
-        return best!;
     }
 
     private Outcome<CourseEstimate> Made()

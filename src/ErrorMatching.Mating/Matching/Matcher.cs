@@ -241,7 +241,8 @@ public static class Matcher
         var prediction = predicted ?? estimator.Predict(path);
         if (correction is null && input.Job.Correction.AllowsOffsets)
         {
-            correction = new OffsetChooser(input.Job, path, maps, decision, estimator, path, OffsetsBefore(input)).Choose(compensates: false);
+            correction = new OffsetChooser(input.Job, path, maps, decision, estimator, path, OffsetsBefore(input))
+                .Choose(compensates: false);
         }
 
         return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof)

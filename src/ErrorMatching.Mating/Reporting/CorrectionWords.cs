@@ -6,6 +6,8 @@ namespace ErrorMatching.Mating;
 /// <summary>Report texts of the kind of a correction.</summary>
 public static class CorrectionWords
 {
+    private const string Noise = ", which is not more than the gauge's noise";
+
     /// <summary>What to do with the offsets, in a sentence; null if the job allows none, or they are not touched.</summary>
     public static string? ToDo(ReportCorrection? correction)
     {
@@ -37,13 +39,13 @@ public static class CorrectionWords
         {
             yield return string.Create(
                 CultureInfo.InvariantCulture,
-                $"By {Name(correction.Choice.Kind!.Value)}: the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm from "
-                    + $"where blocks would bring it{(correction.Choice.IsWithinNoise ? ", which is not more than the gauge's noise" : "")}.");
+                $"By {Name(correction.Choice.Kind!.Value)}: the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm "
+                    + $"from where blocks would bring it{(correction.Choice.IsWithinNoise ? Noise : "")}.");
         }
     }
 
     private static bool IsNothing(ReportCorrection correction) =>
-        correction.Choice.Radius is null or { TotalMm: 0 } && correction.Choice.Work is null or { Total: { XMm: 0, YMm: 0, RotationDegrees: 0 } };
+        correction.Totals == OffsetTotals.None;
 
     private static string Of(RadiusCorrection radius) => string.Create(
         CultureInfo.InvariantCulture, $"the tool's radius in D{radius.Number} by {radius.TotalMm:+0.0000;-0.0000} mm in all");

@@ -49,7 +49,7 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
         }
     }
 
-    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    /// <summary>Reads what <see cref="Write(ReportWriter)"/> writes.</summary>
     /// <exception cref="Refusals.InputException">A member is missing or wrong.</exception>
     internal static ReportCorrection Read(ReportReader r)
     {
@@ -58,7 +58,11 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
             new(
                 r.OptionalText("kind") is null ? null : r.Word<CorrectionKind>("kind", ReportWords.Of),
                 r.OptionalObject("radius") is { } radius
-                    ? new(radius.Count("number"), radius.Count("tool"), Exact(radius.Number("totalMm")), Exact(radius.OptionalNumber("beforeMm")))
+                    ? new(
+                        radius.Count("number"),
+                        radius.Count("tool"),
+                        Exact(radius.Number("totalMm")),
+                        Exact(radius.OptionalNumber("beforeMm")))
                     : null,
                 r.OptionalObject("workOffset") is { } work
                     ? new(work.Count("number"), Shift(work.Object("total")), work.OptionalObject("before") is { } b ? Shift(b) : null)
@@ -71,14 +75,14 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
             program?.Text("sha256"));
     }
 
-    private static void Write(ReportWriter w, PlaneShift shift)
+    private static void Write(ReportWriter w, OffsetShift shift)
     {
         w.Number("xMm", (double)shift.XMm);
         w.Number("yMm", (double)shift.YMm);
         w.Number("rotationDegrees", (double)shift.RotationDegrees);
     }
 
-    private static PlaneShift Shift(ReportReader r) =>
+    private static OffsetShift Shift(ReportReader r) =>
         new(Exact(r.Number("xMm")), Exact(r.Number("yMm")), Exact(r.Number("rotationDegrees")));
 
     // Offsets have few decimals, which a double keeps; values beyond any offset are cut off.

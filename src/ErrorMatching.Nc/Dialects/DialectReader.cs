@@ -147,7 +147,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
             foreach (Match match in OffsetRule.Name().Matches(line.Text))
             {
-                if (!known.Contains(match.Groups[1].Value, StringComparer.Ordinal))
+                if (!known.Contains(match.Groups["name"].Value, StringComparer.Ordinal))
                 {
                     Problems.Add(JsonRefusal.At(
                         line, "unknown-value", match.Value, $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));

@@ -41,6 +41,6 @@ internal sealed partial class OffsetRule
     public static readonly IReadOnlyList<string> BeforeWork = ["xBefore", "yBefore", "rotationBefore"];
 
     /// <summary>A name in braces.</summary>
-    [GeneratedRegex(@"\{([^{}]*)\}")]
+    [GeneratedRegex(@"\{(?<name>[A-Za-z0-9]{1,32})\}", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     public static partial Regex Name();
 }

@@ -111,7 +111,7 @@ public static class OffsetProgram
         lines.Where(l => isKnownBefore || !l.StartsWith('?')).Select(l => Filled(l.StartsWith('?') ? l[1..] : l, values));
 
     private static string Filled(string line, Dictionary<string, string> values) =>
-        OffsetRule.Name().Replace(line, m => values[m.Groups[1].Value]);
+        OffsetRule.Name().Replace(line, m => values[m.Groups["name"].Value]);
 
     private static string Text(int value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
 

@@ -36,8 +36,9 @@ public static class OffsetsInUse
     public static int[] WorkOffsets(NcPath path)
     {
         ArgumentNullException.ThrowIfNull(path);
-        var ofFrames = path.Frames.Select(f => OffsetProgram.NumberOf(path.Dialect, f.WorkOffset) is var n && n > 0 && f.WorkOffsetNumber == 0 ? n : -1)
-            .ToArray();
+        int[] ofFrames = [
+            .. path.Frames.Select(f => f.WorkOffsetNumber != 0 ? 0 : OffsetProgram.NumberOf(path.Dialect, f.WorkOffset)).Select(
+                n => n > 0 ? n : -1)];
         var numbers = new int[path.Motions.Length];
         for (var i = 0; i < numbers.Length; i++)
         {

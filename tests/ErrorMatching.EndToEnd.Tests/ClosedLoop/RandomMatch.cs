@@ -50,10 +50,32 @@ internal static class RandomMatch
             "linuxcnc",
             correction);
 
+    /// <summary>The same for a gauge with noise and features with limits of 20 um.</summary>
+    public static MatchInput Offsets(
+        RandomPart part, Func<RandomKeyPoint, double> measured, string? correction, double uncertaintyMm) =>
+        Input(
+            part,
+            "part",
+            Csv(part, p => p.Theoretical),
+            Csv(part, p => part.Frame.ToPart(p.Place + (p.Normal * measured(p)))),
+            null,
+            "linuxcnc",
+            correction,
+            text => text.Replace("[0, 0]", "[-0.02, 0.02]", StringComparison.Ordinal).Replace(
+                "0.0000001", Text(uncertaintyMm), StringComparison.Ordinal));
+
     private static MatchInput Input(
-        RandomPart part, string from, byte[] theoretical, byte[] actual, byte[]? counterpart, string dialect = "fanuc", string? correction = null)
+        RandomPart part,
+        string from,
+        byte[] theoretical,
+        byte[] actual,
+        byte[]? counterpart,
+        string dialect = "fanuc",
+        string? correction = null,
+        Func<string, string>? change = null)
     {
-        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Job(part, from, dialect, correction)), "random.json");
+        var text = Job(part, from, dialect, correction);
+        var job = MatingJob.Parse(Encoding.UTF8.GetBytes(change?.Invoke(text) ?? text), "random.json");
         return new(
             job,
             MeasurementReader.Read(theoretical, "theoretical.csv", job.Gauge.Format),

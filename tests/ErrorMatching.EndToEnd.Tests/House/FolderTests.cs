@@ -20,13 +20,14 @@ public sealed partial class FolderTests
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "LotReports", "Writing"],
         ["Nc"] =
         [
-            "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Compensation", "Wishes", "Rewriting", "Proof",
+            "", "Text", "Dialects", "Motion", "Expressions", "Flow", "Control", "Running", "Compensation", "Offsets",
+            "Wishes", "Rewriting", "Proof",
             "Certificates", "Comparison",
         ],
         ["Mating"] =
         [
             "", "Tolerances", "Measuring", "Cutting", "Displacing", "Features", "Job", "Mapping", "Aligning", "Lots", "Deciding",
-            "Estimating", "Matching", "Verifying", "Reporting",
+            "Estimating", "Choosing", "Matching", "Verifying", "Reporting",
         ],
         ["Freeform"] =
         [

@@ -154,7 +154,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
             return;
         }
 
-        var offsets = _report.Correction?.File is { } file ? $"{file}, " : "";
+        var (offsets, run) = _report.Correction?.File is { } file ? ($"{file}, ", $"run {file}, ") : ("", "");
         page.Line($"Wrote {offsets}{_report.Program.File}, {In("report.html")} and {In("report.json")}.");
         if (OutsideWords.ToDecide(_report.Outside) is { } decide)
         {
@@ -167,8 +167,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
 
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Next: open {In("report.html")} in a browser, {(offsets.Length > 0 ? $"run {_report.Correction!.File}, " : "")}cut the counterpart with {_report.Program.File}, measure it, and compare by "
-                + $"errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took "
+            $"Next: open {In("report.html")} in a browser, {run}cut the counterpart with {_report.Program.File}, measure it, and compare "
+                + $"by errormatch verify. Measuring takes about {_report.Time.MeasuringS} s, this calculation took "
                 + $"{_report.Time.CalculatingS:0.000} s."));
     }
 
