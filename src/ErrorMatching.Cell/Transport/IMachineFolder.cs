@@ -42,9 +42,7 @@ public interface IMachineFolder : IDisposable
     Task DeleteAsync(string name, CancellationToken cancellation);
 
     // Most transports keep nothing open.
-    void IDisposable.Dispose()
-    {
-    }
+    void IDisposable.Dispose() => GC.SuppressFinalize(this);
 }
 
 /// <summary>A program that replaced another, and the replaced one.</summary>

@@ -28,9 +28,6 @@ internal sealed class SftpFiles(SftpSession session)
     /// <summary>True if nothing is open at the server, and nothing unanswered.</summary>
     public bool IsAtRest => _open == 0 && session.IsAtRest;
 
-    /// <summary>Fails unless the folder exists.</summary>
-    public Task DemandFolderAsync(string folder) => AskAsync(new SftpRequest(SftpType.Stat).Add(folder), SftpType.Attributes);
-
     /// <summary>Asks the server for an answer that changes nothing.</summary>
     public Task GreetAgainAsync() => AskAsync(new SftpRequest(SftpType.RealPath).Add("."), SftpType.Name);
 

@@ -83,7 +83,6 @@ internal enum SftpType
     ReadFolder = 12,
     Remove = 13,
     RealPath = 16,
-    Stat = 17,
     Rename = 18,
     Status = 101,
     Handle = 102,

@@ -57,7 +57,7 @@ internal sealed class SftpSignIn : IDisposable
         try
         {
             if (OperatingSystem.IsLinux()
-                && (File.GetUnixFileMode(file) & (UnixFileMode)0b111_111) != 0
+                && (File.GetUnixFileMode(file) & (UnixFileMode)0b111_111) != UnixFileMode.None
                 && LinuxCalls.IsOwn(file))
             {
                 throw new SftpSignInException($"other users may read the key {file}: take their rights to it away (chmod 600)");

@@ -17,9 +17,6 @@ internal sealed class SftpStatusException(uint code, string said) : Exception(
     private const uint ConnectionLost = 7;
     private const uint Unsupported = 8;
 
-    /// <summary>True if there is no such file or folder.</summary>
-    public bool IsAbsent => code == NoSuchFile;
-
     /// <summary>The error, where the operation does not tell more.</summary>
     public TransportError Error => code switch
     {

@@ -36,9 +36,11 @@ internal sealed class SftpTransport : IMachineFolder
                 {
                     return await FetchAsync(f, doing, path, mostBytes).ConfigureAwait(false);
                 }
-                catch (SftpStatusException e) when (e.IsAbsent)
+                catch (SftpStatusException e) when (e.Error != TransportError.Away)
                 {
-                    await f.DemandFolderAsync(Folder).ConfigureAwait(false);
+                    // Servers give different answers for a file that is not there.
+                    if ((await ListAsync(f, doing).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
+                        throw Failure(e.Error, doing, e);
                     return null;
                 }
             },
@@ -164,15 +166,20 @@ internal sealed class SftpTransport : IMachineFolder
         try
         {
             var connection = await _connections.TakeAsync(end.Token).ConfigureAwait(false);
+
+            // Sending blocks while the server takes nothing.
+            var working = Task.Run(() => work(connection.Files), CancellationToken.None);
             try
             {
-                // While it is cut, a send may block, and this thread must not.
-                using var late = end.Token.Register(connection.Cut);
-                return await Task.Run(() => work(connection.Files), CancellationToken.None).WaitAsync(end.Token).ConfigureAwait(false);
+                return await working.WaitAsync(end.Token).ConfigureAwait(false);
             }
             finally
             {
-                _connections.Give(connection);
+                // Work that is abandoned must not send another word.
+                if (working.IsCompleted)
+                    _connections.Give(connection);
+                else
+                    SftpConnections.Drop(connection);
             }
         }
         catch (Exception e) when (end.IsCancellationRequested)
