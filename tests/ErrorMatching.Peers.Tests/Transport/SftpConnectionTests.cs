@@ -96,6 +96,19 @@ public sealed class SftpConnectionTests
         Assert.True(watch.Elapsed < TimeSpan.FromSeconds(FtpPeer.Patience / 2));
     }
 
+    [Fact]
+    public async Task A_server_that_asks_whether_the_cell_is_still_there_gets_an_answer()
+    {
+        SshPeer.IsNeeded();
+        using var peer = new SshPeer(more: "ClientAliveInterval 1");
+        using var proxy = new CutProxy(peer.Port);
+        using var machine = peer.Open(s => s with { Port = proxy.Port });
+        Assert.Empty(await machine.ListAsync(Token));
+        var (up, down) = proxy.Passed;
+        await Quiet.WhenAsync(() => proxy.Passed.Down > down && proxy.Passed.Up > up, "the server's question is answered");
+        Assert.Equal(1, proxy.Connections);
+    }
+
     [Theory]
     [InlineData("ed25519")]
     [InlineData("rsa")]

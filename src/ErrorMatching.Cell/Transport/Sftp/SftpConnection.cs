@@ -117,6 +117,9 @@ internal sealed class SftpConnection : IDisposable
 
             // A server that compresses may send very much in very little.
             Keep(info.CompressionAlgorithms, ["none"]);
+            // The library leaves the question whether it is still there without an answer if it knows it, and refuses it if not. For a server
+            // that asks, either answer will do, and none means that nobody is there.
+            info.ChannelRequests.Clear();
             client = new(info);
             client.HostKeyReceived += (_, e) =>
             {
