@@ -174,14 +174,16 @@ public sealed class SftpSessionTests
         var random = new Random(17);
         for (var n = 0; n < 300; n++)
         {
-            var server = new Server((id, type) =>
+            byte[] Changed(uint id, byte type)
             {
                 var answer = type == 11
                     ? Message(102, id, Text("h"))
                     : Message(104, id, Concat([0, 0, 0, 1], Text("A"), Text("A"), [0, 0, 0, 15], new byte[8 + 8 + 4 + 8]));
                 answer[random.Next(4, answer.Length)] ^= (byte)(1 << random.Next(8));
                 return answer;
-            }) { Piece = random.Next(1, 20) };
+            }
+
+            var server = new Server(Changed) { Piece = random.Next(1, 20) };
             await server.Session.GreetAsync().WaitAsync(Soon, Token);
             try
             {

@@ -255,7 +255,12 @@ public sealed class SftpConnectionTests
     // As OpenSSH itself computes it.
     private static async Task<string> FingerprintAsync(string key)
     {
-        var start = new ProcessStartInfo("ssh-keygen", ["-l", "-f", "-"]) { RedirectStandardInput = true, RedirectStandardOutput = true };
+        var start = new ProcessStartInfo("ssh-keygen", ["-l", "-f", "-"])
+        {
+            UseShellExecute = false,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+        };
         using var process = Process.Start(start)!;
         await process.StandardInput.WriteLineAsync(key);
         process.StandardInput.Close();

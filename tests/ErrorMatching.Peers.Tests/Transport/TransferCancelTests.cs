@@ -42,12 +42,7 @@ public sealed partial class TransferCancelTests
             using var machine = peer.Open(s => s with { Port = proxy.Port, KeyFile = null }, seconds: 300);
             using var cancel = CancellationTokenSource.CreateLinkedTokenSource(Token);
             var sending = program.SendAsync(machine, cancel.Token);
-            while (proxy.IsArmed)
-            {
-                Assert.False(sending.IsCompleted, sending.IsCompletedSuccessfully ? sending.Result?.Message : "It ended.");
-                await Task.Delay(10, Token);
-            }
-
+            await UntilAsync(() => !proxy.IsArmed, sending);
             await cancel.CancelAsync();
             var failure = await Assert.ThrowsAnyAsync<OperationCanceledException>(() => sending.WaitAsync(Soon, Token));
             Assert.DoesNotContain(SshPeer.Password.Trim(), failure.ToString(), StringComparison.Ordinal);
@@ -64,11 +59,7 @@ public sealed partial class TransferCancelTests
     {
         using var cancel = CancellationTokenSource.CreateLinkedTokenSource(Token);
         var sending = send(cancel.Token);
-        while (!hangs())
-        {
-            Assert.False(sending.IsCompleted, sending.IsCompletedSuccessfully ? sending.Result?.Message : "It ended.");
-            await Task.Delay(10, Token);
-        }
+        await UntilAsync(hangs, sending);
 
         // Other tests run the same programs at the same time: those are meant that are connected to this port.
         var own = ProcessTable.ConnectedTo(port);
@@ -92,6 +83,15 @@ public sealed partial class TransferCancelTests
         Assert.DoesNotContain(secret, failure.ToString(), StringComparison.Ordinal);
         Assert.True(await ProcessTable.EndAsync(own.Select(p => p.Id)), $"{string.Join(" or ", programs)} goes on.");
         Assert.False(Directory.Exists(folder));
+    }
+
+    private static async Task UntilAsync(Func<bool> hangs, Task<TransportException?> sending)
+    {
+        while (!hangs())
+        {
+            Assert.False(sending.IsCompleted, sending.IsCompletedSuccessfully ? (await sending)?.Message : "It ended.");
+            await Task.Delay(10, Token);
+        }
     }
 
     private static bool IsRegular(string file) => new FileInfo(file) is { Exists: true, Length: > 0 };
