@@ -70,7 +70,8 @@ internal static class LinuxCalls
     public static bool IsOwn(string path)
     {
         var status = new byte[StatusLength];
-        return StatX(CurrentFolder, Bytes(path), 0, OwnerWanted, status) == 0 && BitConverter.ToUInt32(status, PlaceOfOwner) == User();
+        return StatX(CurrentFolder, Bytes(path), 0, OwnerWanted, status) == 0
+            && BitConverter.ToUInt32(status, PlaceOfOwner) == EffectiveUser();
     }
 
     /// <summary>Exchanges two names atomically.</summary>
@@ -166,6 +167,6 @@ internal static class LinuxCalls
 
     [DllImport("libc", EntryPoint = "geteuid", ExactSpelling = true)]
     [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
-    private static extern uint User();
+    private static extern uint EffectiveUser();
 #pragma warning restore SYSLIB1054
 }

@@ -3,7 +3,8 @@ namespace ErrorMatching.Cell;
 /// <summary>The folder with a machine's programs, wherever it is. Names are plain file names and cannot lead out of the folder.</summary>
 /// <remarks>Every operation throws a <see cref="TransportException"/> if it did not complete, or may not have. It may then be partly done,
 /// or still complete later. Writing and renaming read back the result, because over a network one combined operation costs far less than
-/// two. Several may be called at the same time. Disposing of the folder closes what a transport keeps open between two operations.</remarks>
+/// two. Several may be called at the same time. Disposing of the folder closes what a transport keeps open between two
+/// operations.</remarks>
 public interface IMachineFolder : IDisposable
 {
     /// <summary>The machine's name.</summary>

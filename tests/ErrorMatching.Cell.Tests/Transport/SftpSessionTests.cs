@@ -3,7 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>An SFTP session with a server that lies, never ends, or talks nonsense: it is left in bounded time, with bounded memory.</summary>
+/// <summary>An SFTP session with a server that lies, never ends, or talks nonsense: it is left in bounded time, with bounded
+/// memory.</summary>
 public sealed class SftpSessionTests
 {
     private const int MostMessage = 256 << 10;
@@ -160,7 +161,8 @@ public sealed class SftpSessionTests
     [Fact]
     public async Task A_server_s_words_are_repeated_in_one_short_line()
     {
-        var server = new Server((id, _) => Message(101, id, Concat([0, 0, 0, 4], Text("no\r\n\u001b[31mroom" + new string('x', 1000)), Text("en"))));
+        var words = "no\r\n\u001b[31mroom" + new string('x', 1000);
+        var server = new Server((id, _) => Message(101, id, Concat([0, 0, 0, 4], Text(words), Text("en"))));
         await server.Session.GreetAsync().WaitAsync(Soon, Token);
         var refused = await Assert.ThrowsAsync<SftpStatusException>(() => server.Files.RemoveAsync("P1").WaitAsync(Soon, Token));
         Assert.StartsWith("the server answered 4 (no   [31mroomxxx", refused.Message, StringComparison.Ordinal);

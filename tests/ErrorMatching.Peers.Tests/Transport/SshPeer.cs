@@ -137,8 +137,8 @@ internal sealed class SshPeer : IDisposable
         var service = Path.Combine("/etc/pam.d", name);
         File.WriteAllText(
             service,
-            $"auth required pam_exec.so expose_authtok quiet {On("check")}\nauth required pam_permit.so\naccount required pam_permit.so\nsession required "
-                + $"pam_permit.so\n");
+            $"auth required pam_exec.so expose_authtok quiet {On("check")}\nauth required pam_permit.so\naccount required pam_permit.so\n"
+                + "session required pam_permit.so\n");
         return (link, service);
     }
 

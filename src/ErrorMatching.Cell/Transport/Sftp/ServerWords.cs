@@ -7,5 +7,6 @@ internal static class ServerWords
 
     /// <summary>The words without control characters, shortened.</summary>
     public static string Of(string said) =>
-        string.Concat(said.Take(Most).Select(c => char.IsControl(c) || char.IsSurrogate(c) ? ' ' : c)).Trim() + (said.Length > Most ? "…" : "");
+        string.Concat(said.Take(Most).Select(c => char.IsControl(c) || char.IsSurrogate(c) ? ' ' : c)).Trim()
+        + (said.Length > Most ? "..." : "");
 }

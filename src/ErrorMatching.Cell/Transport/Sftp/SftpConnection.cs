@@ -58,8 +58,8 @@ internal sealed class SftpConnection : IDisposable
     /// <param name="sftp">The server.</param>
     /// <param name="secret">Returns the password.</param>
     /// <param name="limit">The longest that each step may take.</param>
-    /// <param name="cancellation">Cancels the wait. Until its own limits end it, the connecting may go on for a while; it changes nothing at
-    /// the server.</param>
+    /// <param name="cancellation">Cancels the wait. Until its own limits end it, the connecting may go on for a while; it changes nothing
+    /// at the server.</param>
     /// <exception cref="SftpConnectException">There is no connection.</exception>
     public static async Task<SftpConnection> OpenAsync(
         SftpSettings sftp, Func<string?> secret, TimeSpan limit, CancellationToken cancellation)
@@ -117,8 +117,8 @@ internal sealed class SftpConnection : IDisposable
 
             // A server that compresses may send very much in very little.
             Keep(info.CompressionAlgorithms, ["none"]);
-            // The library leaves the question whether it is still there without an answer if it knows it, and refuses it if not. For a server
-            // that asks, either answer will do, and none means that nobody is there.
+            // A server may ask whether the client is still there. The library gives no answer to requests that it knows, and refuses those
+            // that it does not know. Either answer will do.
             info.ChannelRequests.Clear();
             client = new(info);
             client.HostKeyReceived += (_, e) =>
@@ -159,7 +159,8 @@ internal sealed class SftpConnection : IDisposable
             new(TransportError.Slow, failure.Message, failure),
         SshConnectionException when info is { CurrentKeyExchangeAlgorithm: not null, CurrentHostKeyAlgorithm: null } => new(
             TransportError.WrongServer,
-            $"the server has no key of the pinned one's type ({ServerWords.Of(failure.Message)}); the pinned one is {pin.Kind} {pin.Fingerprint}",
+            $"the server has no key of the pinned one's type ({ServerWords.Of(failure.Message)}); the pinned one is "
+                + $"{pin.Kind} {pin.Fingerprint}",
             failure),
         ArgumentException => new(TransportError.Unknown, ServerWords.Of(failure.Message), failure),
         _ => new(TransportError.Away, ServerWords.Of(failure.Message), failure),

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The connections to one server. Each operation has one of its own while it works; then the connection waits for the next.</summary>
+/// <summary>The connections to one server. Each operation has one of its own while it works; then the connection waits for the
+/// next.</summary>
 /// <param name="open">Opens another one.</param>
 /// <param name="waits">How long they are trusted.</param>
 internal sealed class SftpConnections(Func<CancellationToken, Task<SftpConnection>> open, SftpWaits waits) : IDisposable

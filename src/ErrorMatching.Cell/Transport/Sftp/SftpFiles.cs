@@ -86,7 +86,8 @@ internal sealed class SftpFiles(SftpSession session)
             var (from, count, answer) = asked.Dequeue();
             for (var got = 0; got < count && !isAtEnd;)
             {
-                var piece = Data(await (got == 0 ? answer : PieceAsync(handle, from + got, count - got)).ConfigureAwait(false), count - got);
+                var came = await (got == 0 ? answer : PieceAsync(handle, from + got, count - got)).ConfigureAwait(false);
+                var piece = Data(came, count - got);
                 isAtEnd = piece.Length == 0;
                 got += piece.Length;
                 content.Write(piece);
@@ -101,8 +102,8 @@ internal sealed class SftpFiles(SftpSession session)
         return content.ToArray();
     }
 
-    /// <summary>Writes a file, replacing an existing one, to the server's disk if the server can. Its mode is what the server's umask leaves
-    /// of read and write for everybody: the control is another user.</summary>
+    /// <summary>Writes a file, replacing an existing one, to the server's disk if the server can. Its mode is what the server's umask
+    /// leaves of read and write for everybody: the control is another user.</summary>
     public async Task WriteAsync(string path, ReadOnlyMemory<byte> bytes)
     {
         var handle = await HandleAsync(
@@ -158,7 +159,9 @@ internal sealed class SftpFiles(SftpSession session)
     private async Task<SftpReply?> NextNamesAsync(byte[] handle)
     {
         var answer = await session.AskAsync(new SftpRequest(SftpType.ReadFolder).Add(handle)).ConfigureAwait(false);
-        return answer.Type == SftpType.Status && DemandSuccess(answer, SftpStatusException.EndOfFile) ? null : Demand(answer, SftpType.Name);
+        return answer.Type == SftpType.Status && DemandSuccess(answer, SftpStatusException.EndOfFile)
+            ? null
+            : Demand(answer, SftpType.Name);
     }
 
     private async Task<byte[]> HandleAsync(SftpRequest request)
@@ -179,7 +182,8 @@ internal sealed class SftpFiles(SftpSession session)
         var piece = Demand(answer, SftpType.Data).Bytes();
         return piece.Length <= most && piece.Length > 0
             ? piece.ToArray()
-            : throw new SftpLostException(FormattableString.Invariant($"the server sent {piece.Length} bytes of a file, 1 to {most} were asked"));
+            : throw new SftpLostException(
+                FormattableString.Invariant($"the server sent {piece.Length} bytes of a file, 1 to {most} were asked"));
     }
 
     private Task DoAsync(SftpRequest request) => DoneAsync(session.AskAsync(request));

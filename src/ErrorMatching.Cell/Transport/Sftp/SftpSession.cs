@@ -2,7 +2,8 @@ using System.Buffers.Binary;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Requests to an SFTP server and its answers, in the order in which the server gives them. One operation at a time uses it.</summary>
+/// <summary>Requests to an SFTP server and its answers, in the order in which the server gives them. One operation at a time uses
+/// it.</summary>
 /// <param name="send">Sends bytes to the server; it may block.</param>
 internal sealed class SftpSession(Action<byte[], int> send)
 {
@@ -41,7 +42,8 @@ internal sealed class SftpSession(Action<byte[], int> send)
         send(init, init.Length);
         var answer = await _greeted.Task.ConfigureAwait(false);
         if (answer.Number() is var version && version != Version)
-            throw new SftpLostException(FormattableString.Invariant($"the server speaks version {version} of SFTP, and {Version} is needed"));
+            throw new SftpLostException(
+                FormattableString.Invariant($"the server speaks version {version} of SFTP, and {Version} is needed"));
         var extensions = new HashSet<string>(StringComparer.Ordinal);
         while (!answer.IsAtEnd)
         {
