@@ -47,7 +47,8 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
                     $"{machine.Name}: there is no key {key} to sign in with. Name the private key whose public half the server knows.");
             }
 
-            var names = await MachineFolders.Open(machine, () => secret).ListAsync(cancellation).ConfigureAwait(false);
+            using var folder = MachineFolders.Open(machine, () => secret);
+            var names = await folder.ListAsync(cancellation).ConfigureAwait(false);
             return new(machine, names, machine.NeedsPassword, Untried(machine), null);
         }
         catch (TransportException e)

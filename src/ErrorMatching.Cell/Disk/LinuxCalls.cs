@@ -23,7 +23,9 @@ internal static class LinuxCalls
     private const int OfHandle = 0x1000;
     private const int TypeWanted = 1;
     private const int NumberWanted = 0x100;
+    private const int OwnerWanted = 8;
     private const int StatusLength = 256;
+    private const int PlaceOfOwner = 20;
     private const int PlaceOfMode = 28;
     private const int PlaceOfNumber = 32;
     private const int PlaceOfDevice = 136;
@@ -62,6 +64,14 @@ internal static class LinuxCalls
             BitConverter.ToUInt32(status, PlaceOfDevice),
             BitConverter.ToUInt32(status, PlaceOfDevice + 4),
             BitConverter.ToUInt64(status, PlaceOfNumber));
+    }
+
+    /// <summary>True if the file at a path belongs to the user of this process; a link is followed.</summary>
+    public static bool IsOwn(string path)
+    {
+        var status = new byte[StatusLength];
+        return StatX(CurrentFolder, Bytes(path), 0, OwnerWanted, status) == 0
+            && BitConverter.ToUInt32(status, PlaceOfOwner) == EffectiveUser();
     }
 
     /// <summary>Exchanges two names atomically.</summary>
@@ -154,5 +164,9 @@ internal static class LinuxCalls
     [DllImport("libc", EntryPoint = "access", ExactSpelling = true, SetLastError = true)]
     [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
     private static extern int Access(byte[] path, int mode);
+
+    [DllImport("libc", EntryPoint = "geteuid", ExactSpelling = true)]
+    [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
+    private static extern uint EffectiveUser();
 #pragma warning restore SYSLIB1054
 }

@@ -51,8 +51,9 @@ public sealed class CellRunner
         var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep, Looking = Looking };
         using var lines = CellTelemetry.Watch(() => Lines(flow));
         using var sources = new Sources(flow, _open);
+        using var folders = new OpenFolders(_settings, _open);
         AllowForWaiting();
-        var workers = Workers(flow, sources).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
+        var workers = Workers(flow, sources, folders).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
         _log.Information(
             "{Cell} runs: {Gauges} gauges, {Slots} slots",
             _settings.Name,
@@ -73,7 +74,7 @@ public sealed class CellRunner
         _log.Information("{Cell} stopped", _settings.Name);
     }
 
-    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow, Sources sources)
+    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow, Sources sources, OpenFolders folders)
     {
         var originals = new OriginalPrograms(_settings);
         foreach (var (gauge, source) in sources.All)
@@ -94,9 +95,8 @@ public sealed class CellRunner
         }
 
         yield return new Worker(flow, "approval", flow.Computed, new ProposeWorker(flow).WorkAsync).RunAsync;
-        foreach (var machine in _settings.Machines)
+        foreach (var (machine, folder) in folders.All)
         {
-            var folder = _open(machine);
             var listing = new MachineListing(folder, _clock, Pace.Ready);
             var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, ReportTry));
             yield return new Worker(flow, $"watch of {machine.Name}", new(),

@@ -34,7 +34,8 @@ public sealed class SlotRelease(CellSettings settings, CellStore store, Func<Mac
     private async Task DemandAsync(MachineSettings machine, SlotSettings slot, Correction held, string? program,
         CancellationToken cancellation)
     {
-        var found = await new ProgramSender(open(machine), store.Keeps).CurrentAsync(slot.Program, cancellation);
+        using var folder = open(machine);
+        var found = await new ProgramSender(folder, store.Keeps).CurrentAsync(slot.Program, cancellation);
         var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
         if (hash == program)
         {

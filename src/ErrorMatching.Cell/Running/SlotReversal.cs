@@ -72,7 +72,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         try
         {
-            await BringBackAsync(open(machine), machine, slot, correction, previous, by, reason, cancellation);
+            using var folder = open(machine);
+            await BringBackAsync(folder, machine, slot, correction, previous, by, reason, cancellation);
         }
         catch (ChangedAtMachineException e)
         {

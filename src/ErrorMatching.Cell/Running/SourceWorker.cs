@@ -7,6 +7,7 @@ internal sealed class SourceWorker : IDisposable
     private readonly GaugeSettings _gauge;
     private readonly FileSource? _files;
     private readonly MachineSource? _logs;
+    private readonly IMachineFolder? _folder;
 
     /// <summary>Creates the worker of a gauge.</summary>
     /// <param name="flow">State shared by the workers.</param>
@@ -17,7 +18,8 @@ internal sealed class SourceWorker : IDisposable
         (_flow, _gauge) = (flow, gauge);
         if (gauge.Machine is { } machine)
         {
-            _logs = new(gauge, open(flow.Settings.Machines.First(m => m.Name == machine)), flow.Clock);
+            _folder = open(flow.Settings.Machines.First(m => m.Name == machine));
+            _logs = new(gauge, _folder, flow.Clock);
         }
         else
         {
@@ -42,7 +44,11 @@ internal sealed class SourceWorker : IDisposable
         return TimeSpan.Zero;
     }
 
-    public void Dispose() => _files?.Dispose();
+    public void Dispose()
+    {
+        _files?.Dispose();
+        _folder?.Dispose();
+    }
 
     private void Archive(Arrival arrival)
     {

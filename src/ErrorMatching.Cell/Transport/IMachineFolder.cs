@@ -3,8 +3,9 @@ namespace ErrorMatching.Cell;
 /// <summary>The folder with a machine's programs, wherever it is. Names are plain file names and cannot lead out of the folder.</summary>
 /// <remarks>Every operation throws a <see cref="TransportException"/> if it did not complete, or may not have. It may then be partly done,
 /// or still complete later. Writing and renaming read back the result, because over a network one combined operation costs far less than
-/// two.</remarks>
-public interface IMachineFolder
+/// two. Several may be called at the same time. Disposing of the folder closes what a transport keeps open between two
+/// operations.</remarks>
+public interface IMachineFolder : IDisposable
 {
     /// <summary>The machine's name.</summary>
     string Machine { get; }
@@ -40,6 +41,9 @@ public interface IMachineFolder
 
     /// <summary>Deletes a file; succeeds if it does not exist.</summary>
     Task DeleteAsync(string name, CancellationToken cancellation);
+
+    // Most transports keep nothing open.
+    void IDisposable.Dispose() => GC.SuppressFinalize(this);
 }
 
 /// <summary>A program that replaced another, and the replaced one.</summary>

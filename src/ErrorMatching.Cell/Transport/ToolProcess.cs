@@ -9,7 +9,6 @@ namespace ErrorMatching.Cell;
 internal static class ToolProcess
 {
     private const int MostError = 16 << 10;
-    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
 
     // Variables that programs need to start and to be found. Omitted on purpose: proxies, agents, user configuration, languages.
     private static readonly string[] Inherited = [
@@ -39,7 +38,7 @@ internal static class ToolProcess
         var output = ReadAsync(process.StandardOutput.BaseStream, run.MostOutput, tooMuch);
         var error = ReadAsync(process.StandardError.BaseStream, MostError, null);
         await FeedAsync(process, run.Input).ConfigureAwait(false);
-        await WaitAsync(process, run.IsTooMuch, tooMuch).ConfigureAwait(false);
+        await process.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
         var (said, complained) = (await output.ConfigureAwait(false), await error.ConfigureAwait(false));
 
         cancellation.ThrowIfCancellationRequested();
@@ -65,8 +64,6 @@ internal static class ToolProcess
         }
 
         start.Environment["LC_ALL"] = "C";
-        foreach (var (name, value) in run.Environment)
-            start.Environment[name] = value;
         return start;
     }
 
@@ -82,19 +79,6 @@ internal static class ToolProcess
         catch (IOException)
         {
         }
-    }
-
-    private static async Task WaitAsync(Process process, Func<bool>? isTooMuch, CancellationTokenSource tooMuch)
-    {
-        var exit = process.WaitForExitAsync(CancellationToken.None);
-        while (isTooMuch is not null && !exit.IsCompleted)
-        {
-            if (isTooMuch())
-                await tooMuch.CancelAsync().ConfigureAwait(false);
-            await Task.WhenAny(exit, Task.Delay(Look, CancellationToken.None)).ConfigureAwait(false);
-        }
-
-        await exit.ConfigureAwait(false);
     }
 
     // Reads to the end, so that the program never blocks on output, but keeps only as much as wanted.

@@ -9,13 +9,6 @@ internal sealed record ToolRun(string Program, IReadOnlyList<string> Arguments, 
 {
     /// <summary>Output limit; the program is killed above it.</summary>
     public long MostOutput { get; init; } = 4 << 20;
-
-    /// <summary>Variables in addition to those that every program gets.</summary>
-    public IReadOnlyList<(string Name, string Value)> Environment { get; init; } = [];
-
-    /// <summary>Called ten times a second; the program is killed once it returns true. For programs that write to files. Null for no such
-    /// check.</summary>
-    public Func<bool>? IsTooMuch { get; init; }
 }
 
 /// <summary>The result of a program's run.</summary>
@@ -34,7 +27,7 @@ internal enum ToolEnd
     /// <summary>Killed at the time limit.</summary>
     TimedOut,
 
-    /// <summary>Killed because its output or download exceeded the limit.</summary>
+    /// <summary>Killed because its output exceeded the limit.</summary>
     TooMuch,
 
     /// <summary>The program is not installed.</summary>

@@ -33,7 +33,7 @@ public enum TransportError
     /// <summary>The file's name belongs to something else: a link, a pipe, a device or a folder.</summary>
     NotAFile,
 
-    /// <summary>This computer lacks a program: <c>curl</c> or <c>sftp</c>.</summary>
+    /// <summary>This computer lacks the program <c>curl</c>.</summary>
     ToolMissing,
 
     /// <summary>An unexpected error.</summary>

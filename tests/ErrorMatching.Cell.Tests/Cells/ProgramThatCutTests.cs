@@ -3,9 +3,11 @@ namespace ErrorMatching.Cell.Tests;
 
 /// <summary>Where corrections add up: which program cut the measured piece, and what becomes of corrections whose program was taken
 /// back.</summary>
-public sealed class ProgramThatCutTests
+public sealed class ProgramThatCutTests : IDisposable
 {
     private readonly MemoryMachine _machine = new("m1");
+
+    public void Dispose() => ((IDisposable)_machine).Dispose();
 
     [Fact]
     public async Task While_nobody_says_that_a_piece_is_cut_nobody_knows_which_program_cut_the_measured_one()

@@ -35,6 +35,8 @@ internal sealed class WatchedFolder(IMachineFolder folder, Action<string, bool>?
             return true;
         });
 
+    public void Dispose() => folder.Dispose();
+
     private async Task<T> Do<T>(string what, Func<Task<T>> work)
     {
         around?.Invoke(what, false);

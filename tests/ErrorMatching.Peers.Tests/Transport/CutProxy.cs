@@ -4,7 +4,7 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>Stands between sftp and an SSH server, whose stream it cannot read:
+/// <summary>Stands between the cell and an SSH server, whose stream it cannot read:
 /// cuts it after so many bytes, holds it, or changes one.</summary>
 internal sealed class CutProxy : IDisposable
 {
@@ -17,9 +17,11 @@ internal sealed class CutProxy : IDisposable
 
     private readonly LoopbackServer _loopback;
     private readonly int _server;
+    private CancellationTokenSource _hangUp = new();
     private CutFault? _fault;
     private int _sessions;
     private int _connections;
+    private int _held;
     private long _up;
     private long _down;
 
@@ -39,6 +41,18 @@ internal sealed class CutProxy : IDisposable
     /// <summary>How many bytes went through the last connection to the server, and from it.</summary>
     public (long Up, long Down) Passed => (Interlocked.Read(ref _up), Interlocked.Read(ref _down));
 
+    /// <summary>How many connections came since the last fault was armed.</summary>
+    public int Connections => Volatile.Read(ref _connections);
+
+    /// <summary>How many connections are open to the server.</summary>
+    public int Open => Volatile.Read(ref _sessions);
+
+    /// <summary>Lets nothing through any more on the connections that are open now, and closes none of them.</summary>
+    public void Hold() => Volatile.Write(ref _held, Connections);
+
+    /// <summary>Closes all connections, as a server does that is started again.</summary>
+    public void HangUp() => Interlocked.Exchange(ref _hangUp, new()).Cancel();
+
     /// <summary>Arms a fault; connections are counted from here.</summary>
     public void Arm(CutFault? fault)
     {
@@ -57,7 +71,7 @@ internal sealed class CutProxy : IDisposable
     {
         Interlocked.Increment(ref _sessions);
         var number = Interlocked.Increment(ref _connections) - 1;
-        using var cut = CancellationTokenSource.CreateLinkedTokenSource(_loopback.End);
+        using var cut = CancellationTokenSource.CreateLinkedTokenSource(_loopback.End, _hangUp.Token);
         using var server = new TcpClient { NoDelay = true };
         client.NoDelay = true;
         (_up, _down) = (0, 0);
@@ -66,8 +80,8 @@ internal sealed class CutProxy : IDisposable
             await server.ConnectAsync(IPAddress.Loopback, _server, cut.Token);
             var fault = Volatile.Read(ref _fault) is { } armed && (armed.Connection == Any || armed.Connection == number) ? armed : null;
             await Task.WhenAny(
-                PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, cut),
-                PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, cut));
+                PumpAsync(client, server, fault is { IsUp: true } ? fault : null, true, number, cut),
+                PumpAsync(server, client, fault is { IsUp: false } ? fault : null, false, number, cut));
         }
         catch (Exception e) when (IsEnd(e))
         {
@@ -91,7 +105,7 @@ internal sealed class CutProxy : IDisposable
         Interlocked.Decrement(ref _sessions);
     }
 
-    private async Task PumpAsync(TcpClient from, TcpClient to, CutFault? fault, bool isUp, CancellationTokenSource cut)
+    private async Task PumpAsync(TcpClient from, TcpClient to, CutFault? fault, bool isUp, int number, CancellationTokenSource cut)
     {
         var buffer = new byte[16 << 10];
         long passed = 0;
@@ -116,6 +130,8 @@ internal sealed class CutProxy : IDisposable
             var read = await from.GetStream().ReadAsync(buffer.AsMemory(0, room), cut.Token);
             if (read == 0)
                 return;
+            if (number < Volatile.Read(ref _held))
+                continue;
             if (fault is { Kind: CutKind.Corrupt } && fault.After >= passed && fault.After < passed + read)
             {
                 buffer[fault.After - passed] ^= 0x20;

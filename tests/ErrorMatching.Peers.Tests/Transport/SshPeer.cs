@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Diagnostics;
 using System.Globalization;
 using ErrorMatching.Cell;
@@ -13,18 +14,23 @@ internal sealed class SshPeer : IDisposable
     private readonly Daemon _daemon;
     private readonly string? _service;
     private readonly string _home;
+    private readonly string[] _kinds;
+    private readonly ConcurrentBag<IMachineFolder> _opened = [];
 
     /// <summary>Starts it.</summary>
     /// <param name="passwords">True if it asks PAM for passwords; the system's administrator alone can have that.</param>
     /// <param name="options">Options of its SFTP server.</param>
-    public SshPeer(bool passwords = false, string options = "")
+    /// <param name="more">More lines of its configuration; the first of a kind counts.</param>
+    /// <param name="kinds">The types of its host's keys, such as <c>rsa</c>.</param>
+    public SshPeer(bool passwords = false, string options = "", string more = "", params string[] kinds)
     {
         _home = Directory.CreateTempSubdirectory("errormatch-sshd-").FullName;
         Folder = Directory.CreateDirectory(On("programs of the mill")).FullName;
-        MakeKey("host");
-        MakeKey("user");
-        MakeKey("stranger");
-        HostKey = KeyOf("host");
+        _kinds = kinds.Length == 0 ? ["ed25519"] : kinds;
+        foreach (var kind in _kinds)
+            MakeKey("host-" + kind, kind);
+        MakeKey("user", "ed25519");
+        MakeKey("stranger", "ed25519");
         File.Copy(On("user.pub"), On("authorized"));
         var program = Daemon.Find("sshd")!;
         if (passwords && !OperatingSystem.IsWindows())
@@ -33,7 +39,8 @@ internal sealed class SshPeer : IDisposable
             Directory.CreateDirectory("/run/sshd");
         File.WriteAllText(On("sshd.conf"), string.Create(CultureInfo.InvariantCulture, $"""
             ListenAddress 127.0.0.1
-            HostKey {On("host")}
+            {more}
+            {string.Join('\n', _kinds.Select(k => "HostKey " + On("host-" + k)))}
             AuthorizedKeysFile {On("authorized")}
             StrictModes no
             PermitRootLogin yes
@@ -56,7 +63,7 @@ internal sealed class SshPeer : IDisposable
     public int Port => _daemon.Port;
 
     /// <summary>The server's key as in <c>known_hosts</c>.</summary>
-    public string HostKey { get; }
+    public string HostKey => HostKeyOf(_kinds[0]);
 
     /// <summary>A key that is not the server's.</summary>
     public string OtherKey => KeyOf("stranger");
@@ -70,7 +77,19 @@ internal sealed class SshPeer : IDisposable
     public static void IsNeeded()
     {
         Daemon.IsNeeded("sshd", "openssh-server");
-        Daemon.IsNeeded("sftp", "openssh-client");
+        Daemon.IsNeeded("ssh-keygen", "openssh-client");
+    }
+
+    /// <summary>One of the server's keys as in <c>known_hosts</c>.</summary>
+    public string HostKeyOf(string kind) => KeyOf("host-" + kind);
+
+    /// <summary>Makes another key that the server lets in.</summary>
+    /// <returns>The private key's file.</returns>
+    public string Welcome(string name, string kind, string passphrase = "", params string[] form)
+    {
+        MakeKey(name, kind, passphrase, form);
+        File.AppendAllText(On("authorized"), File.ReadAllText(On(name + ".pub")));
+        return On(name);
     }
 
     /// <summary>The machine behind it; the settings' key file null for a password.</summary>
@@ -88,11 +107,18 @@ internal sealed class SshPeer : IDisposable
         };
     }
 
-    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience) =>
-        MachineFolders.Open(Machine(with, seconds), () => Password);
+    /// <summary>Opens the folder. Who does not close it has it closed with the server.</summary>
+    public IMachineFolder Open(Func<SftpSettings, SftpSettings>? with = null, double seconds = FtpPeer.Patience)
+    {
+        var folder = MachineFolders.Open(Machine(with, seconds), () => Password);
+        _opened.Add(folder);
+        return folder;
+    }
 
     public void Dispose()
     {
+        foreach (var folder in _opened)
+            folder.Dispose();
         _daemon.Dispose();
         if (_service is not null)
             File.Delete(_service);
@@ -111,14 +137,14 @@ internal sealed class SshPeer : IDisposable
         var service = Path.Combine("/etc/pam.d", name);
         File.WriteAllText(
             service,
-            $"auth required pam_exec.so expose_authtok quiet {On("check")}\naccount required pam_permit.so\nsession required "
-                + $"pam_permit.so\n");
+            $"auth required pam_exec.so expose_authtok quiet {On("check")}\nauth required pam_permit.so\naccount required pam_permit.so\n"
+                + "session required pam_permit.so\n");
         return (link, service);
     }
 
-    private void MakeKey(string name)
+    private void MakeKey(string name, string kind, string passphrase = "", params string[] form)
     {
-        using var made = Process.Start("ssh-keygen", ["-q", "-t", "ed25519", "-N", "", "-C", name, "-f", On(name)]);
+        using var made = Process.Start("ssh-keygen", ["-q", "-t", kind, "-N", passphrase, "-C", name, "-f", On(name), .. form]);
         made.WaitForExit();
         Assert.Equal(0, made.ExitCode);
     }

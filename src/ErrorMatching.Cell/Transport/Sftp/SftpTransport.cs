@@ -1,219 +1,229 @@
-using System.Globalization;
-using System.Text;
-
 namespace ErrorMatching.Cell;
 
-/// <summary>A folder on an SFTP server, accessed with OpenSSH's <c>sftp</c>: one run and one login per operation.</summary>
-internal sealed class SftpTransport(string machine, SftpSettings sftp, Func<string?> secret, TimeSpan limit) : IMachineFolder
+/// <summary>A folder on an SFTP server. The login happens once; the connection stays open for the next operation until it breaks or the
+/// folder is disposed of.</summary>
+internal sealed class SftpTransport : IMachineFolder
 {
-    // The host key is stored under a name of our own, so that address and port do not matter.
-    private const string HostAlias = "errormatch-machine";
+    private readonly SftpSettings _sftp;
+    private readonly TimeSpan _limit;
+    private readonly SftpConnections _connections;
 
-    public string Machine => machine;
-
-    public async Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation)
+    public SftpTransport(string machine, SftpSettings sftp, Func<string?> secret, TimeSpan limit, SftpWaits? waits = null)
     {
-        using var local = new PrivateFolder();
-        var doing = $"listing {sftp.Folder}";
-        var result = await RunAsync(doing, local, ["ls -1"], null, cancellation).ConfigureAwait(false);
-        Demand(doing, result);
-        return NamesOf(result);
+        (Machine, _sftp, _limit) = (machine, sftp, limit);
+        _connections = new(c => SftpConnection.OpenAsync(sftp, secret, limit, c), waits ?? SftpWaits.Usual);
     }
 
-    public async Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation)
+    public string Machine { get; }
+
+    private string Folder => _sftp.Folder.Length == 0 ? "." : _sftp.Folder;
+
+    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation)
     {
-        using var local = new PrivateFolder();
+        var doing = $"listing {_sftp.Folder}";
+        return DoAsync(doing, f => ListAsync(f, doing), cancellation);
+    }
+
+    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation)
+    {
         var doing = $"reading {name}";
-        var file = local["fetched"];
-        var result = await RunAsync(
-            doing, local, [$"get {Name(doing, name)} {Quoted(file)}"], () => IsLarger(file, mostBytes), cancellation).ConfigureAwait(false);
-        if (result is { End: ToolEnd.Exited, ExitCode: 1 }
-            && !(await ListAsync(cancellation).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
-            return null;
-        Demand(doing, result);
-        return await FetchedAsync(doing, file, mostBytes, cancellation).ConfigureAwait(false);
+        var path = PathOf(doing, name);
+        return DoAsync(
+            doing,
+            async f =>
+            {
+                try
+                {
+                    return await FetchAsync(f, doing, path, mostBytes).ConfigureAwait(false);
+                }
+                catch (SftpStatusException e) when (e.Error != TransportError.Away)
+                {
+                    // Servers give different answers for a file that is not there.
+                    if ((await ListAsync(f, doing).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
+                        throw Failure(e.Error, doing, e);
+                    return null;
+                }
+            },
+            cancellation);
     }
 
-    public async Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
-        using var local = new PrivateFolder();
         var doing = $"writing {name}";
-        var (sent, fetched) = (local["program"], local["fetched"]);
-        await File.WriteAllBytesAsync(sent, bytes, cancellation).ConfigureAwait(false);
+        var path = PathOf(doing, name);
+        return DoAsync(
+            doing,
+            async f =>
+            {
+                try
+                {
+                    await f.WriteAsync(path, bytes).ConfigureAwait(false);
+                }
+                catch (SftpStatusException e) when (e.IsUnexplained)
+                {
+                    // A failure while writing is hardly ever anything else.
+                    throw Failure(TransportError.Full, doing, e);
+                }
 
-        // The file's mode is sent along; the server's umask removes permissions that its users must not have.
-        if (!OperatingSystem.IsWindows())
-            File.SetUnixFileMode(sent, (UnixFileMode)0b110_110_110);
-        string[] batch = [$"put -f {Quoted(sent)} {Name(doing, name)}", $"get {Name(doing, name)} {Quoted(fetched)}"];
-        var result = await RunAsync(doing, local, batch, () => IsLarger(fetched, bytes.Length), cancellation).ConfigureAwait(false);
-        Demand(doing, result);
-        return await File.ReadAllBytesAsync(fetched, cancellation).ConfigureAwait(false);
+                return await f.ReadAsync(path, bytes.Length, bytes.Length).ConfigureAwait(false);
+            },
+            cancellation);
     }
 
-    public async Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation)
+    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation)
     {
-        using var local = new PrivateFolder();
         var doing = $"renaming {from} to {to}";
-        var file = local["fetched"];
-        string[] batch = [$"rename {Name(doing, from)} {Name(doing, to)}", $"get {Name(doing, to)} {Quoted(file)}"];
-        var result = await RunAsync(doing, local, batch, () => IsLarger(file, mostBytes), cancellation).ConfigureAwait(false);
-        if (SftpAnswer.FailedAt(result, "rename"))
-        {
-            // The reply does not tell whether an existing file was the reason.
-            var names = await ListAsync(cancellation).ConfigureAwait(false);
-            if (names.Contains(from, StringComparer.Ordinal) && names.Contains(to, StringComparer.Ordinal))
-                throw TransportFailure.Of(TransportError.CannotReplace, machine, doing, SftpAnswer.Text(result));
-        }
+        var (fromPath, toPath) = (PathOf(doing, from), PathOf(doing, to));
+        return DoAsync(
+            doing,
+            async f =>
+            {
+                try
+                {
+                    await f.RenameAsync(fromPath, toPath).ConfigureAwait(false);
+                }
+                catch (SftpStatusException e) when (e.Error != TransportError.Away)
+                {
+                    // The answer does not tell whether an existing file was the reason.
+                    var names = await ListAsync(f, doing).ConfigureAwait(false);
+                    throw Failure(
+                        names.Contains(from, StringComparer.Ordinal) && names.Contains(to, StringComparer.Ordinal)
+                            ? TransportError.CannotReplace
+                            : TransportError.Denied,
+                        doing,
+                        e);
+                }
 
-        Demand(doing, result);
-        return await FetchedAsync(doing, file, mostBytes, cancellation).ConfigureAwait(false);
+                return await FetchAsync(f, doing, toPath, mostBytes).ConfigureAwait(false);
+            },
+            cancellation);
     }
 
     /// <summary>Gives the program a second name, then renames, in one session. What is written to the old program's file in between is
     /// found under the second name. A file that replaces it by a rename at that moment is lost, because SFTP cannot exchange two
     /// names.</summary>
-    public async Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
     {
-        using var local = new PrivateFolder();
         var doing = $"replacing {to}";
-        var (there, was) = (local["there"], local["was"]);
-        string[] batch =
-        [
-            $"ln {Name(doing, to)} {Name(doing, aside)}", $"rename {Name(doing, from)} {Name(doing, to)}",
-            $"get {Name(doing, to)} {Quoted(there)}", $"get {Name(doing, aside)} {Quoted(was)}",
-        ];
-        var result = await RunAsync(doing, local, batch, () => IsLarger(there, mostBytes) || IsLarger(was, mostBytes),
-            cancellation).ConfigureAwait(false);
+        var (fromPath, toPath, asidePath) = (PathOf(doing, from), PathOf(doing, to), PathOf(doing, aside));
+        return DoAsync(
+            doing,
+            async f =>
+            {
+                // There is no program, the second name is taken, or the server does not support links: nothing is changed.
+                if (!await f.LinkAsync(toPath, asidePath).ConfigureAwait(false))
+                    return null;
+                try
+                {
+                    await f.RenameAsync(fromPath, toPath).ConfigureAwait(false);
+                }
+                catch (SftpStatusException e) when (e.Error != TransportError.Away)
+                {
+                    // It does not rename over a file. The second name belongs to the program itself.
+                    await f.RemoveAsync(asidePath).ConfigureAwait(false);
+                    return null;
+                }
 
-        // There is no program, the second name is taken, or the server does not support links: nothing is changed.
-        if (SftpAnswer.FailedAt(result, "ln"))
-            return null;
-        if (SftpAnswer.FailedAt(result, "rename"))
-        {
-            // It does not rename over a file. The second name belongs to the program itself.
-            await DeleteAsync(aside, cancellation).ConfigureAwait(false);
-            return null;
-        }
-
-        Demand(doing, result);
-        return new(
-            await FetchedAsync(doing, there, mostBytes, cancellation).ConfigureAwait(false),
-                await FetchedAsync(doing, was, mostBytes, cancellation).ConfigureAwait(false));
+                return new ReplacedProgram(
+                    await FetchAsync(f, doing, toPath, mostBytes).ConfigureAwait(false),
+                    await FetchAsync(f, doing, asidePath, mostBytes).ConfigureAwait(false));
+            },
+            cancellation);
     }
 
-    public async Task DeleteAsync(string name, CancellationToken cancellation)
+    public Task DeleteAsync(string name, CancellationToken cancellation)
     {
-        using var local = new PrivateFolder();
         var doing = $"deleting {name}";
+        var path = PathOf(doing, name);
+        return DoAsync(
+            doing,
+            async f =>
+            {
+                try
+                {
+                    await f.RemoveAsync(path).ConfigureAwait(false);
+                }
+                catch (SftpStatusException e) when (e.Error != TransportError.Away)
+                {
+                    if ((await ListAsync(f, doing).ConfigureAwait(false)).Contains(name, StringComparer.Ordinal))
+                        throw Failure(TransportError.Denied, doing, e);
+                }
 
-        // The dash makes sftp continue after an error; the listing that follows shows whether the file is gone.
-        var result = await RunAsync(doing, local, ["-rm " + Name(doing, name), "ls -1"], null, cancellation).ConfigureAwait(false);
-        Demand(doing, result);
-        if (NamesOf(result).Contains(name, StringComparer.Ordinal))
-            throw TransportFailure.Of(TransportError.Denied, machine, doing, "the server does not delete it");
+                return true;
+            },
+            cancellation);
     }
 
-    private async Task<ToolResult> RunAsync(
-        string doing, PrivateFolder local, string[] commands, Func<bool>? isTooMuch, CancellationToken cancellation)
-    {
-        if (sftp.Folder.Any(char.IsControl) || sftp.User.StartsWith('-') || sftp.Host.StartsWith('-'))
-            throw TransportFailure.Of(TransportError.Denied, machine, doing, "folder, user or host have characters that no server's have");
-        var known = local["known_hosts"];
-        await File.WriteAllTextAsync(known, $"{HostAlias} {sftp.HostKey}\n", cancellation).ConfigureAwait(false);
-        using var password = sftp.KeyFile is null ? new SshPassword(local, secret() ?? "") : null;
-        var batch = new StringBuilder();
-        if (sftp.Folder.Length > 0)
-            batch.Append("cd ").Append(Quoted(sftp.Folder)).Append('\n');
-        batch.AppendJoin('\n', commands).Append('\n');
+    public void Dispose() => _connections.Dispose();
 
-        var run = new ToolRun("sftp", Arguments(known), Encoding.UTF8.GetBytes(batch.ToString()), limit)
-        {
-            Environment = password?.Environment ?? [],
-            IsTooMuch = isTooMuch,
-        };
-        var result = await ToolProcess.RunAsync(run, cancellation).ConfigureAwait(false);
-        return result.End switch
-        {
-            ToolEnd.Missing =>
-                throw TransportFailure.Of(
-                    TransportError.ToolMissing, machine, doing, "the program sftp of OpenSSH is not on this computer"),
-            ToolEnd.TimedOut =>
-                throw TransportFailure.Of(TransportError.Slow, machine, doing, $"it was not done within {limit.TotalSeconds:0.#} s"),
-            ToolEnd.TooMuch => throw TransportFailure.Of(TransportError.TooLarge, machine, doing, "it is larger than what is read"),
-            _ => result,
-        };
-    }
-
-    // The first value of an option applies, so BatchMode precedes -b, which would forbid asking for a password.
-    private List<string> Arguments(string known)
+    private async Task<T> DoAsync<T>(string doing, Func<SftpFiles, Task<T>> work, CancellationToken cancellation)
     {
-        List<string> arguments = ["-F", "none"];
-        void Set(string option) => arguments.AddRange(["-o", option]);
-        Set("LogLevel=ERROR");
-        Set("StrictHostKeyChecking=yes");
-        Set("HostKeyAlias=" + HostAlias);
-        Set("UserKnownHostsFile=" + ForOption(known));
-        Set("GlobalKnownHostsFile=" + ForOption(known));
-        Set("UpdateHostKeys=no");
-        Set("CheckHostIP=no");
-        Set("IdentitiesOnly=yes");
-        Set("IdentityAgent=none");
-        Set("ForwardAgent=no");
-        Set("ControlMaster=no");
-        Set("ControlPath=none");
-        Set("GSSAPIAuthentication=no");
-        Set(string.Create(CultureInfo.InvariantCulture, $"ConnectTimeout={Math.Max(1, (int)limit.TotalSeconds)}"));
-        if (sftp.KeyFile is { } key)
+        cancellation.ThrowIfCancellationRequested();
+        if (_sftp.Folder.Any(char.IsControl))
+            throw TransportFailure.Of(TransportError.Denied, Machine, doing, "the folder has characters that no server's have");
+        using var end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        end.CancelAfter(_limit);
+        try
         {
-            Set("BatchMode=yes");
-            Set("IdentityFile=" + ForOption(key));
-            Set("PreferredAuthentications=publickey");
+            var connection = await _connections.TakeAsync(end.Token).ConfigureAwait(false);
+
+            // Sending blocks while the server takes nothing.
+            var working = Task.Run(() => work(connection.Files), CancellationToken.None);
+            try
+            {
+                return await working.WaitAsync(end.Token).ConfigureAwait(false);
+            }
+            finally
+            {
+                // Work that is abandoned must not send another word.
+                if (working.IsCompleted)
+                    _connections.Give(connection);
+                else
+                    SftpConnections.Drop(connection);
+            }
         }
-        else
+        catch (Exception e) when (end.IsCancellationRequested)
         {
-            Set("BatchMode=no");
-            Set("PubkeyAuthentication=no");
-            Set("NumberOfPasswordPrompts=1");
-            Set("PreferredAuthentications=password,keyboard-interactive");
+            cancellation.ThrowIfCancellationRequested();
+            throw TransportFailure.Of(
+                TransportError.Slow, Machine, doing, FormattableString.Invariant($"it was not done within {_limit.TotalSeconds:0.#} s"), e);
         }
-
-        var host = sftp.Host.Contains(':', StringComparison.Ordinal) ? $"[{sftp.Host}]" : sftp.Host;
-        arguments.AddRange(["-o", "User=" + sftp.User, "-P", sftp.Port.ToString(CultureInfo.InvariantCulture), "-b", "-", host]);
-        return arguments;
+        catch (SftpConnectException e)
+        {
+            throw Failure(e.Error, doing, e);
+        }
+        catch (SftpStatusException e)
+        {
+            throw Failure(e.Error, doing, e);
+        }
+        catch (SftpLostException e)
+        {
+            throw Failure(TransportError.Away, doing, e);
+        }
     }
 
-    private void Demand(string doing, ToolResult result)
+    private async Task<IReadOnlyList<string>> ListAsync(SftpFiles files, string doing) =>
+        await files.NamesAsync(Folder).ConfigureAwait(false)
+            ?? throw TransportFailure.Of(TransportError.TooLarge, Machine, doing, "the folder has more names than are read");
+
+    private async Task<byte[]> FetchAsync(SftpFiles files, string doing, string path, long mostBytes)
     {
-        if (SftpAnswer.ErrorOf(result) is { } error)
-            throw TransportFailure.Of(error, machine, doing, SftpAnswer.Text(result));
+        // A pipe would block the server's session until someone writes into it.
+        var (size, isPlain) = await files.LookAsync(path).ConfigureAwait(false);
+        if (!isPlain)
+            throw TransportFailure.Of(TransportError.NotAFile, Machine, doing, "it is a link, a pipe, a device or a folder");
+        if (size > mostBytes)
+            throw TransportFailure.Of(
+                TransportError.TooLarge, Machine, doing, FormattableString.Invariant($"it has {size} bytes, at most {mostBytes} are read"));
+        var bytes = await files.ReadAsync(path, size, mostBytes).ConfigureAwait(false);
+        return bytes.Length <= mostBytes ? bytes : throw TransportFailure.Of(
+            TransportError.TooLarge, Machine, doing, FormattableString.Invariant($"it has more than the {mostBytes} bytes that are read"));
     }
 
-    private async Task<byte[]> FetchedAsync(string doing, string file, long mostBytes, CancellationToken cancellation) =>
-        IsLarger(file, mostBytes)
-        ? throw TransportFailure.Of(TransportError.TooLarge, machine, doing, "it is larger than what is read")
-        : await File.ReadAllBytesAsync(file, cancellation).ConfigureAwait(false);
+    private string PathOf(string doing, string name) => ProgramNames.IsPlain(name)
+        ? (Folder.EndsWith('/') ? Folder : Folder + "/") + name
+        : throw TransportFailure.Of(TransportError.Denied, Machine, doing, "this is no plain file name");
 
-    private static bool IsLarger(string file, long bytes)
-    {
-        var info = new FileInfo(file);
-        return info.Exists && info.Length > bytes;
-    }
-
-    private string Name(string doing, string name) => ProgramNames.IsPlain(name)
-        ? Quoted(name)
-        : throw TransportFailure.Of(TransportError.Denied, machine, doing, "this is no plain file name");
-
-    private static string Quoted(string path) =>
-        "\"" + path.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("\"", "\\\"", StringComparison.Ordinal) + "\"";
-
-    // In options a percent sign starts a token; Windows' OpenSSH accepts slashes, which need no escapes.
-    private static string ForOption(string path) =>
-        "\"" + (OperatingSystem.IsWindows() ? path.Replace('\\', '/') : path).Replace("%", "%%", StringComparison.Ordinal) + "\"";
-
-    private static string[] NamesOf(ToolResult result) =>
-        [
-            .. Encoding.UTF8.GetString(result.Output)
-                .Split('\n')
-                .Select(l => l.TrimEnd('\r'))
-                .Where(l => l.Length > 0 && !l.StartsWith(SftpAnswer.Echo, StringComparison.Ordinal))];
+    private TransportException Failure(TransportError error, string doing, Exception cause) =>
+        TransportFailure.Of(error, Machine, doing, cause.Message, cause);
 }

@@ -9,6 +9,7 @@ internal static class Licenses
         ("Avalonia", "MIT"),
         ("Avalonia.Fonts.Inter", "MIT; Inter: OFL-1.1"),
         ("Avalonia.Themes.Fluent", "MIT"),
+        ("BouncyCastle.Cryptography", "MIT"),
         ("CsvHelper", "MS-PL OR Apache-2.0"),
         ("Dapper", "Apache-2.0"),
         ("MathNet.Numerics", "MIT"),
@@ -20,6 +21,7 @@ internal static class Licenses
         ("Serilog*", "Apache-2.0"),
         ("SourceGear.sqlite3", "SQLite: public domain"),
         ("SQLitePCLRaw.*", "Apache-2.0"),
+        ("SSH.NET", "MIT"),
         ("System.CommandLine", "MIT"),
     ];
 
