@@ -120,11 +120,11 @@ public sealed partial class OffsetCorrectionTests
     // from the beginning.
     private static string Text(params string[] programs) => "G21 G17 G40 G90 G54\nT1 M6\n" + string.Concat(
         programs.SelectMany((p, i) => p.Split('\n').Where(IsKept).Select(
-            l => Label().Replace(l, m => string.Create(CultureInfo.InvariantCulture, $"o{i}{m.Groups[1].Value} ")) + "\n"))) + "M2\n";
+            l => Label().Replace(l, m => string.Create(CultureInfo.InvariantCulture, $"o{i}{m.Groups["number"].Value} ")) + "\n"))) + "M2\n";
 
     private static bool IsKept(string line) => line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6");
 
-    [GeneratedRegex("^o([0-9]+) ")]
+    [GeneratedRegex("^o(?<number>[0-9]{1,5}) ", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Label();
 
     private static VirtualCut Cut(PeerRun run, double toolRadius)
