@@ -5,6 +5,7 @@ namespace ErrorMatching.Cell.Tests;
 /// <summary>The right configuration with one thing wrong: each is found at its path and line, and nothing else is.</summary>
 public sealed class WrongConfigurationTests : IDisposable
 {
+    private const string Slots = "\"slots\": [{ \"name\": \"A\", \"program\": \"O3001.NC\" }]";
     private readonly CellFolder _cell = new();
 
     /// <summary>What stands in the right configuration, what takes its place, and the line, path,
@@ -39,6 +40,43 @@ public sealed class WrongConfigurationTests : IDisposable
         { "\"approve\": \"automatic\"", "\"approve\": \"always\"", 28, "$.policy.approve", "not-one-of", "\"person\" or \"automatic\"" },
         { "\"gain\": 1.0", "\"gain\": 3", 28, "$.policy.gain", "too-large", "at most 2" },
         { "\"gauges\": [\"probe\"]", "\"gauges\": []", 25, "$.jobs[3].gauges", "too-few-items", "at least 1" },
+
+        // What says what a machine is doing.
+        { Slots, "\"state\": { \"kind\": \"opcua\" }, " + Slots, 16, "$.machines[2].state.kind", "not-one-of", "\"linuxcnc\"" },
+        { Slots, "\"state\": { \"kind\": \"linuxcnc\" }, " + Slots, 16, "$.machines[2].state", "missing-key", "\"host\"" },
+        {
+            Slots,
+            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"ftp://vmc3\" }, " + Slots,
+            16,
+            "$.machines[2].state.url",
+            "pattern-mismatch",
+            "http://"
+        },
+        {
+            Slots,
+            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"http://me:secret@vmc3:5000\" }, " + Slots,
+            16,
+            "$.machines[2].state.url",
+            "bad-agent-url",
+            "the address \"...@vmc3:5000\""
+        },
+        {
+            Slots,
+            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"http://vmc3/?next=x\" }, " + Slots,
+            16,
+            "$.machines[2].state.url",
+            "bad-agent-url",
+            "no password"
+        },
+        {
+            "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" },",
+            "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" }, \"state\": { \"kind\": \"file\", \"file\": "
+                + "\"machine/state.txt\" },",
+            10,
+            "$.machines[0].state.file",
+            "inside-machine",
+            "the file with the machine's state"
+        },
 
         // Names.
         {
