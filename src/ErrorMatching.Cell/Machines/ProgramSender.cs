@@ -53,7 +53,8 @@ public sealed class ProgramSender(
     /// <exception cref="ChangedAtMachineException">The machine now has another program. It was not replaced.</exception>
     /// <exception cref="MachineBusyException">The machine runs the program or may run it, and it was not replaced; or the machine started
     /// it while it was replaced.</exception>
-    public async Task<Statement?> SendAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag, CancellationToken cancellation)
+    public async Task<Statement?> SendAsync(
+        string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag, CancellationToken cancellation)
     {
         Demand(program);
         if (!ProgramNames.AllowsTag(tag))

@@ -5,7 +5,7 @@ public sealed class ActiveProgramTests
     [Theory]
     [InlineData("O2001.NC", "O2001.NC")]
     [InlineData("o2001.nc", "O2001.NC")]
-    [InlineData("/home/cnc/nc_files/O2001.NC", "O2001.NC")]
+    [InlineData("/srv/cnc/nc_files/O2001.NC", "O2001.NC")]
     [InlineData(@"C:\NC\O2001.NC", "O2001.NC")]
     [InlineData("//CNC_MEM/USER/PATH1/O2001", "O2001.NC")]
     [InlineData("O2001", "O2001.NC")]

@@ -3,7 +3,7 @@ namespace ErrorMatching.Cell.Tests;
 /// <summary>The line protocol, with answers as linuxcncrsh 2.9 gives them. A real control is asked in the tests with peers.</summary>
 public sealed class LinuxCncTests
 {
-    private const string Path = "/home/cnc/nc_files/O1.NC";
+    private const string Path = "/srv/cnc/nc_files/O1.NC";
 
     [Theory]
     [InlineData("OFF", "IDLE", "NONE", MachineActivity.Idle, "")]
@@ -12,7 +12,8 @@ public sealed class LinuxCncTests
     [InlineData("OFF", "PAUSED", Path, MachineActivity.Held, Path)]
     [InlineData("ON", "IDLE", Path, MachineActivity.Alarm, Path)]
     [InlineData("ON", "IDLE", "NONE", MachineActivity.Alarm, "")]
-    public async Task The_control_says_what_it_is_doing(string estop, string status, string program, MachineActivity activity, string programs)
+    public async Task The_control_says_what_it_is_doing(
+        string estop, string status, string program, MachineActivity activity, string programs)
     {
         var state = await AskAsync(q => Answer(q, estop, status, program));
         Assert.Equal((activity, programs, null), (state.Activity, string.Join(",", state.Programs!), state.Code));
@@ -30,7 +31,8 @@ public sealed class LinuxCncTests
     [Fact]
     public async Task A_refused_password_does_not_matter_for_reading() => Assert.Equal(
         MachineActivity.Running,
-        (await AskAsync(q => q.StartsWith("hello", StringComparison.Ordinal) ? "HELLO NAK\r\n" : Answer(q, "OFF", "RUNNING", Path))).Activity);
+        (await AskAsync(
+            q => q.StartsWith("hello", StringComparison.Ordinal) ? "HELLO NAK\r\n" : Answer(q, "OFF", "RUNNING", Path))).Activity);
 
     [Fact]
     public async Task A_program_that_starts_while_the_control_is_asked_is_asked_for_again()
@@ -52,7 +54,8 @@ public sealed class LinuxCncTests
     [InlineData("PROGRAM_STATUS IDLE", "state-slow")]
     public async Task Anything_else_is_unknown(string? answer, string code)
     {
-        var state = await AskAsync(q => q == "get program_status" ? answer : Answer(q, "OFF", "IDLE", "NONE"), code == "state-slow" ? 0.3 : 20);
+        var state = await AskAsync(
+            q => q == "get program_status" ? answer : Answer(q, "OFF", "IDLE", "NONE"), code == "state-slow" ? 0.3 : 20);
         Assert.Equal((MachineActivity.Unknown, code), (state.Activity, state.Code));
         Assert.DoesNotContain(state.Why!.Sentence, char.IsControl);
     }

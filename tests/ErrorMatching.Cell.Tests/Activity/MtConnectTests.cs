@@ -66,7 +66,8 @@ public sealed class MtConnectTests
         MachineActivity.Idle, (await AskAsync(One("STOPPED"), s => s with { StoppedIsIdle = true })).Activity);
 
     [Fact]
-    public async Task A_program_that_is_edited_at_the_control_is_in_use() => Assert.True((await AskAsync(One("READY", mode: "EDIT"))).Uses("O2001.NC"));
+    public async Task A_program_that_is_edited_at_the_control_is_in_use() =>
+        Assert.True((await AskAsync(One("READY", mode: "EDIT"))).Uses("O2001.NC"));
 
     [Theory]
     [InlineData("TRIGGERED", "Normal")]
@@ -82,7 +83,8 @@ public sealed class MtConnectTests
     [InlineData("UNAVAILABLE", "O2001.NC", MachineActivity.Unknown)]
     [InlineData("ACTIVE", "UNAVAILABLE", MachineActivity.Running)]
     [InlineData("ACTIVE", "", MachineActivity.Running)]
-    public async Task What_is_unavailable_is_not_taken_for_idle_or_for_another_program(string execution, string program, MachineActivity activity)
+    public async Task What_is_unavailable_is_not_taken_for_idle_or_for_another_program(
+        string execution, string program, MachineActivity activity)
     {
         var state = await AskAsync(One(execution, program));
         Assert.Equal((activity, true, null), (state.Activity, state.Uses("O9.NC"), state.Code));
@@ -150,7 +152,8 @@ public sealed class MtConnectTests
         One("READY")[..^40],
         string.Concat(Enumerable.Repeat("<MTConnectStreams>", 200)),
         "<MTConnectStreams><Streams><DeviceStream name=\"V\"><ComponentStream componentId=\"c\">"
-            + string.Concat(Enumerable.Repeat("<Execution>READY</Execution>", 201)) + "</ComponentStream></DeviceStream></Streams></MTConnectStreams>",
+            + string.Concat(Enumerable.Repeat("<Execution>READY</Execution>", 201))
+            + "</ComponentStream></DeviceStream></Streams></MTConnectStreams>",
     ];
 
     [Theory]
@@ -166,7 +169,8 @@ public sealed class MtConnectTests
     [Fact]
     public async Task A_redirect_is_not_followed_a_cached_answer_is_none_and_an_answer_has_its_limits()
     {
-        Assert.Contains("elsewhere", (await AskAsync("", status: "302 Found\r\nLocation: http://127.0.0.1:1/")).Why!.Sentence, StringComparison.Ordinal);
+        var moved = await AskAsync("", status: "302 Found\r\nLocation: http://127.0.0.1:1/");
+        Assert.Contains("elsewhere", moved.Why!.Sentence, StringComparison.Ordinal);
         Assert.Equal("state-wrong", (await AskAsync("", status: "500 Internal Server Error")).Code);
         Assert.Equal("state-stale", (await AskAsync(One("READY"), status: "200 OK\r\nAge: 30")).Code);
         Assert.Equal("state-wrong", (await AskAsync(One("READY") + new string(' ', 5 << 20))).Code);
@@ -181,7 +185,8 @@ public sealed class MtConnectTests
         listener.Start();
         using var end = new CancellationTokenSource();
         var serving = ServeAsync(listener, document, status, heard, end.Token);
-        var settings = new MtConnectSettings(new($"http://127.0.0.1:{((IPEndPoint)listener.LocalEndpoint).Port}"), null, false) { Timeout = TimeSpan.FromSeconds(20) };
+        var url = new Uri($"http://127.0.0.1:{((IPEndPoint)listener.LocalEndpoint).Port}");
+        var settings = new MtConnectSettings(url, null, false) { Timeout = TimeSpan.FromSeconds(20) };
         var state = await (with?.Invoke(settings) ?? settings).Open(TimeProvider.System).AskAsync(TestContext.Current.CancellationToken);
         await end.CancelAsync();
         await serving;
@@ -190,7 +195,8 @@ public sealed class MtConnectTests
     }
 
     // One question and its answer: status null closes the connection, and an empty one never answers.
-    private static async Task ServeAsync(TcpListener listener, string document, string? status, Action<string>? heard, CancellationToken end)
+    private static async Task ServeAsync(
+        TcpListener listener, string document, string? status, Action<string>? heard, CancellationToken end)
     {
         try
         {
@@ -210,8 +216,8 @@ public sealed class MtConnectTests
             if (status.Length == 0)
                 await Task.Delay(Timeout.Infinite, end);
             var body = Encoding.UTF8.GetBytes(document);
-            await stream.WriteAsync(
-                Encoding.ASCII.GetBytes($"HTTP/1.1 {status}\r\nContent-Type: text/xml\r\nContent-Length: {body.Length}\r\nConnection: close\r\n\r\n"), end);
+            var head = $"HTTP/1.1 {status}\r\nContent-Type: text/xml\r\nContent-Length: {body.Length}\r\nConnection: close\r\n\r\n";
+            await stream.WriteAsync(Encoding.ASCII.GetBytes(head), end);
             await stream.WriteAsync(body, end);
             client.Client.Shutdown(SocketShutdown.Send);
             await Task.Delay(Timeout.Infinite, end);

@@ -6,6 +6,7 @@ namespace ErrorMatching.Cell.Tests;
 public sealed class WrongConfigurationTests : IDisposable
 {
     private const string Slots = "\"slots\": [{ \"name\": \"A\", \"program\": \"O3001.NC\" }]";
+    private const string Folder = "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" },";
     private readonly CellFolder _cell = new();
 
     /// <summary>What stands in the right configuration, what takes its place, and the line, path,
@@ -42,41 +43,12 @@ public sealed class WrongConfigurationTests : IDisposable
         { "\"gauges\": [\"probe\"]", "\"gauges\": []", 25, "$.jobs[3].gauges", "too-few-items", "at least 1" },
 
         // What says what a machine is doing.
-        { Slots, "\"state\": { \"kind\": \"opcua\" }, " + Slots, 16, "$.machines[2].state.kind", "not-one-of", "\"linuxcnc\"" },
-        { Slots, "\"state\": { \"kind\": \"linuxcnc\" }, " + Slots, 16, "$.machines[2].state", "missing-key", "\"host\"" },
-        {
-            Slots,
-            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"ftp://vmc3\" }, " + Slots,
-            16,
-            "$.machines[2].state.url",
-            "pattern-mismatch",
-            "http://"
-        },
-        {
-            Slots,
-            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"http://me:secret@vmc3:5000\" }, " + Slots,
-            16,
-            "$.machines[2].state.url",
-            "bad-agent-url",
-            "the address \"...@vmc3:5000\""
-        },
-        {
-            Slots,
-            "\"state\": { \"kind\": \"mtconnect\", \"url\": \"http://vmc3/?next=x\" }, " + Slots,
-            16,
-            "$.machines[2].state.url",
-            "bad-agent-url",
-            "no password"
-        },
-        {
-            "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" },",
-            "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" }, \"state\": { \"kind\": \"file\", \"file\": "
-                + "\"machine/state.txt\" },",
-            10,
-            "$.machines[0].state.file",
-            "inside-machine",
-            "the file with the machine's state"
-        },
+        { Slots, State("opcua", "") + Slots, 16, "$.machines[2].state.kind", "not-one-of", "\"linuxcnc\"" },
+        { Slots, State("linuxcnc", "") + Slots, 16, "$.machines[2].state", "missing-key", "\"host\"" },
+        { Slots, State("mtconnect", "url\": \"ftp://vmc3") + Slots, 16, "$.machines[2].state.url", "pattern-mismatch", "http://" },
+        { Slots, State("mtconnect", "url\": \"http://me:it@vmc3") + Slots, 16, "$.machines[2].state.url", "bad-agent-url", "\"...@vmc3\"" },
+        { Slots, State("mtconnect", "url\": \"http://vmc3/?a=b") + Slots, 16, "$.machines[2].state.url", "bad-agent-url", "no password" },
+        { Folder, Folder + State("file", "file\": \"machine/plc.txt"), 10, "$.machines[0].state.file", "inside-machine", "state" },
 
         // Names.
         {
@@ -415,4 +387,7 @@ public sealed class WrongConfigurationTests : IDisposable
     }
 
     private IReadOnlyList<Refusal> Problems(string text) => Assert.Throws<InputException>(() => _cell.Read(text)).Refusals;
+
+    private static string State(string kind, string member) =>
+        $"\"state\": {{ \"kind\": \"{kind}\"{(member.Length > 0 ? $", \"{member}\"" : "")} }}, ";
 }

@@ -22,7 +22,8 @@ public sealed class ReplacementGuardTests
     public async Task A_program_in_use_is_left_alone_and_nothing_else_is_left_there(ServerKind server)
     {
         var folder = Folder(server);
-        var failure = await Assert.ThrowsAsync<MachineBusyException>(() => Sender(folder, () => Busy).SendAsync(Program, Hash(Old), New, "1", Token));
+        var failure = await Assert.ThrowsAsync<MachineBusyException>(
+            () => Sender(folder, () => Busy).SendAsync(Program, Hash(Old), New, "1", Token));
         Assert.False(failure.IsReplaced);
         Assert.Equal(Old, Assert.Single(folder.Files).Value);
     }
@@ -91,7 +92,8 @@ public sealed class ReplacementGuardTests
     {
         var asked = 0;
         var folder = Folder(ServerKind.Exchanges);
-        var unseen = await Sender(folder, () => ++asked > 2 ? MachineState.Unknown("gone") : Free).SendAsync(Program, Hash(Old), New, "1", Token);
+        var unseen = await Sender(folder, () => ++asked > 2 ? MachineState.Unknown("gone") : Free)
+            .SendAsync(Program, Hash(Old), New, "1", Token);
         Assert.Equal(("gone", 3), (unseen?.Sentence, asked));
         Assert.Null(await Sender(folder, () => Free).SendAsync(Program, Hash(New), Old, "1", Token));
     }

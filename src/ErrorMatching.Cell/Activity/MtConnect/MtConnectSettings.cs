@@ -14,7 +14,8 @@ internal sealed record MtConnectSettings(Uri Url, string? Device, bool StoppedIs
     public static MtConnectSettings Read(JsonItem item, CellProblems problems)
     {
         var text = item["url"].Text;
-        if (!Uri.TryCreate(text, UriKind.Absolute, out var url) || url.UserInfo.Length > 0 || url.Query.Length > 0 || url.Fragment.Length > 0)
+        if (!Uri.TryCreate(text, UriKind.Absolute, out var url)
+            || url.UserInfo.Length > 0 || url.Query.Length > 0 || url.Fragment.Length > 0)
         {
             problems.Refuse(item["url"], "bad-agent-url", $"the address \"{Hidden(text)}\"",
                 "http:// or https://, a host, a port if it is not the usual one, and a path if there is one; no password");

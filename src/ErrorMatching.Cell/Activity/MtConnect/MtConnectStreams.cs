@@ -122,7 +122,8 @@ internal sealed class MtConnectStreams(MtConnectSettings settings, string place,
     }
 
     // The words of MTConnect Part 2, EXECUTION. A program that is being edited is in somebody's hands.
-    private MachineActivity ActivityOf(string component, string execution, List<(string Component, string Name, string Value, string?)> items) =>
+    private MachineActivity ActivityOf(
+        string component, string execution, List<(string Component, string Name, string Value, string?)> items) =>
         execution switch
         {
             "READY" or "PROGRAM_COMPLETED" => items.Exists(i => i.Component == component && i is { Name: "ControllerMode", Value: "EDIT" })
