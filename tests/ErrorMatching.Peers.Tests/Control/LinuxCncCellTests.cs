@@ -47,6 +47,7 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
         }
 
         var idle = Stopwatch.GetTimestamp();
+        Assert.Equal(50, (await control.PlaceAsync()).Z, 6);
         await cell.Until(2, CorrectionState.Verified);
         TestContext.Current.TestOutputHelper!.WriteLine($"sent {Stopwatch.GetElapsedTime(idle).TotalSeconds:0.00} s after the end");
         Assert.NotEqual(first, await File.ReadAllBytesAsync(Path.Combine(control.Nc, Program), Token));

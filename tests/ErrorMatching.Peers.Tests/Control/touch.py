@@ -1,4 +1,5 @@
-"""A touch probe in a virtual part, as a component of LinuxCNC's HAL: contact is true while the ball touches the wall of a slot.
+"""A touch probe in a virtual part, as a component of LinuxCNC's HAL: contact is true while the ball touches the wall of a slot. Only
+the probe, tool 2, touches: a cutter must not trip it.
 
 The slot is what a shop might have milled: two flanks, each with its own place and direction, and two round ends, each with its own
 center and radius. It is open above z = 0.
@@ -33,8 +34,10 @@ def side(flank, x, y):
 component = hal.component("touch")
 for name in "xyz":
     component.newpin(name, hal.HAL_FLOAT, hal.HAL_IN)
+component.newpin("tool", hal.HAL_S32, hal.HAL_IN)
 component.newpin("contact", hal.HAL_BIT, hal.HAL_OUT)
 component.ready()
 while True:
-    component["contact"] = component["z"] < 0 and room(component["x"], component["y"]) <= radius
+    is_down = component["tool"] == 2 and component["z"] < 0
+    component["contact"] = is_down and room(component["x"], component["y"]) <= radius
     time.sleep(0.0005)
