@@ -13,10 +13,10 @@ namespace ErrorMatching.Cell;
 /// <param name="sender">Sends programs to the folder, and reads them.</param>
 /// <param name="listing">The folder's listing, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
-/// <param name="wait">Lets programs wait for the machine.</param>
+/// <param name="delivery">Lets programs wait for the machine.</param>
 internal sealed class SlotWorker(
     CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, ProgramSender sender, MachineListing listing,
-    OriginalPrograms originals, DeliveryWait wait)
+    OriginalPrograms originals, DeliveryWait delivery)
 {
     private readonly HeldProgram _held = new(flow, machine, slot, sender);
     private (long Id, CorrectionState State) _seen;
@@ -34,7 +34,7 @@ internal sealed class SlotWorker(
             var held = flow.Store.Find(id)!;
             if (held.State == CorrectionState.Uploading)
                 return await UploadLockedAsync(held, stop);
-            wait.End();
+            delivery.End();
             return await WatchAsync(held, holding, stop);
         }
 
@@ -43,12 +43,12 @@ internal sealed class SlotWorker(
         var first = SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial);
         if (first is not { State: CorrectionState.Approved })
         {
-            wait.End();
+            delivery.End();
             return flow.Pace.Idle;
         }
 
         // Before the slot is taken: a program that waits can still be rejected or replaced by a newer one.
-        return await wait.MustWaitAsync(first, stop) ? flow.Pace.Busy : await UploadLockedAsync(first, stop);
+        return await delivery.MustWaitAsync(first, stop) ? flow.Pace.Busy : await UploadLockedAsync(first, stop);
     }
 
     private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
@@ -89,11 +89,11 @@ internal sealed class SlotWorker(
         }
         catch (MachineBusyException e)
         {
-            wait.Note(correction, e.Statement);
+            delivery.Note(correction, e.Statement);
             return flow.Pace.Busy;
         }
 
-        wait.End();
+        delivery.End();
         return TimeSpan.Zero;
     }
 

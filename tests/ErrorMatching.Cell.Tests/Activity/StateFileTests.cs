@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -63,7 +62,7 @@ public sealed class StateFileTests : IDisposable
     public async Task A_file_that_is_too_old_or_from_the_future_says_nothing(int age, string? code)
     {
         File.WriteAllText(StatePath, "STATE=IDLE\nEND\n");
-        File.SetLastWriteTimeUtc(StatePath, DateTime.UtcNow.AddSeconds(-age));
+        File.SetLastWriteTimeUtc(StatePath, TimeProvider.System.GetUtcNow().UtcDateTime.AddSeconds(-age));
         var state = await Source().AskAsync(TestContext.Current.CancellationToken);
         Assert.Equal((code is null ? MachineActivity.Idle : MachineActivity.Unknown, code), (state.Activity, state.Code));
     }

@@ -49,7 +49,9 @@ public sealed class CellSettingsTests : IDisposable
         Assert.Equal(
             new MtConnectSettings(new("http://vmc1:5000"), "VMC1", true)
             {
-                Timeout = TimeSpan.FromSeconds(2), WaitLimit = TimeSpan.FromMinutes(30), OnlyIdle = true,
+                Timeout = TimeSpan.FromSeconds(2),
+                WaitLimit = TimeSpan.FromMinutes(30),
+                OnlyIdle = true,
             },
             State("\"kind\": \"mtconnect\", \"url\": \"http://vmc1:5000\", \"device\": \"VMC1\", \"stopped\": \"idle\", \"timeoutS\": 2, "
                 + "\"waitLimitMin\": 30, \"replaceWhile\": \"idle\""));

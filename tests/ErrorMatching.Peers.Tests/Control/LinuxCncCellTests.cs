@@ -28,7 +28,8 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
         // Asked to replace it while it runs.
         cell.Drop("S2.csv", Measurement(2));
         await ConfiguredCell.Until(() => Slot(cell).Delivery is { Correction: 2 });
-        Assert.Contains($"running with the program {control.Nc}/{Program}", Slot(cell).Delivery!.Statement.Sentence, StringComparison.Ordinal);
+        Assert.Contains(
+            $"running with the program {control.Nc}/{Program}", Slot(cell).Delivery!.Statement.Sentence, StringComparison.Ordinal);
         Assert.Equal("RUNNING", await control.StatusAsync());
 
         // Held is not ended.
@@ -146,13 +147,16 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
         foreach (var x in new[] { 1.0, 2.0 })
         {
             await control.SetAsync("run");
-            await control.UntilAsync(async () => Math.Abs((await control.PlaceAsync()).X - x) < 1e-6 && await control.StatusAsync() == "IDLE");
+            await UntilEndAtAsync(x);
         }
 
         await WriteAsync("G21 G90\nG1 X3 F6000\nM2\n");
         await control.OpenAsync("S.NGC");
         await control.SetAsync("run");
-        await control.UntilAsync(async () => Math.Abs((await control.PlaceAsync()).X - 3) < 1e-6 && await control.StatusAsync() == "IDLE");
+        await UntilEndAtAsync(3);
+
+        Task UntilEndAtAsync(double x) => control.UntilAsync(
+            async () => Math.Abs((await control.PlaceAsync()).X - x) < 1e-6 && await control.StatusAsync() == "IDLE");
 
         async Task WriteAsync(string text)
         {
@@ -165,7 +169,8 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
 
     private static string Hash(byte[] bytes) => Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes));
 
-    private static string Measurement(int number) => File.ReadAllText(Testing.Repository.PathTo("samples", "slot-mating", "part.csv")).Replace(
+    private static string Measurement(int number) => File.ReadAllText(
+        Testing.Repository.PathTo("samples", "slot-mating", "part.csv")).Replace(
         "1,12.0000,-10.0377", string.Create(CultureInfo.InvariantCulture, $"1,12.0000,-10.0{377 + number}"), StringComparison.Ordinal);
 
     private MachineSettings Machine(StateSettings state) => CellSettingsReader.Parse(

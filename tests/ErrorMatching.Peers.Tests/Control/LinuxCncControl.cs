@@ -49,7 +49,7 @@ public sealed class LinuxCncControl : IAsyncLifetime
 
     public async ValueTask InitializeAsync()
     {
-        if (Programs.Any(p => Daemon.Find(p) is null) || Environment.UserName != "root")
+        if (!OperatingSystem.IsLinux() || Programs.Any(p => Daemon.Find(p) is null) || Environment.UserName != "root")
             return;
         Directory.CreateDirectory(Nc);
         foreach (var file in Files)
@@ -79,9 +79,11 @@ public sealed class LinuxCncControl : IAsyncLifetime
         Assert.StartsWith("HELLO ACK", await AskAsync("hello EMC tests 1.0"), StringComparison.Ordinal);
         await TellAsync("echo off");
         await TellAsync("verbose on");
-        foreach (var setting in new[] { "enable EMCTOO", "estop off", "machine on", "mode manual", "home 0", "home 1", "home 2", "mode auto" })
+        string[] settings = ["enable EMCTOO", "estop off", "machine on", "mode manual", "home 0", "home 1", "home 2", "mode auto"];
+        foreach (var setting in settings)
             await SetAsync(setting);
-        await UntilAsync(async () => await AskAsync("get joint_homed") is var homed && homed.Contains("YES YES YES", StringComparison.Ordinal)
+        await UntilAsync(async () =>
+            (await AskAsync("get joint_homed")).Contains("YES YES YES", StringComparison.Ordinal)
             && await AskAsync("get mode") == "MODE AUTO");
     }
 
@@ -115,7 +117,8 @@ public sealed class LinuxCncControl : IAsyncLifetime
     /// <summary>The place of the tool.</summary>
     public async Task<(double X, double Y, double Z)> PlaceAsync()
     {
-        var numbers = (await AskAsync("get abs_act_pos")).Split(' ')[1..].Select(n => double.Parse(n, CultureInfo.InvariantCulture)).ToArray();
+        var answer = await AskAsync("get abs_act_pos");
+        var numbers = answer.Split(' ')[1..].Select(n => double.Parse(n, CultureInfo.InvariantCulture)).ToArray();
         return (numbers[0], numbers[1], numbers[2]);
     }
 

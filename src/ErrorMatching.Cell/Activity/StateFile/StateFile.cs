@@ -53,7 +53,7 @@ internal sealed class StateFile(StateFileSettings settings, TimeProvider clock) 
             count += read;
         if (count > MostBytes)
             throw Wrong($"more than {MostBytes} bytes");
-        return (buffer[..count], clock.GetUtcNow() - File.GetLastWriteTimeUtc(file));
+        return (buffer[..count], clock.GetUtcNow() - new DateTimeOffset(File.GetLastWriteTimeUtc(file), TimeSpan.Zero));
     }
 
     private MachineState Parse(byte[] bytes)
