@@ -28,6 +28,22 @@ public sealed class CellCheckTests : IDisposable
     }
 
     [Fact]
+    public void A_machine_says_what_it_is_doing_or_that_is_exit_3()
+    {
+        File.WriteAllText(
+            _cell.Config,
+            File.ReadAllText(_cell.Config).Replace(
+                "\"slots\":", "\"state\": { \"kind\": \"file\", \"file\": \"plc.txt\" }, \"slots\":", StringComparison.Ordinal));
+        var away = Shell.Json(3, "errormatch/cell-check/1", "cell", "check", _cell.Config);
+        Assert.Equal("state-away", Assert.Single(away.GetProperty("errors").EnumerateArray()).Text("code"));
+
+        File.WriteAllText(_cell["plc.txt"], "STATE=HELD\nPROGRAM=O2001.NC\nEND\n");
+        var machine = Shell.Json(0, "errormatch/cell-check/1", "cell", "check", _cell.Config).GetProperty("machines")[0];
+        Assert.Equal("held", machine.GetProperty("machineState").Text("activity"));
+        Assert.Contains("plc.txt: held, O2001.NC", Shell.Run("cell", "check", _cell.Config).Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_wrong_configuration_is_exit_1_by_path_line_and_column()
     {
         File.WriteAllText(

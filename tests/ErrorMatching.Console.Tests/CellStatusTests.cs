@@ -68,6 +68,25 @@ public sealed class CellStatusTests : IDisposable
     }
 
     [Fact]
+    public void What_waits_for_its_machine_says_what_the_machine_is_doing()
+    {
+        To(CorrectionState.Approved);
+        var state = new MachineState(MachineActivity.Running, ["\u001b[2J/nc/O2001.NC"], Since);
+        using var life = Alive(h => h with
+        {
+            Machines = [new("vmc1", state)],
+            Waiting = [new("vmc1", "A", 1, "vmc1 is running.", Since)],
+        });
+        var slot = IsWell().GetProperty("slots")[0];
+        Assert.Equal("running", slot.GetProperty("machineState").Text("activity"));
+        Assert.Equal((1, "vmc1 is running."),
+            (slot.GetProperty("waitsForMachine").GetProperty("correction").GetInt32(), slot.GetProperty("waitsForMachine").Text("reason")));
+        var text = Shell.Run("cell", "status", _cell.Config).Output;
+        Assert.Contains("vmc1: running, \uFFFD[2J/nc/O2001.NC, since 2026-11-21 20:00:00Z", text, StringComparison.Ordinal);
+        Assert.Contains("vmc1/A: correction 1 waits since 2026-11-21 20:00:00Z: vmc1 is running.", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_correction_that_failed_needs_help()
     {
         To(CorrectionState.Failed);
@@ -183,12 +202,14 @@ public sealed class CellStatusTests : IDisposable
     }
 
     // A cell that says again and again that it lives, however slow the test is.
-    private Timer Alive(params CellTrouble[] troubles)
+    private Timer Alive(params CellTrouble[] troubles) => Alive(h => h with { Troubles = troubles });
+
+    private Timer Alive(Func<Heartbeat, Heartbeat> with)
     {
         Beat(null);
         return new(Beat, null, TimeSpan.Zero, TimeSpan.FromMilliseconds(500));
 
-        void Beat(object? state) => new Heartbeat(17, Since, TimeProvider.System.GetUtcNow(), troubles).Write(_settings.LogFolder);
+        void Beat(object? state) => with(new(17, Since, TimeProvider.System.GetUtcNow(), [])).Write(_settings.LogFolder);
     }
 
     private void To(CorrectionState state, string fileName = "S1.csv")

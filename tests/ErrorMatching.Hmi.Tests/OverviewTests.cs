@@ -25,6 +25,35 @@ public sealed class OverviewTests
     });
 
     [Fact]
+    public Task A_program_that_waits_for_its_machine_says_why_in_both_languages() => Seat.AtAsync(seat =>
+    {
+        var why = Recorded.All.Single(f => f.Name == "machine-busy").With("vmc1", "running", "counterpart.nc", "counterpart.nc");
+        var now = seat.Station.Clock.GetUtcNow();
+        new Heartbeat(17, now, now, [])
+        {
+            Machines = [new("vmc1", new(MachineActivity.Running, ["counterpart.nc"], now))],
+            Waiting = [new("vmc1", "A", 1, why.Text, now)],
+        }.Write(seat.Station.Settings.LogFolder);
+        seat.SignIn(DemoCell.Operator);
+        var overview = (OverviewViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => overview.Slots is [{ State: "Waits for the machine" }, ..], "The machine is not said to be waited for.");
+        Assert.Equal(
+            ("vmc1 is running with the program counterpart.nc. counterpart.nc is replaced as soon as the machine is idle or runs another "
+                + "program.",
+                "Nothing in line · machine: running counterpart.nc", Severity.Quiet),
+            (overview.Slots[0].Detail, overview.Slots[0].Waiting, overview.Slots[0].Severity));
+        Texts.Current.Language = Language.TraditionalChinese;
+        try
+        {
+            Assert.StartsWith("機台 vmc1 執行中", RecordedText.Of(why), StringComparison.Ordinal);
+        }
+        finally
+        {
+            Texts.Current.Language = Language.English;
+        }
+    });
+
+    [Fact]
     public Task A_measured_part_appears_by_itself() => Seat.AtAsync(seat =>
     {
         seat.Cell.Run();

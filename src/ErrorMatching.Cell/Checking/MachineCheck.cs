@@ -49,7 +49,8 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
 
             using var folder = MachineFolders.Open(machine, () => secret);
             var names = await folder.ListAsync(cancellation).ConfigureAwait(false);
-            return new(machine, names, machine.NeedsPassword, Untried(machine), null);
+            return await WithStateAsync(new(machine, names, machine.NeedsPassword, Untried(machine), null), cancellation)
+                .ConfigureAwait(false);
         }
         catch (TransportException e)
         {
@@ -62,6 +63,17 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
 
         CheckedMachine Problem(string code, string message) =>
             new(machine, null, machine.NeedsPassword, null, CheckProblem.Of(code, message));
+    }
+
+    private static async Task<CheckedMachine> WithStateAsync(CheckedMachine machine, CancellationToken cancellation)
+    {
+        if (ReplacementGuard.Of(machine.Machine, TimeProvider.System) is not { } guard)
+        {
+            return machine;
+        }
+
+        var state = await guard.AskAsync(cancellation).ConfigureAwait(false);
+        return machine with { State = state, Problem = state is { Code: { } code, Why: { } why } ? new([new(code, why.Sentence)]) : null };
     }
 
     private string Untried(MachineSettings machine)
@@ -80,6 +92,10 @@ internal sealed class MachineCheck(CellSettings settings, CheckedStore store)
 /// <param name="NeedsPassword">True if its transport signs in with a password.</param>
 /// <param name="Untried">A sentence on what could not be tested without changing something at the machine; null if it could not be
 /// listed.</param>
-/// <param name="Problem">Why it could not be listed; null if it was.</param>
+/// <param name="Problem">Why it could not be listed, or why it does not say what it is doing; null if nothing is wrong.</param>
 public sealed record CheckedMachine(
-    MachineSettings Machine, IReadOnlyList<string>? Names, bool NeedsPassword, string? Untried, CheckProblem? Problem);
+    MachineSettings Machine, IReadOnlyList<string>? Names, bool NeedsPassword, string? Untried, CheckProblem? Problem)
+{
+    /// <summary>What the machine is doing; null if nothing says that, or if its folder could not be listed.</summary>
+    public MachineState? State { get; init; }
+}

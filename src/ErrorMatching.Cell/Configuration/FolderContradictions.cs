@@ -117,6 +117,10 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
                 root["machines"].Items[i]["transport"].Find("keyFile") ?? root,
                 "the login's key",
                 settings.Machines[i].Transport.SignInKey);
+            Check(
+                root["machines"].Items[i].Find("state")?.Find("file") ?? root,
+                "the file with the machine's state",
+                settings.Machines[i].State?.LocalFile);
         }
     }
 

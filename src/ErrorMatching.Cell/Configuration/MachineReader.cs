@@ -20,6 +20,7 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         Transport = TransportKinds.Read(item["transport"], paths, problems),
         Slots = ReadSlots(item["slots"]),
         Timeout = TimeSpan.FromSeconds(item.Find("timeoutS")?.Number ?? 30),
+        State = item.Find("state") is { } state ? StateKinds.Read(state, paths, problems) : null,
         Attempts = (int)(item.Find("attempts")?.Number ?? 3),
     };
 

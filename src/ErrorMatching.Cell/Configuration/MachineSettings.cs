@@ -21,6 +21,9 @@ public sealed record MachineSettings
     /// <summary>True if its transport signs in with a password.</summary>
     public bool NeedsPassword => Transport.NeedsPassword;
 
+    /// <summary>How the machine is asked what it is doing; null if nothing says that.</summary>
+    public StateSettings? State { get; init; }
+
     /// <summary>How many times in a row a transfer is attempted before the slot waits.</summary>
     public required int Attempts { get; init; }
 }

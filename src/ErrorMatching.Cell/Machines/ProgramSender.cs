@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Reporting;
 using Polly;
 
 namespace ErrorMatching.Cell;
@@ -12,12 +13,17 @@ namespace ErrorMatching.Cell;
 /// a server that does not rename over a file, the old program is first renamed aside. If the connection breaks at that moment, both are
 /// complete under other names, and <see cref="RecoverAsync"/> restores the old one.</para>
 /// <para>A temporary file is never mistaken for a program: a file is renamed only after it was read back and found equal. Only one sender
-/// at a time may work on a program.</para></remarks>
+/// at a time may work on a program.</para>
+/// <para>With a guard, a program that the machine runs, or may run, is not replaced: the machine is asked immediately before each operation
+/// that takes a program's name from it, and once more afterward. A name that is free may get its program back at any
+/// time.</para></remarks>
 /// <param name="folder">The machine's folder.</param>
 /// <param name="isKept">Whether content is stored elsewhere, by its SHA-256 as 64 lowercase hexadecimal digits. Only such content is
 /// deleted at the machine.</param>
 /// <param name="tries">The retry strategy for a transfer, such as <see cref="TransferTries.For"/>; null for a single attempt.</param>
-public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKept, ResiliencePipeline? tries = null)
+/// <param name="guard">Asks what the machine is doing; null if nothing says that, and programs are replaced at any time.</param>
+public sealed class ProgramSender(
+    IMachineFolder folder, Func<string, bool> isKept, ResiliencePipeline? tries = null, ReplacementGuard? guard = null)
 {
     /// <summary>Larger programs are not read from a machine.</summary>
     public const long MostBytes = 256L << 20;
@@ -43,8 +49,12 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     /// <param name="cancellation">Cancels immediately; the machine then has the old program or the new one.</param>
     /// <exception cref="TransportException">It was not sent, or that is unknown; <see cref="RecoverAsync"/> and <see cref="CurrentAsync"/>
     /// find out.</exception>
+    /// <returns>Null; or with a guard, why it is unknown whether the machine started the program while it was replaced.</returns>
     /// <exception cref="ChangedAtMachineException">The machine now has another program. It was not replaced.</exception>
-    public async Task SendAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag, CancellationToken cancellation)
+    /// <exception cref="MachineBusyException">The machine runs the program or may run it, and it was not replaced; or the machine started
+    /// it while it was replaced.</exception>
+    public async Task<Statement?> SendAsync(
+        string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag, CancellationToken cancellation)
     {
         Demand(program);
         if (!ProgramNames.AllowsTag(tag))
@@ -60,6 +70,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
                 await SendOnceAsync(program, replaces, bytes, tag, c).ConfigureAwait(false);
             },
             cancellation).ConfigureAwait(false);
+        return guard is null ? null : await guard.AfterAsync(program, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Cleans up after an interrupted transfer: afterward the machine has the old program or the new one, complete, under its
@@ -69,6 +80,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     /// <exception cref="TransportException">It failed; nothing is worse than before.</exception>
     /// <exception cref="ChangedAtMachineException">There are two programs that are stored nowhere else: a person must check
     /// them.</exception>
+    /// <exception cref="MachineBusyException">A change of a person must get its place back, and the machine runs what is there.</exception>
     public async Task RecoverAsync(string program, CancellationToken cancellation)
     {
         Demand(program);
@@ -85,6 +97,8 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     private async Task SendOnceAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag,
         CancellationToken cancellation)
     {
+        // Also before writing, so that a busy machine is not troubled with a file that it does not get.
+        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
         var written = ProgramNames.New(program, tag);
         try
         {
@@ -96,7 +110,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
             if (!AreSame(await ReplaceAsync(written, program, replaces, bytes, cancellation).ConfigureAwait(false), bytes))
                 throw Differs(program, "took its name", "Nobody may run it before it was sent again.");
         }
-        catch (Exception failure) when (failure is ChangedAtMachineException
+        catch (Exception failure) when (failure is ChangedAtMachineException or MachineBusyException
             || (failure is TransportException { Error: var error } && IsReachable(error)))
         {
             await CleanAsync(program, cancellation).ConfigureAwait(false);
@@ -127,6 +141,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         CancellationToken cancellation)
     {
         var aside = ProgramNames.Old(program);
+        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
         if (await folder.ReplaceAsync(written, program, aside, MostBytes, cancellation).ConfigureAwait(false) is { } replaced)
         {
             if (replaced.Was is { } was)
@@ -146,6 +161,8 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         }
         catch (TransportException failure) when (failure.Error == TransportError.CannotReplace)
         {
+            // The second step takes nothing away: once the old program is aside, its name is free.
+            await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
             var was = await folder.RenameAsync(program, aside, MostBytes, cancellation).ConfigureAwait(false);
             if (HashOf(was) != replaces && !AreSame(was, bytes))
                 await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
@@ -197,6 +214,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
     private async Task PutBackAsync(string program, CancellationToken cancellation)
     {
         var aside = ProgramNames.Old(program);
+        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
         if (await folder.ReplaceAsync(aside, program, aside, MostBytes, cancellation).ConfigureAwait(false) is not null)
             return;
         try
@@ -205,6 +223,7 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         }
         catch (TransportException failure) when (failure.Error == TransportError.CannotReplace)
         {
+            await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
             var away = ProgramNames.New(program, "back");
             await folder.RenameAsync(program, away, MostBytes, cancellation).ConfigureAwait(false);
             await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
@@ -226,10 +245,13 @@ public sealed class ProgramSender(IMachineFolder folder, Func<string, bool> isKe
         {
             await RecoverOnceAsync(program, cancellation).ConfigureAwait(false);
         }
-        catch (Exception failure) when (failure is TransportException or ChangedAtMachineException)
+        catch (Exception failure) when (failure is TransportException or ChangedAtMachineException or MachineBusyException)
         {
         }
     }
+
+    private Task DemandNotUsedAsync(string program, CancellationToken cancellation) =>
+        guard?.DemandAsync(program, cancellation) ?? Task.CompletedTask;
 
     private static bool IsReachable(TransportError error) => error is
         TransportError.Denied or TransportError.Full or TransportError.CannotReplace or TransportError.Differs or TransportError.TooLarge

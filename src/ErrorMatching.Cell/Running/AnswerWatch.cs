@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Checks periodically whether a machine or a gauge responds, so that a failure is known before something must be sent. Each
@@ -37,7 +39,7 @@ internal sealed class AnswerWatch(
         }
         else if (flow.Troubles.Begin(where, problem.Code, problem.Message))
         {
-            flow.Log.Warning("{Where}: {Code}: {Message}", where, problem.Code, problem.Message);
+            flow.Log.Warning("{Where}: {Code}: {Message}", where, problem.Code, problem.Message.Sentence);
         }
 
         return problem?.IsOfLogin == true ? flow.Pace.Held : flow.Pace.Answer;
@@ -47,6 +49,11 @@ internal sealed class AnswerWatch(
     public static AnswerWatch OfMachine(CellFlow flow, MachineSettings machine, IMachineFolder folder) => new(
         flow, CellTrouble.OfMachine(machine.Name), machine.Name, c => MachineAnswer.OfAsync(machine, folder, c),
         (p, t) => t.Code == p.Code && machine.Slots.Any(s => t.Where == CellTrouble.OfSlot(machine.Name, s.Name)));
+
+    /// <summary>The watch of what says what a machine is doing. A machine that says that it does not know answers, too.</summary>
+    public static AnswerWatch OfState(CellFlow flow, MachineSettings machine, ReplacementGuard guard) => new(
+        flow, CellTrouble.OfState(machine.Name), machine.State!.Address,
+        async c => await guard.AskAsync(c) is { Code: { } code, Why: { } why } ? new(code, why) : null, (_, _) => false);
 
     /// <summary>The watch of a gauge's folder.</summary>
     public static AnswerWatch OfGauge(CellFlow flow, GaugeSettings gauge) => new(
@@ -58,4 +65,4 @@ internal sealed class AnswerWatch(
 /// <param name="Code">Stable code.</param>
 /// <param name="Message">A sentence for the person who has to fix it.</param>
 /// <param name="IsOfLogin">True if the login was refused: controls lock a login after repeated attempts.</param>
-internal sealed record AnswerProblem(string Code, string Message, bool IsOfLogin = false);
+internal sealed record AnswerProblem(string Code, Statement Message, bool IsOfLogin = false);

@@ -42,6 +42,18 @@ public static class CellCodes
     /// <summary>The cell does not know the program in the slot.</summary>
     public const string ChangedAtMachine = "changed-at-machine";
 
+    /// <summary>A program waits for its machine longer than the limit.</summary>
+    public const string WaitsTooLong = "waits-too-long";
+
+    /// <summary>A program must not be replaced, because its machine runs it or may run it.</summary>
+    public const string MachineBusy = "machine-busy";
+
+    /// <summary>A machine started a program while it was being replaced.</summary>
+    public const string StartedMeanwhile = "started-meanwhile";
+
+    /// <summary>In the audit trail: whether a machine started a program while it was reverted is not known.</summary>
+    public const string ReadBackUnseen = "read-back-unseen";
+
     /// <summary>In the audit trail: the slot again holds the verified program after a change.</summary>
     public const string HeldAgain = "held-again";
 

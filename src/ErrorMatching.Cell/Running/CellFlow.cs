@@ -43,6 +43,9 @@ internal sealed class CellFlow(
     /// <summary>What prevents workers from working.</summary>
     public Troubles Troubles { get; } = new(clock);
 
+    /// <summary>What the machines are doing, and what waits for them.</summary>
+    public MachineReports Machines { get; } = new(clock);
+
     /// <summary>Wakes the worker that recognizes.</summary>
     public Wake Archived { get; } = new();
 

@@ -98,13 +98,23 @@ public sealed class CellRunner
         foreach (var (machine, folder) in folders.All)
         {
             var listing = new MachineListing(folder, _clock, Pace.Ready);
-            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, ReportTry));
+            var guard = ReplacementGuard.Of(machine, _clock);
+            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, ReportTry), guard);
+            if (guard is not null)
+            {
+                yield return new Worker(flow, $"asking {machine.Name}", new(),
+                    new MachineStateWorker(flow, machine, guard).WorkAsync).RunAsync;
+                yield return new Worker(flow, $"watch of the state of {machine.Name}", new(),
+                    AnswerWatch.OfState(flow, machine, guard).WorkAsync).RunAsync;
+            }
+
             yield return new Worker(flow, $"watch of {machine.Name}", new(),
                 AnswerWatch.OfMachine(flow, machine, folder).WorkAsync).RunAsync;
             foreach (var slot in machine.Slots)
             {
                 yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
-                    new SlotWorker(flow, machine, slot, folder, sender, listing, originals).WorkAsync).RunAsync;
+                    new SlotWorker(flow, machine, slot, folder, sender, listing, originals,
+                        new(flow, machine, slot, guard)).WorkAsync).RunAsync;
             }
         }
 

@@ -41,10 +41,12 @@ public sealed record CellStatus(
         ArgumentNullException.ThrowIfNull(store);
         ArgumentNullException.ThrowIfNull(clock);
         var heartbeat = Heartbeat.Read(settings.LogFolder);
+        var isRunning = heartbeat?.IsFresh(clock.GetUtcNow()) ?? false;
         return new(
             heartbeat,
-            heartbeat?.IsFresh(clock.GetUtcNow()) ?? false,
-            [.. settings.Machines.SelectMany(m => m.Slots.Select(s => SlotStatus.Of(settings, m, s, store)))],
+            isRunning,
+            [.. settings.Machines.SelectMany(m => m.Slots.Select(
+                s => SlotStatus.Of(settings, m, s, store, isRunning ? heartbeat : null)))],
             [.. store.First(CorrectionState.Proposed, Most).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
             store.First(CorrectionState.Failed, Most),
             [.. store.First(CorrectionState.Archived, Most), .. store.First(CorrectionState.Recognized, Most)],

@@ -5,7 +5,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Something that prevents a part of a running cell from working.</summary>
 /// <param name="Where">The part concerned: <see cref="OfMachine"/>, <see cref="OfSlot"/>, <see cref="OfProgram"/>, <see cref="OfGauge"/>,
-/// <see cref="OfFolder"/>, <c>store</c> or the name of a worker.</param>
+/// <see cref="OfFolder"/>, <see cref="OfDelivery"/>, <see cref="OfState"/>, <c>store</c> or the name of a worker.</param>
 /// <param name="Code">Stable code.</param>
 /// <param name="Message">A sentence for the person who has to fix it.</param>
 /// <param name="Since">Since when.</param>
@@ -27,9 +27,16 @@ public sealed record CellTrouble(string Where, string Code, string Message, Date
     /// <summary>Name for the program in a taken slot.</summary>
     public static string OfProgram(string machine, string slot) => $"program {machine}/{slot}";
 
-    /// <summary>True if it concerns a slot: its program, its worker, or its machine.</summary>
+    /// <summary>Name for a program that waits too long for its machine.</summary>
+    public static string OfDelivery(string machine, string slot) => $"delivery {machine}/{slot}";
+
+    /// <summary>Name of the part that asks a machine what it is doing.</summary>
+    public static string OfState(string machine) => $"state {machine}";
+
+    /// <summary>True if it concerns a slot: its program, its worker, its machine, or a program that waits for it.</summary>
     public bool Concerns(string machine, string slot) =>
-        Where == OfProgram(machine, slot) || Where == OfSlot(machine, slot) || Where == OfMachine(machine);
+        Where == OfProgram(machine, slot) || Where == OfSlot(machine, slot) || Where == OfMachine(machine)
+        || Where == OfDelivery(machine, slot) || Where == OfState(machine);
 
     /// <summary>Name of the part that serves a slot.</summary>
     public static string OfSlot(string machine, string slot) => $"slot {machine}/{slot}";

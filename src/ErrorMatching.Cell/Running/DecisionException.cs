@@ -35,6 +35,12 @@ public sealed class DecisionException(string code, string message) : Exception(m
     /// <summary>The slot's program is not the one to be reverted.</summary>
     public const string ChangedAtMachine = CellCodes.ChangedAtMachine;
 
+    /// <summary>The machine runs the program, or may run it.</summary>
+    public const string MachineBusy = CellCodes.MachineBusy;
+
+    /// <summary>The machine started the program while it was being replaced.</summary>
+    public const string StartedMeanwhile = CellCodes.StartedMeanwhile;
+
     /// <summary>Stable code.</summary>
     public string Code => code;
 }

@@ -12,6 +12,12 @@ internal sealed record FlowPace
     /// <summary>How often to look for a machine's ready file.</summary>
     public TimeSpan Ready { get; init; } = TimeSpan.FromSeconds(1);
 
+    /// <summary>How often to ask a machine what it is doing, for people to see.</summary>
+    public TimeSpan State { get; init; } = TimeSpan.FromSeconds(2);
+
+    /// <summary>How often to ask a machine that a program waits for.</summary>
+    public TimeSpan Busy { get; init; } = TimeSpan.FromSeconds(1);
+
     /// <summary>How often to check whether machines and gauges respond.</summary>
     public TimeSpan Answer { get; init; } = TimeSpan.FromSeconds(30);
 

@@ -11,6 +11,12 @@ namespace ErrorMatching.Cell;
 /// <param name="Troubles">What prevents the cell from working.</param>
 public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffset At, IReadOnlyList<CellTrouble> Troubles)
 {
+    /// <summary>What the machines are doing; those that say it.</summary>
+    public IReadOnlyList<MachineReport> Machines { get; init; } = [];
+
+    /// <summary>Programs that wait for their machines.</summary>
+    public IReadOnlyList<WaitingDelivery> Waiting { get; init; } = [];
+
     private const string FileName = "running.json";
     private const int Room = 4096;
 
@@ -22,7 +28,8 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     {
         try
         {
-            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName))) is { Troubles: not null } sign
+            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName)))
+                is { Troubles: not null, Machines: not null, Waiting: not null } sign
                 ? sign
                 : null;
         }

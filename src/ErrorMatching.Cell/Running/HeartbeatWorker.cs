@@ -14,7 +14,11 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
         alive?.Invoke();
         Try(
             "signs of life",
-            () => new Heartbeat(Environment.ProcessId, _since, flow.Clock.GetUtcNow(), flow.Troubles.Open).Write(flow.Settings.LogFolder));
+            () => new Heartbeat(Environment.ProcessId, _since, flow.Clock.GetUtcNow(), flow.Troubles.Open)
+            {
+                Machines = flow.Machines.Machines,
+                Waiting = flow.Machines.Waiting,
+            }.Write(flow.Settings.LogFolder));
         if (flow.Clock.GetElapsedTime(_remembered) > Remembering)
         {
             // The more often the trail's end is remembered elsewhere, the less can be cut off unnoticed.

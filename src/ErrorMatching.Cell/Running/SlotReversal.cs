@@ -79,6 +79,10 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         {
             throw new DecisionException(DecisionException.ChangedAtMachine, e.Message);
         }
+        catch (MachineBusyException e)
+        {
+            throw new DecisionException(e.IsReplaced ? DecisionException.StartedMeanwhile : DecisionException.MachineBusy, e.Message);
+        }
 
         return decisions.Step(correction, CorrectionState.Reverted, by, reason, c => c with { Code = "reverted", Reason = reason });
     }
@@ -93,7 +97,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         string reason,
         CancellationToken cancellation)
     {
-        var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock));
+        var guard = ReplacementGuard.Of(machine, clock);
+        var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock), guard);
         await sender.RecoverAsync(slot.Program, cancellation);
         var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes
             ? Convert.ToHexStringLower(SHA256.HashData(bytes))
@@ -110,6 +115,11 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
                         + $"{correction.Id} --out."));
         }
 
+        if (guard is not null && found != previous)
+        {
+            await guard.DemandAsync(slot.Program, cancellation);
+        }
+
         if (slot.ReadyFile is { } ready)
         {
             // It belongs to the program that is being reverted.
@@ -124,10 +134,13 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         // Before anything changes at the machine: if this is interrupted, the trail names the person who started it.
         store.Audit(by, "reverting", reason, Recorded.Correction.With(correction.Id));
-        await sender.SendAsync(slot.Program, found, store.Content(previous), FormattableString.Invariant($"revert{correction.Id}"),
-            cancellation);
+        var unseen = await sender.SendAsync(slot.Program, found, store.Content(previous),
+            FormattableString.Invariant($"revert{correction.Id}"), cancellation);
+        if (unseen is not null)
+        {
+            store.Audit(by, CellCodes.ReadBackUnseen, Recorded.ReadBackUnseen.With(unseen), Recorded.Correction.With(correction.Id));
+        }
     }
-
 
     // A worker that has just sent a program holds the slot a moment longer than the store shows.
     private async Task<ISlotLock?> LockAsync(string machine, string slot, CancellationToken cancellation)

@@ -11,6 +11,12 @@ public sealed record SlotStatus(
 {
     private const int MostNext = 5;
 
+    /// <summary>What the machine was doing a moment ago; null if nothing says that, or the cell does not run.</summary>
+    public MachineReport? Report { get; init; }
+
+    /// <summary>The program that waits for the machine; null if none does, or the cell does not run.</summary>
+    public WaitingDelivery? Delivery { get; init; }
+
     /// <summary>The length of the line.</summary>
     public int Waiting => Line.Count;
 
@@ -33,7 +39,8 @@ public sealed record SlotStatus(
             ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)]
             : [];
 
-    internal static SlotStatus Of(CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store)
+    internal static SlotStatus Of(
+        CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store, Heartbeat? running)
     {
         var holding = store.Slot(machine.Name, slot.Name);
         return new(
@@ -41,7 +48,11 @@ public sealed record SlotStatus(
             slot,
             holding,
             holding.Correction is { } id ? store.Find(id) : null,
-            SlotLine.Order(store.Line(machine.Name, slot.Name), job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial)));
+            SlotLine.Order(store.Line(machine.Name, slot.Name), job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial)))
+        {
+            Report = running?.Machines.FirstOrDefault(m => m.Machine == machine.Name),
+            Delivery = running?.Waiting.FirstOrDefault(w => w.Machine == machine.Name && w.Slot == slot.Name),
+        };
     }
 }
 

@@ -13,9 +13,10 @@ namespace ErrorMatching.Cell;
 /// <param name="sender">Sends programs to the folder, and reads them.</param>
 /// <param name="listing">The folder's listing, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
+/// <param name="delivery">Lets programs wait for the machine.</param>
 internal sealed class SlotWorker(
     CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, ProgramSender sender, MachineListing listing,
-    OriginalPrograms originals)
+    OriginalPrograms originals, DeliveryWait delivery)
 {
     private readonly HeldProgram _held = new(flow, machine, slot, sender);
     private (long Id, CorrectionState State) _seen;
@@ -31,13 +32,23 @@ internal sealed class SlotWorker(
         if (holding.Correction is { } id)
         {
             var held = flow.Store.Find(id)!;
-            return held.State == CorrectionState.Uploading ? await UploadLockedAsync(held, stop) : await WatchAsync(held, holding, stop);
+            if (held.State == CorrectionState.Uploading)
+                return await UploadLockedAsync(held, stop);
+            delivery.End();
+            return await WatchAsync(held, holding, stop);
         }
 
         _held.End();
 
         var first = SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial);
-        return first is { State: CorrectionState.Approved } ? await UploadLockedAsync(first, stop) : flow.Pace.Idle;
+        if (first is not { State: CorrectionState.Approved })
+        {
+            delivery.End();
+            return flow.Pace.Idle;
+        }
+
+        // Before the slot is taken: a program that waits can still be rejected or replaced by a newer one.
+        return await delivery.MustWaitAsync(first, stop) ? flow.Pace.Busy : await UploadLockedAsync(first, stop);
     }
 
     private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
@@ -64,16 +75,25 @@ internal sealed class SlotWorker(
         stop.ThrowIfCancellationRequested();
         flow.DemandRecorded(correction);
         using var activity = CellTelemetry.Start("upload", correction);
-        if (correction.State == CorrectionState.Uploading)
+        try
         {
-            _isInOrder = false;
-            await SendAsync(correction, slotLock);
+            if (correction.State == CorrectionState.Uploading)
+            {
+                _isInOrder = false;
+                await SendAsync(correction, slotLock);
+            }
+            else if (await TakeAsync(correction) is { } uploading)
+            {
+                await SendAsync(uploading, slotLock);
+            }
         }
-        else if (await TakeAsync(correction) is { } uploading)
+        catch (MachineBusyException e)
         {
-            await SendAsync(uploading, slotLock);
+            delivery.Note(correction, e.Statement);
+            return flow.Pace.Busy;
         }
 
+        delivery.End();
         return TimeSpan.Zero;
     }
 
@@ -151,6 +171,15 @@ internal sealed class SlotWorker(
         {
             Fail(uploading, CellCodes.ChangedAtMachine, e.Statement, e.Found);
         }
+        catch (MachineBusyException e) when (e.IsReplaced)
+        {
+            Fail(uploading, CellCodes.StartedMeanwhile, e.Statement);
+        }
+        catch (MachineBusyException e)
+        {
+            await GiveBackAsync(uploading, null, e.Statement, flow.Finish);
+            throw;
+        }
         catch (OperationCanceledException) when (flow.Finish.IsCancellationRequested)
         {
             using var soon = new CancellationTokenSource(flow.Pace.GiveBack, flow.Clock);
@@ -203,10 +232,10 @@ internal sealed class SlotWorker(
         }
 
         var program = flow.Store.Content(uploading.ProgramSha256!);
-        await sender.SendAsync(slot.Program, uploading.PreviousSha256, program,
+        var unseen = await sender.SendAsync(slot.Program, uploading.PreviousSha256, program,
             string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
         _isInOrder = true;
-        return Recorded.ReadBack.With();
+        return unseen is null ? Recorded.ReadBack.With() : Recorded.ReadBackUnseen.With(unseen);
     }
 
     private void Verify(Correction uploading, Statement basis)
@@ -237,10 +266,10 @@ internal sealed class SlotWorker(
             Fail(uploading, CellCodes.Of(cause.Error), Recorded.EitherProgram.With(cause.Message));
             return;
         }
-        catch (TransportException e)
+        catch (Exception e) when (e is TransportException or MachineBusyException)
         {
             flow.Log.Debug(
-                "slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be asked: {Message}",
+                "slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be looked at: {Message}",
                 machine.Name,
                 slot.Name,
                 uploading.Id,

@@ -89,6 +89,30 @@ public static class Recorded
     internal static readonly SentenceForm AnswersAgain = new("answers-again", "{0} answers again.");
 
     // Why a measurement is refused, or nothing is sent.
+    internal static readonly SentenceForm ReadBackUnseen = new(
+        "read-back-unseen",
+        "read back from the machine and the same to the last bit; whether it was started meanwhile is not known: {0}");
+    internal static readonly SentenceForm MachineBusy = new(
+        "machine-busy",
+        "{0} is {1:word} with the program {2}. {3} is replaced as soon as the machine is idle or runs another program.");
+    internal static readonly SentenceForm MachineBusyUnnamed = new(
+        "machine-busy-unnamed",
+        "{0} is {1:word} and does not say with which program. {2} is replaced as soon as the machine is idle.");
+    internal static readonly SentenceForm MachineUnknown = new(
+        "machine-unknown", "What {0} is doing is not known. {1} is replaced as soon as the machine says that it is idle: {2}");
+    internal static readonly SentenceForm WaitsTooLong = new(
+        "waits-too-long", "Correction {0:0} has waited for the machine since {1:yyyy-MM-dd HH:mm} UTC. {2}");
+    internal static readonly SentenceForm StartedMeanwhile = new(
+        "started-meanwhile",
+        "{0} started {1} while it was being replaced: it may run the old program or the new one. Find out at the "
+            + "machine which one it runs; then approve or revert the correction again.");
+    internal static readonly SentenceForm StateAway = new("state-away", "{0} does not answer: {1}.");
+    internal static readonly SentenceForm StateSlow = new("state-slow", "{0} did not answer within {1:0.#} s.");
+    internal static readonly SentenceForm StateWrong = new("state-wrong", "{0} answered what the cell does not understand: {1}.");
+    internal static readonly SentenceForm StateStale = new(
+        "state-stale", "What {0} says is {1:0} s old, and at most {2:0} s are allowed. Does whoever writes it still run?");
+    internal static readonly SentenceForm StateUnavailable = new(
+        "state-unavailable", "{0} has no value for {1}. Is the machine switched on?");
     internal static readonly SentenceForm UnknownPiece = new("unknown-piece", "No job takes \"{0}\" from \"{1}\": {2:list; }.");
     internal static readonly SentenceForm AskedNobody = new("asked-nobody", "no job listens to this gauge");
     internal static readonly SentenceForm AskedWants = new("asked-wants", "\"{0}\" wants {1}");
@@ -335,6 +359,8 @@ public static class Recorded
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
         EitherProgram, ChangedBefore, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
+        ReadBackUnseen, MachineBusy, MachineBusyUnnamed, MachineUnknown, WaitsTooLong, StartedMeanwhile, StateAway, StateSlow, StateWrong,
+        StateStale, StateUnavailable,
         UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, TooLarge, AlreadyKnown,
         SumsUnknown,

@@ -26,6 +26,8 @@ internal sealed record WaitReason(string Text, Severity Severity, long First)
             ? new(Texts.Current.Counted("Wait.Behind", behind.Count, Numbers(behind)), Severity.Attention, first.Id)
             : slot.Held is { } held && slot.Approved.Any(c => c.Id == id)
                 ? new(Texts.Current.With("Wait.Slot", Number(held)), Severity.Quiet, held.Id)
+            : slot.Delivery is { } delivery && delivery.Correction == id
+                ? new(RecordedText.Of(delivery.Statement), Severity.Quiet, id)
             : null;
     }
 

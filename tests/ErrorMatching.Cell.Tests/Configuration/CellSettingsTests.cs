@@ -40,6 +40,30 @@ public sealed class CellSettingsTests : IDisposable
     }
 
     [Fact]
+    public void What_says_what_a_machine_is_doing_has_its_kind_its_limits_and_its_defaults()
+    {
+        Assert.Null(_cell.Read(CellFolder.Right).Machines[0].State);
+        Assert.Equal(
+            new LinuxCncSettings("vmc1", 5007),
+            State("\"kind\": \"linuxcnc\", \"host\": \"vmc1\""));
+        Assert.Equal(
+            new MtConnectSettings(new("http://vmc1:5000"), "VMC1", true)
+            {
+                Timeout = TimeSpan.FromSeconds(2),
+                WaitLimit = TimeSpan.FromMinutes(30),
+                OnlyIdle = true,
+            },
+            State("\"kind\": \"mtconnect\", \"url\": \"http://vmc1:5000\", \"device\": \"VMC1\", \"stopped\": \"idle\", \"timeoutS\": 2, "
+                + "\"waitLimitMin\": 30, \"replaceWhile\": \"idle\""));
+        Assert.Equal(
+            new StateFileSettings(_cell.PathOf("plc/vmc1.txt"), TimeSpan.FromSeconds(10)) { WaitLimit = TimeSpan.FromHours(8) },
+            State("\"kind\": \"file\", \"file\": \"plc/vmc1.txt\""));
+
+        StateSettings? State(string members) => _cell.Read(CellFolder.With(
+            "\"folder\": \"machine\" },", $"\"folder\": \"machine\" }}, \"state\": {{ {members} }},")).Machines[0].State;
+    }
+
+    [Fact]
     public void A_rule_of_finished_files_is_at_rest_unless_said_otherwise_and_of_a_controls_log_its_end()
     {
         Assert.Equal(new FinishedByRename(), _cell.Read(CellFolder.Right).Gauges[0].Finished);

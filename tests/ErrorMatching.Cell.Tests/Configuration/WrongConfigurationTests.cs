@@ -5,6 +5,8 @@ namespace ErrorMatching.Cell.Tests;
 /// <summary>The right configuration with one thing wrong: each is found at its path and line, and nothing else is.</summary>
 public sealed class WrongConfigurationTests : IDisposable
 {
+    private const string Slots = "\"slots\": [{ \"name\": \"A\", \"program\": \"O3001.NC\" }]";
+    private const string Folder = "\"transport\": { \"kind\": \"folder\", \"folder\": \"machine\" },";
     private readonly CellFolder _cell = new();
 
     /// <summary>What stands in the right configuration, what takes its place, and the line, path,
@@ -39,6 +41,14 @@ public sealed class WrongConfigurationTests : IDisposable
         { "\"approve\": \"automatic\"", "\"approve\": \"always\"", 28, "$.policy.approve", "not-one-of", "\"person\" or \"automatic\"" },
         { "\"gain\": 1.0", "\"gain\": 3", 28, "$.policy.gain", "too-large", "at most 2" },
         { "\"gauges\": [\"probe\"]", "\"gauges\": []", 25, "$.jobs[3].gauges", "too-few-items", "at least 1" },
+
+        // What says what a machine is doing.
+        { Slots, State("opcua", "") + Slots, 16, "$.machines[2].state.kind", "not-one-of", "\"linuxcnc\"" },
+        { Slots, State("linuxcnc", "") + Slots, 16, "$.machines[2].state", "missing-key", "\"host\"" },
+        { Slots, State("mtconnect", "url\": \"ftp://vmc3") + Slots, 16, "$.machines[2].state.url", "pattern-mismatch", "http://" },
+        { Slots, State("mtconnect", "url\": \"http://me:it@vmc3") + Slots, 16, "$.machines[2].state.url", "bad-agent-url", "\"...@vmc3\"" },
+        { Slots, State("mtconnect", "url\": \"http://vmc3/?a=b") + Slots, 16, "$.machines[2].state.url", "bad-agent-url", "no password" },
+        { Folder, Folder + State("file", "file\": \"machine/plc.txt"), 10, "$.machines[0].state.file", "inside-machine", "state" },
 
         // Names.
         {
@@ -377,4 +387,7 @@ public sealed class WrongConfigurationTests : IDisposable
     }
 
     private IReadOnlyList<Refusal> Problems(string text) => Assert.Throws<InputException>(() => _cell.Read(text)).Refusals;
+
+    private static string State(string kind, string member) =>
+        $"\"state\": {{ \"kind\": \"{kind}\"{(member.Length > 0 ? $", \"{member}\"" : "")} }}, ";
 }

@@ -79,7 +79,19 @@ internal sealed class RunningCell : IAsyncDisposable
 
     public CellStore Store => _stores.Count > 0 ? _stores[0] : Open();
 
-    public CellSettings Settings => CellSettingsReader.Parse(Encoding.UTF8.GetBytes($$"""
+    /// <summary>How machine m1 is asked what it is doing; null if nothing says that.</summary>
+    public StateSettings? State { get; set; }
+
+    public CellSettings Settings
+    {
+        get
+        {
+            var parsed = Parsed;
+            return parsed with { Machines = [.. parsed.Machines.Select(m => m.Name == "m1" ? m with { State = State } : m)] };
+        }
+    }
+
+    private CellSettings Parsed => CellSettingsReader.Parse(Encoding.UTF8.GetBytes($$"""
         {
           "kind": "cell", "name": "Test cell", "store": { "kind": "sqlite", "file": "cell.db" }, "keys": "keys", "logs": "logs",
           "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename", "everyMs": 20 }],

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
 
@@ -68,6 +69,12 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
                     Transport(m.Machine.Transport, Shown),
                     string.Join(", ", m.Machine.Slots.Select(s => Slot(m, s))),
                     State(m.Problem)]));
+        foreach (var machine in check.Machines.Where(m => m.State is not null))
+        {
+            page.Line(PrintedText.OneLine($"{machine.Machine.Name}, {Source(machine.Machine.State!, Shown)}: "
+                + $"{MachineStateJson.Text(machine.State!)}{(machine.State!.Why is { } why ? $": {why}" : "")}"));
+        }
+
         page.Line();
         page.Table(["job", "file", "starts from", "motions", ""], check.Jobs.Select(j => (IReadOnlyList<string>)
         [
@@ -157,6 +164,11 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         json.WriteString("transport", Transport(machine.Machine.Transport, p => p));
         json.WriteBoolean("ok", machine.Problem is null);
         json.WriteBoolean("needsPassword", machine.NeedsPassword);
+        if (machine.State is { } state)
+        {
+            MachineStateJson.Write(json, state);
+        }
+
         Array(json, "slots", machine.Machine.Slots, slot =>
         {
             json.WriteString("name", slot.Name);
@@ -220,6 +232,9 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
 
     private static string Transport(TransportSettings transport, Func<string, string> shown) =>
         transport.LocalFolder is { } folder ? shown(folder) : transport.Address;
+
+    private static string Source(StateSettings state, Func<string, string> shown) =>
+        state.LocalFile is { } file ? shown(file) : state.Address;
 
     // Paths below the current folder are shown relative to it.
     private static string Shown(string path) =>

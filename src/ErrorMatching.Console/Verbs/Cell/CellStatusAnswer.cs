@@ -63,6 +63,19 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             : $"{settings.Name} is not running");
         page.Line();
         page.Table(["machine", "slot", "program", "holds", "state", "since", "waiting", "next"], status.Slots.Select(Row));
+        foreach (var report in status.Slots.Select(s => s.Report).OfType<MachineReport>().DistinctBy(r => r.Machine))
+        {
+            page.Line(PrintedText.OneLine(
+                $"{report.Machine}: {MachineStateJson.Text(report.State)}, since {Time(report.State.Since!.Value)}"
+                + (report.Reason is { } why ? $": {why}" : "")));
+        }
+
+        foreach (var delivery in status.Slots.Select(s => s.Delivery).OfType<WaitingDelivery>())
+        {
+            page.Line(PrintedText.OneLine($"{delivery.Machine}/{delivery.Slot}: correction {Number(delivery.Correction)} waits since "
+                + $"{Time(delivery.Since)}: {delivery.Statement}"));
+        }
+
         List(page, "Waiting for a person", status.Proposed, status.CountOf(CorrectionState.Proposed));
         List(page, "Failed", status.Failed, status.CountOf(CorrectionState.Failed));
         var inWork = status.CountOf(CorrectionState.Archived) + status.CountOf(CorrectionState.Recognized);
@@ -116,6 +129,21 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         }
 
         json.WriteEndArray();
+        if (slot.Report is { } report)
+        {
+            MachineStateJson.Write(json, report.State with { Why = report.Reason });
+        }
+
+        if (slot.Delivery is { } delivery)
+        {
+            json.WriteStartObject("waitsForMachine");
+            json.WriteNumber("correction", delivery.Correction);
+            json.WriteString("since", CorrectionJson.Time(delivery.Since));
+            json.WriteString("reason", delivery.Statement.Sentence);
+            CorrectionJson.Write(json, "reasonStatement", delivery.Statement);
+            json.WriteEndObject();
+        }
+
         json.WriteEndObject();
     }
 
@@ -201,7 +229,9 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         foreach (var trouble in Troubles(isTampered: false))
         {
-            yield return trouble.Code == CellCodes.ChangedAtMachine
+            yield return trouble.Code == CellCodes.WaitsTooLong
+                ? $"{trouble.Where}: {trouble.Message}"
+                : trouble.Code == CellCodes.ChangedAtMachine
                 ? $"{trouble.Where}: look at it at the machine. Then release the correction with --reason "
                     + $"(errormatch cell release {settings.File} NUMBER), or put its program back."
                 : $"{trouble.Where}: put right what it says ({trouble.Code}); the cell goes on by itself.";

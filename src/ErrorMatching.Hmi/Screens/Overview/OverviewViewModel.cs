@@ -107,7 +107,8 @@ public sealed class OverviewViewModel : ScreenViewModel
         var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
         var inLine = Math.Max(0, slot.Waiting - proposed);
         var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine)))
-            + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)));
+            + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)))
+            + (slot.Report is { } report ? " · " + texts.With("Overview.MachineIs", Words(report.State)) : "");
         return (trouble, slot.Held) switch
         {
             ({ } t, var held) => new(
@@ -118,6 +119,14 @@ public sealed class OverviewViewModel : ScreenViewModel
                 waiting,
                 Severity.Alarm,
                 held?.Id),
+            (_, not { State: not CorrectionState.Uploading }) when slot.Delivery is { } delivery => new(
+                name,
+                slot.Slot.Program,
+                texts["Overview.WaitsForMachine"],
+                RecordedText.Of(delivery.Statement),
+                waiting,
+                Severity.Quiet,
+                delivery.Correction),
             (_, { State: CorrectionState.Reverted } held) => new(
                 name,
                 slot.Slot.Program,
@@ -157,6 +166,10 @@ public sealed class OverviewViewModel : ScreenViewModel
                 null),
         };
     }
+
+    private static string Words(MachineState state) => string.Join(
+        ' ',
+        new[] { Texts.Current["RecordedWord." + state.Activity.ToString().ToLowerInvariant()], state.Named }.Where(w => w.Length > 0));
 
     private static string Words(LastCut last) => last switch
     {

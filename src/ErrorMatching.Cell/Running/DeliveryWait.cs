@@ -1,0 +1,51 @@
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Lets the programs of a slot wait while their machine must not be disturbed. A wait that is longer than its limit is a trouble;
+/// the program still waits, and nothing is lost.</summary>
+internal sealed class DeliveryWait(CellFlow flow, MachineSettings machine, SlotSettings slot, ReplacementGuard? guard)
+{
+    private readonly string _where = CellTrouble.OfDelivery(machine.Name, slot.Name);
+
+    /// <summary>Asks the machine whether the next program must wait.</summary>
+    public async Task<bool> MustWaitAsync(Correction next, CancellationToken stop)
+    {
+        if (guard is null)
+            return false;
+        if (await guard.WhyNotAsync(slot.Program, stop) is not { } why)
+        {
+            End();
+            return false;
+        }
+
+        Note(next, why);
+        return true;
+    }
+
+    /// <summary>A program waits.</summary>
+    public void Note(Correction next, Statement why)
+    {
+        var (wait, isNew) = flow.Machines.Begin(machine.Name, slot.Name, next.Id, why);
+        if (isNew)
+            flow.Log.Information(
+                "{Machine}/{Slot}: correction {Correction} waits: {Message:l}", machine.Name, slot.Name, next.Id, why.Sentence);
+        if (machine.State is { } settings && flow.Clock.GetUtcNow() - wait.Since >= settings.WaitLimit)
+        {
+            var late = Recorded.WaitsTooLong.With(next.Id, wait.Since, why);
+            if (flow.Troubles.Begin(_where, CellCodes.WaitsTooLong, late))
+            {
+                flow.Store.Audit(CellFlow.ByCell, CellCodes.WaitsTooLong, late, Recorded.Slot.With(slot.Name, machine.Name));
+                flow.Log.Warning("{Where}: {Code}: {Message:l}", _where, CellCodes.WaitsTooLong, late.Sentence);
+            }
+        }
+    }
+
+    /// <summary>Nothing waits any more.</summary>
+    public void End()
+    {
+        if (flow.Machines.End(machine.Name, slot.Name))
+            flow.Log.Information("{Machine}/{Slot}: the machine may get its program now", machine.Name, slot.Name);
+        flow.Troubles.End(_where);
+    }
+}

@@ -1,0 +1,177 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Json;
+using ErrorMatching.Cell;
+using ErrorMatching.Cell.Tests;
+
+namespace ErrorMatching.Peers.Tests;
+
+/// <summary>The whole loop on a real control: it probes a virtual slot, the cell fetches the log and matches it, the control cuts the key,
+/// and the path that its servo loop commanded is judged.</summary>
+public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<LinuxCncControl>
+{
+    private const string Log = "PART.CSV";
+    private const string Program = "KEY.NGC";
+    private const double Ball = 3;
+    private const double ToolRadius = 3;
+    private const double Depth = -8;
+
+    // What the servo path may add to the prediction, beside the control's own path tolerance.
+    private const double Allowed = 0.002;
+
+    private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    [Fact]
+    public async Task The_counterpart_is_cut_as_the_match_of_a_probed_part_predicted()
+    {
+        LinuxCncControl.IsNeeded();
+        await using var cell = await StartAsync();
+
+        // Probe the part. Its log appears at once when all points are touched.
+        await File.WriteAllTextAsync(Path.Combine(control.Nc, "PROBE.NGC"), ProbingProgram(cell.PathOf("job/theoretical.csv")), Token);
+        await control.OpenAsync("PROBE.NGC");
+        await control.RunAsync();
+        await control.UntilStatusAsync("IDLE");
+        Assert.Equal(5, (await control.PlaceAsync()).Z, 6);
+
+        // The cell fetches it, matches, and loads the program.
+        var verified = await cell.Until(1, CorrectionState.Verified);
+        Assert.Equal((Log, "part"), (verified.FileName, verified.Piece));
+
+        // Run it.
+        await control.OpenAsync(Program);
+        await control.RunAsync();
+        await control.UntilStatusAsync("IDLE");
+        Assert.Equal(50, (await control.PlaceAsync()).Z, 6);
+        var path = await CutAsync();
+        using var report = JsonDocument.Parse(cell.Store.Content(verified.ReportSha256!));
+        var points = report.RootElement.GetProperty("keyPoints").EnumerateArray().Select(p => Judge(p, path)).ToArray();
+        Assert.Equal(8, points.Length);
+        var output = TestContext.Current.TestOutputHelper!;
+        output.WriteLine($"{path.Count} servo samples in the cut");
+        foreach (var (point, before, predicted, cut, probed) in points)
+        {
+            output.WriteLine(
+                $"| {point} | {Micro(before)} | {Micro(predicted)} | {Micro(cut)} | {Micro(cut - predicted)} | {Micro(probed)} |");
+        }
+
+        Assert.All(points, p => Assert.InRange(p.Cut - p.Predicted, -Allowed - SlotJob.PathTolerance, Allowed + SlotJob.PathTolerance));
+
+        // Within the job's limits, and without the loop it would not be. What remains is the taper, which no slot with parallel flanks has.
+        Assert.Contains(points, p => Math.Abs(p.Before) > 0.02);
+        Assert.All(points, p => Assert.InRange(p.Cut, -0.02, 0.02));
+    }
+
+    private static string Micro(double mm) => (Math.Round(1000 * mm, 1) + 0.0).ToString("+0.0;-0.0;0.0", CultureInfo.InvariantCulture);
+
+    // Mating error of the cut: the tool's center is one radius from what it leaves.
+    private static (string Point, double Before, double Predicted, double Cut, double Probed) Judge(
+        JsonElement point, List<(double X, double Y)> path)
+    {
+        var (x, y) = (point.GetProperty("actual").GetProperty("x").GetDouble(), point.GetProperty("actual").GetProperty("y").GetDouble());
+        return (
+            point.GetProperty("point").GetString()!,
+            point.GetProperty("uncompensatedMm").GetDouble(),
+            point.GetProperty("predictedMm").GetDouble(),
+            Distance(x, y, path) - ToolRadius,
+            VirtualSlot.Room(x, y));
+    }
+
+    private static double Distance(double x, double y, List<(double X, double Y)> path) => path.Zip(path.Skip(1)).Min(s =>
+    {
+        var (dx, dy) = (s.Second.X - s.First.X, s.Second.Y - s.First.Y);
+        var length = (dx * dx) + (dy * dy);
+        var t = length == 0 ? 0 : Math.Clamp((((x - s.First.X) * dx) + ((y - s.First.Y) * dy)) / length, 0, 1);
+        return Math.Sqrt(Math.Pow(x - s.First.X - (t * dx), 2) + Math.Pow(y - s.First.Y - (t * dy), 2));
+    });
+
+    // The last cut at full depth, in the sampler's file; its writer keeps some tenths of a second back.
+    private async Task<List<(double X, double Y)>> CutAsync()
+    {
+        List<(double X, double Y)> cut = [];
+        await control.UntilAsync(async () =>
+        {
+            cut = [];
+            var isDeep = false;
+            await using var file = new FileStream(control.Sampled, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+            using var lines = new StreamReader(file, Encoding.ASCII);
+            while (await lines.ReadLineAsync(Token) is { } line)
+            {
+                Assert.DoesNotContain("overrun", line, StringComparison.Ordinal);
+
+                // Each line ends with a space: half of one is read again.
+                if (line.Split(' ') is not [_, var x, var y, var z, ""])
+                    continue;
+                isDeep = Number(z) < Depth + 1e-6;
+                if (isDeep)
+                    cut.Add((Number(x), Number(y)));
+            }
+
+            return cut.Count > 0 && !isDeep;
+        });
+        return cut;
+
+        static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+    }
+
+    // Each point is touched fast, left slowly, and touched again slowly from a few hundredths of a millimeter.
+    private string ProbingProgram(string theoretical)
+    {
+        var program = new StringBuilder("(PROBE THE SLOT)\nG21 G17 G40 G49 G90 G54\nT2 M6\nG0 Z5.\n");
+        var touched = 0;
+        foreach (var (x, y, nx, ny) in Points(theoretical))
+        {
+            var (cx, cy) = (x - (Ball / 2 * nx), y - (Ball / 2 * ny));
+            program.Append(CultureInfo.InvariantCulture, $"""
+                G0 X{cx - nx:0.0000} Y{cy - ny:0.0000}
+                Z-5.
+                G38.2 X{cx + (0.8 * nx):0.0000} Y{cy + (0.8 * ny):0.0000} F300.
+                G38.4 X{cx - nx:0.0000} Y{cy - ny:0.0000} F60.
+                G38.2 X{cx + (0.8 * nx):0.0000} Y{cy + (0.8 * ny):0.0000} F6.
+                #{100 + (2 * touched)}=#5061
+                #{101 + (2 * touched)}=#5062
+                G0 X{cx - nx:0.0000} Y{cy - ny:0.0000}
+                Z5.
+
+                """);
+            touched++;
+        }
+
+        program.Append(CultureInfo.InvariantCulture, $"(LOGOPEN,{Path.Combine(control.Nc, Log)})\n(LOG,point,x_mm,y_mm)\n");
+        for (var i = 0; i < touched; i++)
+            program.Append(CultureInfo.InvariantCulture, $"(LOG,{i + 1},#{100 + (2 * i)},#{101 + (2 * i)})\n");
+        return program.Append("(LOGCLOSE)\nM2\n").ToString();
+    }
+
+    private static IEnumerable<(double X, double Y, double Nx, double Ny)> Points(string theoretical) =>
+        File.ReadLines(theoretical).Skip(1).Select(l => l.Split(',')).Select(c =>
+        {
+            var (x, y) = (double.Parse(c[1], CultureInfo.InvariantCulture), double.Parse(c[2], CultureInfo.InvariantCulture));
+            var dx = Math.Abs(x) > 20 ? x - Math.CopySign(20, x) : 0;
+            var length = Math.Sqrt((dx * dx) + (y * y));
+            return (x, y, dx / length, y / length);
+        });
+
+    private async Task<ConfiguredCell> StartAsync()
+    {
+        var cell = new ConfiguredCell($$"""
+            "gauges": [{
+              "name": "probe", "machine": "mill", "files": "{{Log}}", "format": "points", "finished": { "atRestS": 0.3 }, "everyMs": 100 }],
+            "machines": [{
+              "name": "mill", "dialect": "linuxcnc", "transport": { "kind": "folder", "folder": "{{control.Nc}}" },
+              "state": { "kind": "linuxcnc", "host": "127.0.0.1", "port": {{control.Port}} },
+              "slots": [{ "name": "A", "program": "{{Program}}" }] }],
+            "jobs": [{
+              "name": "slot", "job": "job/job.json", "gauges": ["probe"], "machine": "mill", "slot": "A",
+              "recognize": { "fileName": "^PART[.]CSV$" } }],
+            "policy": { "approve": "automatic" }
+            """);
+        await SlotJob.LayOutAsync(cell.PathOf("job"));
+        cell.Change(
+            "job/job.json",
+            "\"format\": \"points\"",
+            FormattableString.Invariant($"\"format\": \"points\", \"reports\": \"stylus-center\", \"stylusDiameterMm\": {Ball}"));
+        cell.Start();
+        return cell;
+    }
+}
