@@ -51,8 +51,9 @@ public sealed class CellRunner
         var flow = new CellFlow(_settings, _store, _clock, _log, Pace, finish.Token) { AroundStep = AroundStep, Looking = Looking };
         using var lines = CellTelemetry.Watch(() => Lines(flow));
         using var sources = new Sources(flow, _open);
+        await using var events = _settings.Events is { } broker ? new EventWorker(flow, broker) : null;
         AllowForWaiting();
-        var workers = Workers(flow, sources).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
+        var workers = Workers(flow, sources, events).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
         _log.Information(
             "{Cell} runs: {Gauges} gauges, {Slots} slots",
             _settings.Name,
@@ -73,7 +74,7 @@ public sealed class CellRunner
         _log.Information("{Cell} stopped", _settings.Name);
     }
 
-    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow, Sources sources)
+    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow, Sources sources, EventWorker? events)
     {
         var originals = new OriginalPrograms(_settings);
         foreach (var (gauge, source) in sources.All)
@@ -106,6 +107,11 @@ public sealed class CellRunner
                 yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
                     new SlotWorker(flow, machine, slot, folder, sender, listing, originals).WorkAsync).RunAsync;
             }
+        }
+
+        if (events is not null)
+        {
+            yield return new Worker(flow, EventWorker.Where, flow.Stepped, events.WorkAsync).RunAsync;
         }
 
         yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;
