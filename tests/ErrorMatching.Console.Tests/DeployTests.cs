@@ -12,7 +12,7 @@ public sealed partial class DeployTests
     private static readonly string[] Pages = [
         "install-a-cell.md", "cell-at-night.md", "keep-the-store.md", "users-and-rights.md", "connect-a-machine.md", "configure-a-cell.md"];
     private static readonly string Unit = File.ReadAllText(Repository.PathTo("deploy", "errormatch-cell.service"));
-    private static readonly string Script = File.ReadAllText(Repository.PathTo("deploy", "windows-task.ps1"));
+    private static readonly string Script = File.ReadAllText(Repository.PathTo("deploy", "windows-service.ps1"));
     private static readonly string Installing = Page("install-a-cell.md");
 
     [Fact]
@@ -99,7 +99,7 @@ public sealed partial class DeployTests
     }
 
     [Fact]
-    public void The_task_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
+    public void The_service_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
     {
         var commands = Called().Matches(Script)
             .Select(m => m.Groups["words"].Value)
@@ -108,15 +108,15 @@ public sealed partial class DeployTests
         Assert.Equal(["cell check $Config", "cell status $Config", "cell run $Config"], commands);
         Assert.All(commands, c => IsUnderstood(c.Replace("$Config", "cell.json", StringComparison.Ordinal).Split(' ')));
         var parameters = Parameter().Matches(Script).Select(m => m.Groups["name"].Value).ToArray();
-        Assert.Equal(["Program", "Config", "Account", "Name"], parameters);
+        Assert.Equal(["Program", "Config", "Name", "Account"], parameters);
         foreach (var text in new[] { Script, Installing })
         {
-            var call = text.Split('\n').Single(l => l.Contains("windows-task.ps1 -", StringComparison.Ordinal));
-            Assert.Equal(["Program", "Config", "Account"], Given().Matches(call).Select(m => m.Groups["name"].Value));
+            var call = text.Split('\n').Single(l => l.Contains("windows-service.ps1 -", StringComparison.Ordinal));
+            Assert.Equal(["Program", "Config"], Given().Matches(call).Select(m => m.Groups["name"].Value));
         }
 
         Assert.Contains(
-            $"Start-ScheduledTask '{TaskName().Match(Script).Groups["name"].Value}'", Page("cell-at-night.md"), StringComparison.Ordinal);
+            $"Start-Service {ServiceName().Match(Script).Groups["name"].Value}`", Page("cell-at-night.md"), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -171,7 +171,7 @@ public sealed partial class DeployTests
     [GeneratedRegex("^& \\$Program (?<words>[^\\r\\n]+)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Called();
 
-    [GeneratedRegex("-Argument \"(?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex("-BinaryPathName \"`\"\\$Program`\" (?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Argument();
 
     [GeneratedRegex("\\[string\\] \\$(?<name>[A-Za-z]+)", RegexOptions.ExplicitCapture, 1000)]
@@ -181,7 +181,7 @@ public sealed partial class DeployTests
     private static partial Regex Given();
 
     [GeneratedRegex("\\$Name = '(?<name>[^']+)'", RegexOptions.ExplicitCapture, 1000)]
-    private static partial Regex TaskName();
+    private static partial Regex ServiceName();
 
     [GeneratedRegex("(`|^|/|\\$ )errormatch (?<line>[a-z][^`\\r\\n]*)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Command();
