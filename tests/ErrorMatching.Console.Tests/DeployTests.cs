@@ -99,6 +99,41 @@ public sealed partial class DeployTests
     }
 
     [Fact]
+    public void People_may_decide_by_the_cells_account_and_do_nothing_else_with_it()
+    {
+        var rules = File.ReadAllText(Repository.PathTo("deploy", "errormatch.sudoers"));
+        var rule = Assert.Single(rules.Split('\n'), l => l.StartsWith("Cmnd_Alias", StringComparison.Ordinal)).Split(" = ")[1];
+        Assert.StartsWith(Value("ExecStart").Split(' ')[0] + " ^", rule, StringComparison.Ordinal);
+        var allowed = new Regex(rule[(rule.IndexOf(' ', StringComparison.Ordinal) + 1)..], RegexOptions.None, TimeSpan.FromSeconds(1));
+        string[] decisions = ["approve", "release", "reject", "again", "revert"];
+        foreach (var decision in decisions)
+        {
+            var words = $"cell {decision} {Value("ExecStart").Split(' ')[^1]} 17 --user ben --reason chatter";
+            Assert.Matches(allowed, words);
+            IsUnderstood(words.Split(' '));
+        }
+
+        // Verbs that write files or change people, another cell, a file for a number.
+        Assert.All(
+            CommandTree.Build("cell").Subcommands[0].Subcommands.Select(c => c.Name).Except(decisions, StringComparer.Ordinal),
+            verb => Assert.DoesNotMatch(allowed, $"cell {verb} /etc/errormatch/cell.json 17 --user ben"));
+        Assert.All(
+            new[]
+            {
+                "audit export /etc/errormatch/cell.json", "user add /etc/errormatch/cell.json eve --user ben",
+                "cell approve /home/ben/cell.json 17 --user ben", "cell approve /etc/errormatch/cell_json 17 --user ben",
+                "cell approve /etc/errormatch/cell.json 17", "cell approve /etc/errormatch/cell.json @file --user ben",
+            },
+            words => Assert.DoesNotMatch(allowed, words));
+        Assert.Contains("env_reset, !setenv", rules, StringComparison.Ordinal);
+        if (OperatingSystem.IsLinux() && File.Exists("/usr/sbin/visudo"))
+        {
+            var (exit, said) = Run("/usr/sbin/visudo", "-cf", Repository.PathTo("deploy", "errormatch.sudoers"));
+            Assert.True(exit == 0, said);
+        }
+    }
+
+    [Fact]
     public void The_service_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
     {
         var commands = Called().Matches(Script)
