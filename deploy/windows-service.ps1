@@ -17,6 +17,9 @@ foreach ($file in $Program, $Config) {
 & $Program cell check $Config
 if ($LASTEXITCODE -ne 0) { throw "errormatch cell check ended with $LASTEXITCODE. Put that right first." }
 
+# Under this name the cell writes into the Event Log why it ended.
+if (-not [Diagnostics.EventLog]::SourceExists('errormatch')) { [Diagnostics.EventLog]::CreateEventSource('errormatch', 'Application') }
+
 function Set-Cell { & sc.exe @args | Out-Null; if ($LASTEXITCODE -ne 0) { throw "sc.exe $args ended with $LASTEXITCODE." } }
 New-Service -Name $Name -DisplayName 'ErrorMatching cell' -StartupType Automatic `
     -Description 'From the gauge''s file to the machine''s program.' -BinaryPathName "`"$Program`" cell run `"$Config`"" | Out-Null

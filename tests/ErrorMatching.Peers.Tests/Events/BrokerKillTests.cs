@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Globalization;
 using ErrorMatching.Cell;
 using ErrorMatching.Testing;
@@ -10,6 +11,9 @@ public sealed class BrokerKillTests(ITestOutputHelper output)
 {
     private static readonly int Kills = int.Parse(
         Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "8", CultureInfo.InvariantCulture);
+
+    private static readonly int Waiting = int.Parse(
+        Environment.GetEnvironmentVariable("ERRORMATCH_BACKLOG") ?? "500", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task Each_step_is_there_once_by_identity_whoever_is_killed()
@@ -63,11 +67,14 @@ public sealed class BrokerKillTests(ITestOutputHelper output)
         await plant.IsThere();
         broker.Kill();
         await using var cell = new PublishedCell(broker.Settings);
-        cell.Arrive(500);
+        cell.Arrive(Waiting);
         await PlantSubscriber.Until(() => cell.Flow.Troubles.Open.Any(t => t is { Where: "events", Code: "broker-away" }));
 
         broker.Start();
-        await PlantSubscriber.Until(() => plant.ById.Count >= 500);
+        await PlantSubscriber.Until(() => plant.Raw.Count > 0);
+        var begun = Stopwatch.GetTimestamp();
+        await PlantSubscriber.Until(() => plant.Raw.Count >= Waiting);
+        output.WriteLine($"{Waiting} steps in {Stopwatch.GetElapsedTime(begun).TotalSeconds:0.0} s.");
 
         Assert.Equal(cell.Expected, plant.ById.Select(PlantSubscriber.Id));
         await PlantSubscriber.Until(() => cell.Flow.Troubles.Open.Count == 0);

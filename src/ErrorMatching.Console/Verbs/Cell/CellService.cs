@@ -13,6 +13,8 @@ namespace ErrorMatching.Console;
 /// <c>cell run</c> at a console, so there is one way in which a cell runs.</remarks>
 internal static partial class CellService
 {
+    private const string ServiceName = "errormatch";
+
     // ERROR_EXCEPTION_IN_SERVICE: ended, and not because anybody asked.
     private const int Ended = 1064;
 
@@ -27,7 +29,7 @@ internal static partial class CellService
     /// <param name="cancellation">Also stops it.</param>
     /// <returns>What the work returned.</returns>
     public static VerbResult Run(Func<CancellationToken, Task<VerbResult>> work, CancellationToken cancellation) =>
-        Run(work, services => services.AddWindowsService(o => o.ServiceName = "errormatch"), ReportEnd, cancellation);
+        Run(work, services => services.AddWindowsService(o => o.ServiceName = ServiceName), ReportEnd, cancellation);
 
     /// <summary>The same with another life cycle.</summary>
     /// <param name="work">Runs the cell; ends soon after its token is canceled.</param>
@@ -40,7 +42,8 @@ internal static partial class CellService
         Action<IHostLifetime> ended,
         CancellationToken cancellation)
     {
-        var builder = Host.CreateEmptyApplicationBuilder(new HostApplicationBuilderSettings { DisableDefaults = true });
+        // The name is the source in the Event Log, which deploy/windows-service.ps1 registers.
+        var builder = Host.CreateEmptyApplicationBuilder(new() { DisableDefaults = true, ApplicationName = ServiceName });
         lifetime(builder.Services);
         builder.Services.Configure<HostOptions>(o => o.ShutdownTimeout = StopWithin);
         builder.Services.AddSingleton(work);
