@@ -121,7 +121,7 @@ public sealed partial class DeployTests
             new[]
             {
                 "audit export /etc/errormatch/cell.json", "user add /etc/errormatch/cell.json eve --user ben",
-                "cell approve /home/ben/cell.json 17 --user ben", "cell approve /etc/errormatch/cell_json 17 --user ben",
+                "cell approve /etc/ben/cell.json 17 --user ben", "cell approve /etc/errormatch/cell_json 17 --user ben",
                 "cell approve /etc/errormatch/cell.json 17", "cell approve /etc/errormatch/cell.json @file --user ben",
             },
             words => Assert.DoesNotMatch(allowed, words));

@@ -17,6 +17,8 @@ public sealed class OtherAccountTests : IDisposable
     private readonly TemporaryFolder _folder = new();
     private readonly FireCell _cell = new(slots: 1);
 
+    private string[] Reject => ["cell", "reject", _cell.Configuration, "1", "--user", "ben", "--reason", "no", "--password-stdin"];
+
     public void Dispose()
     {
         _cell.Dispose();
@@ -36,8 +38,7 @@ public sealed class OtherAccountTests : IDisposable
         Assert.Contains("failed", shown, StringComparison.Ordinal);
 
         var before = File.ReadAllBytes(_cell["store", "cell.db"]);
-        (exit, _, said) = As(OfPerson, Group, ConsoleRun.Executable, "cell", "reject", _cell.Configuration, "1", "--user", "ben", "--reason",
-            "no", "--password-stdin");
+        (exit, _, said) = As(OfPerson, Group, [ConsoleRun.Executable, .. Reject]);
         Assert.True(exit is 2 or 3, said);
         foreach (var taken in new[]
         {
@@ -59,8 +60,7 @@ public sealed class OtherAccountTests : IDisposable
 
         var (exit, _, said) = As(Stranger, Stranger, ConsoleRun.Executable, "cell", "history", _cell.Configuration);
         Assert.True(exit != 0, said);
-        (exit, _, said) = As(OfCell, Group, ConsoleRun.Executable, "cell", "reject", _cell.Configuration, "1", "--user", "ben", "--reason",
-            "no", "--password-stdin");
+        (exit, _, said) = As(OfCell, Group, [ConsoleRun.Executable, .. Reject]);
         Assert.True(exit == 0, said);
 
         // What it wrote is still the group's to read.
@@ -86,7 +86,8 @@ public sealed class OtherAccountTests : IDisposable
         Run("chown", "-R", $"{OfCell}:{Group}", _cell["store"], _cell["keys"], _cell["logs"], _cell.Incoming, _cell.Machine);
         Run("chmod", "750", _cell["store"], _cell["logs"]);
         Run("chmod", "640", _cell["store", "cell.db"]);
-        Assert.SkipUnless(As(OfPerson, Group, "test", "-x", ConsoleRun.Executable).Exit == 0, "Other users cannot reach the built console.");
+        var reach = As(OfPerson, Group, "test", "-x", ConsoleRun.Executable).Exit;
+        Assert.SkipUnless(reach == 0, "Other users cannot reach the built console.");
     }
 
     private static (int Exit, string Output, string Said) As(string user, string group, params string[] command) => Start(

@@ -108,6 +108,7 @@ internal static partial class CellService
             }
         }
 
-        private static string ReasonOf(VerbResult? result) => result is Failure { Errors: [var first, ..] } ? first.Message : "no reason given";
+        private static string ReasonOf(VerbResult? result) =>
+            result is Failure { Errors: [var first, ..] } ? first.Message : "no reason given";
     }
 }
