@@ -12,7 +12,7 @@ public sealed partial class DeployTests
     private static readonly string[] Pages = [
         "install-a-cell.md", "cell-at-night.md", "keep-the-store.md", "users-and-rights.md", "connect-a-machine.md", "configure-a-cell.md"];
     private static readonly string Unit = File.ReadAllText(Repository.PathTo("deploy", "errormatch-cell.service"));
-    private static readonly string Script = File.ReadAllText(Repository.PathTo("deploy", "windows-task.ps1"));
+    private static readonly string Script = File.ReadAllText(Repository.PathTo("deploy", "windows-service.ps1"));
     private static readonly string Installing = Page("install-a-cell.md");
 
     [Fact]
@@ -53,6 +53,32 @@ public sealed partial class DeployTests
         double Seconds(string name) => double.Parse(Value(name), CultureInfo.InvariantCulture);
     }
 
+    [Theory]
+    [InlineData("ProtectSystem", "strict")]
+    [InlineData("NoNewPrivileges", "true")]
+    [InlineData("PrivateTmp", "true")]
+    [InlineData("ProtectHome", "true")]
+    [InlineData("CapabilityBoundingSet", "")]
+    [InlineData("MemorySwapMax", "0")]
+    [InlineData("LimitCORE", "0")]
+    public void The_unit_gives_the_cell_no_more_than_it_needs(string name, string value) => Assert.Equal(value, Value(name));
+
+    [Fact]
+    public void The_unit_lets_the_cell_do_its_work()
+    {
+        // sd_notify and a database's socket, machines and broker, over either protocol of the Internet.
+        Assert.Equal(["AF_UNIX", "AF_INET", "AF_INET6"], Value("RestrictAddressFamilies").Split(' '));
+        Assert.True(Gigabytes("MemoryHigh") < Gigabytes("MemoryMax"));
+        Assert.True(int.Parse(Value("TasksMax"), CultureInfo.InvariantCulture) >= 256);
+
+        // The runtime compiles code while it runs; curl and sftp are programs; their answers come over the network.
+        Assert.All(
+            Unit.Split('\n').Where(l => !l.StartsWith('#')),
+            l => Assert.DoesNotMatch("^(MemoryDenyWriteExecute|PrivateNetwork|NoExecPaths|ProcSubset|IPAddressDeny|RootDirectory)=", l));
+
+        double Gigabytes(string name) => double.Parse(Value(name).TrimEnd('G'), CultureInfo.InvariantCulture);
+    }
+
     [Fact]
     public void Systemd_understands_the_unit_and_finds_it_hardened()
     {
@@ -67,13 +93,48 @@ public sealed partial class DeployTests
         Assert.True(exit == 0 && !said.Contains("errormatch-cell.service", StringComparison.Ordinal), said);
 
         // In tenths: 2.0 of 10 and below is what systemd calls well protected.
-        (exit, said) = Run("systemd-analyze", "security", "--offline=true", "--threshold=20", "--no-pager", unit);
+        (exit, said) = Run("systemd-analyze", "security", "--offline=true", "--threshold=15", "--no-pager", unit);
         Assert.True(exit == 0, said);
         Assert.Contains("Overall exposure level for errormatch-cell.service", said, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void The_task_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
+    public void People_may_decide_by_the_cells_account_and_do_nothing_else_with_it()
+    {
+        var rules = File.ReadAllText(Repository.PathTo("deploy", "errormatch.sudoers"));
+        var rule = Assert.Single(rules.Split('\n'), l => l.StartsWith("Cmnd_Alias", StringComparison.Ordinal)).Split(" = ")[1];
+        Assert.StartsWith(Value("ExecStart").Split(' ')[0] + " ^", rule, StringComparison.Ordinal);
+        var allowed = new Regex(rule[(rule.IndexOf(' ', StringComparison.Ordinal) + 1)..], RegexOptions.None, TimeSpan.FromSeconds(1));
+        string[] decisions = ["approve", "release", "reject", "again", "revert"];
+        foreach (var decision in decisions)
+        {
+            var words = $"cell {decision} {Value("ExecStart").Split(' ')[^1]} 17 --user ben --reason chatter";
+            Assert.Matches(allowed, words);
+            IsUnderstood(words.Split(' '));
+        }
+
+        // Verbs that write files or change people, another cell, a file for a number.
+        Assert.All(
+            CommandTree.Build("cell").Subcommands[0].Subcommands.Select(c => c.Name).Except(decisions, StringComparer.Ordinal),
+            verb => Assert.DoesNotMatch(allowed, $"cell {verb} /etc/errormatch/cell.json 17 --user ben"));
+        Assert.All(
+            new[]
+            {
+                "audit export /etc/errormatch/cell.json", "user add /etc/errormatch/cell.json eve --user ben",
+                "cell approve /etc/ben/cell.json 17 --user ben", "cell approve /etc/errormatch/cell_json 17 --user ben",
+                "cell approve /etc/errormatch/cell.json 17", "cell approve /etc/errormatch/cell.json @file --user ben",
+            },
+            words => Assert.DoesNotMatch(allowed, words));
+        Assert.Contains("env_reset, !setenv", rules, StringComparison.Ordinal);
+        if (OperatingSystem.IsLinux() && File.Exists("/usr/sbin/visudo"))
+        {
+            var (exit, said) = Run("/usr/sbin/visudo", "-cf", Repository.PathTo("deploy", "errormatch.sudoers"));
+            Assert.True(exit == 0, said);
+        }
+    }
+
+    [Fact]
+    public void The_service_of_Windows_runs_what_the_console_understands_and_takes_what_its_pages_give()
     {
         var commands = Called().Matches(Script)
             .Select(m => m.Groups["words"].Value)
@@ -82,15 +143,15 @@ public sealed partial class DeployTests
         Assert.Equal(["cell check $Config", "cell status $Config", "cell run $Config"], commands);
         Assert.All(commands, c => IsUnderstood(c.Replace("$Config", "cell.json", StringComparison.Ordinal).Split(' ')));
         var parameters = Parameter().Matches(Script).Select(m => m.Groups["name"].Value).ToArray();
-        Assert.Equal(["Program", "Config", "Account", "Name"], parameters);
+        Assert.Equal(["Program", "Config", "Name", "Account"], parameters);
         foreach (var text in new[] { Script, Installing })
         {
-            var call = text.Split('\n').Single(l => l.Contains("windows-task.ps1 -", StringComparison.Ordinal));
-            Assert.Equal(["Program", "Config", "Account"], Given().Matches(call).Select(m => m.Groups["name"].Value));
+            var call = text.Split('\n').Single(l => l.Contains("windows-service.ps1 -", StringComparison.Ordinal));
+            Assert.Equal(["Program", "Config"], Given().Matches(call).Select(m => m.Groups["name"].Value));
         }
 
         Assert.Contains(
-            $"Start-ScheduledTask '{TaskName().Match(Script).Groups["name"].Value}'", Page("cell-at-night.md"), StringComparison.Ordinal);
+            $"Start-Service {ServiceName().Match(Script).Groups["name"].Value}`", Page("cell-at-night.md"), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -145,7 +206,7 @@ public sealed partial class DeployTests
     [GeneratedRegex("^& \\$Program (?<words>[^\\r\\n]+)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Called();
 
-    [GeneratedRegex("-Argument \"(?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex("-BinaryPathName \"`\"\\$Program`\" (?<words>[^\"]+\"[^\"]+\")\"", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Argument();
 
     [GeneratedRegex("\\[string\\] \\$(?<name>[A-Za-z]+)", RegexOptions.ExplicitCapture, 1000)]
@@ -155,7 +216,7 @@ public sealed partial class DeployTests
     private static partial Regex Given();
 
     [GeneratedRegex("\\$Name = '(?<name>[^']+)'", RegexOptions.ExplicitCapture, 1000)]
-    private static partial Regex TaskName();
+    private static partial Regex ServiceName();
 
     [GeneratedRegex("(`|^|/|\\$ )errormatch (?<line>[a-z][^`\\r\\n]*)", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Command();

@@ -11,15 +11,19 @@ namespace ErrorMatching.Cell;
 public sealed record CellCheck(
     IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList<CheckedMachine> Machines, CheckedStore Store, IReadOnlyList<CheckedJob> Jobs)
 {
+    /// <summary>The broker that hears of the steps; null if none is configured.</summary>
+    public CheckedBroker? Broker { get; init; }
+
     /// <summary>Errors in what the configuration names: the jobs' files and programs.</summary>
     public IEnumerable<CheckProblem> Wrong => Jobs.Select(j => j.Problem).OfType<CheckProblem>();
 
     /// <summary>What could not be tested without changing something at a machine, one sentence each.</summary>
     public IEnumerable<string> Untried => Machines.Select(m => m.Untried).OfType<string>();
 
-    /// <summary>What cannot be reached: folders, machines, the store.</summary>
+    /// <summary>What cannot be reached: folders, machines, the broker, the store.</summary>
     public IEnumerable<CheckProblem> Away =>
-        Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Store.Problem).OfType<CheckProblem>().Distinct();
+        Gauges.Select(g => g.Problem).Concat(Machines.Select(m => m.Problem)).Append(Broker?.Problem).Append(Store.Problem)
+            .OfType<CheckProblem>().Distinct();
 
     /// <summary>Checks everything that a configuration names. All machines are queried concurrently.</summary>
     /// <param name="settings">The configuration.</param>
@@ -36,16 +40,20 @@ public sealed record CellCheck(
     public static async Task<CellCheck> OfAsync(CellSettings settings, IProgress<double>? progress, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(settings);
-        double all = 1 + settings.Machines.Count + settings.Gauges.Count + settings.Jobs.Count;
+        double all = 1 + settings.Machines.Count + settings.Gauges.Count + settings.Jobs.Count + (settings.Events is null ? 0 : 1);
         var looked = 0;
         var store = Looked(StoreCheck.Of(settings.Store));
         var machines = await new MachineCheck(settings, store).OfAllAsync(m => Looked(m), cancellation).ConfigureAwait(false);
+        var broker = settings.Events is { } events ? Looked(await BrokerCheck.OfAsync(events, cancellation).ConfigureAwait(false)) : null;
         var gauges = new GaugeCheck(settings, machines);
         return new(
             [.. settings.Gauges.Select(g => Looked(gauges.Of(g, cancellation)))],
             machines,
             store,
-            [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))]);
+            [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))])
+        {
+            Broker = broker,
+        };
 
         T Looked<T>(T part)
         {

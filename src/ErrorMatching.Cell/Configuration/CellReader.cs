@@ -25,6 +25,7 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             Machines = [.. machines.Select(m => m.Settings)],
             Jobs = [.. jobs.Select(j => j.Settings)],
             Policy = policy,
+            Events = root.Find("events") is { } events ? EventReader.Read(events, _paths, problems) : null,
         };
         new FolderContradictions(root, settings, problems).Find(_paths.Of(Path.GetFileName(file)), jobs);
         WarnOfUnused();

@@ -109,6 +109,8 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         Check(root["store"].Find("file") ?? root["store"], "the store", (settings.Store as SqliteSettings)?.File);
         Check(
             root["store"].Find("passwordFile") ?? root["store"], "the password's file", (settings.Store as PostgresSettings)?.PasswordFile);
+        Check(root.Find("events")?.Find("passwordFile") ?? root, "the broker's password", settings.Events?.PasswordFile);
+        Check(root.Find("events")?.Find("caFile") ?? root, "the broker's authorities", settings.Events?.AuthorityFile);
         Check(root.Find("keys") ?? root, "the folder of keys", settings.KeysFolder);
         Check(root.Find("logs") ?? root, "the folder of logs", settings.LogFolder);
         for (var i = 0; i < settings.Machines.Count; i++)

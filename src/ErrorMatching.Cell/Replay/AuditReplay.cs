@@ -71,7 +71,7 @@ internal sealed class AuditReplay
 
     private void AddStep(AuditEntry entry, CorrectionState to)
     {
-        if (Subject(entry.Subject) is not var (id, file, program))
+        if (SubjectOf(entry.Subject) is not var (id, file, program))
         {
             Fault ??= Of(entry, Recorded.NoCorrection.With(entry.Seq, entry.What, entry.Subject ?? ""));
             return;
@@ -196,7 +196,8 @@ internal sealed class AuditReplay
 
     private static AuditFault Of(AuditEntry entry, Statement message) => new(AuditFaultKind.NotAllowed, entry.Seq, message);
 
-    private static (long Id, string? File, string? Program)? Subject(Statement? subject) =>
+    /// <summary>The correction that an entry is about, with the file or the program that it names; null if it is about none.</summary>
+    public static (long Id, string? File, string? Program)? SubjectOf(Statement? subject) =>
         subject is null ? null
         : EnglishRecord.CorrectionOf(subject) is { } earlier ? earlier
         : subject.Values is not [{ Words: { } digits }, ..]

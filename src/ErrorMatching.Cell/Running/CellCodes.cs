@@ -69,6 +69,9 @@ public static class CellCodes
     /// <summary>The code for a failed transfer.</summary>
     public static string Of(TransportError error) => "machine-" + Words(error.ToString());
 
+    /// <summary>The code for a broker that does not take messages.</summary>
+    public static string Of(BrokerError error) => "broker-" + Words(error.ToString());
+
     // ReadOnly becomes read-only.
     private static string Words(string name) =>
         string.Concat(name.Select((c, i) => char.IsAsciiLetterUpper(c) ? (i > 0 ? "-" : "") + char.ToLowerInvariant(c) : c.ToString()));

@@ -55,6 +55,9 @@ internal sealed class CellFlow(
     /// <summary>Wakes the worker that proposes.</summary>
     public Wake Computed { get; } = new();
 
+    /// <summary>Wakes the worker that publishes steps.</summary>
+    public Wake Stepped { get; } = new();
+
     /// <summary>Called before and after each step of this process with the new state; tests end the process there.</summary>
     public Action<CorrectionState, bool>? AroundStep { get; init; }
 
@@ -148,6 +151,7 @@ internal sealed class CellFlow(
     /// <summary>Wakes the workers concerned with a correction's state.</summary>
     public void Report(Correction correction)
     {
+        Stepped.Signal();
         switch (correction.State)
         {
             case CorrectionState.Archived:
@@ -173,7 +177,7 @@ internal sealed class CellFlow(
     /// <summary>Wakes all workers: another process may have changed anything.</summary>
     public void TellAll()
     {
-        foreach (var wake in _slots.Values.Concat([Archived, Recognized, Computed]))
+        foreach (var wake in _slots.Values.Concat([Archived, Recognized, Computed, Stepped]))
         {
             wake.Signal();
         }

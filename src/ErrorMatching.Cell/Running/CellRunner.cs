@@ -52,8 +52,10 @@ public sealed class CellRunner
         using var lines = CellTelemetry.Watch(() => Lines(flow));
         using var sources = new Sources(flow, _open);
         using var folders = new OpenFolders(_settings, _open);
+        await using var events = _settings.Events is { } broker ? new EventWorker(flow, broker) : null;
         AllowForWaiting();
-        var workers = Workers(flow, sources, folders).Select(w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
+        var workers = Workers(flow, sources, folders, events).Select(
+            w => Task.Run(() => w(end.Token), CancellationToken.None)).ToArray();
         _log.Information(
             "{Cell} runs: {Gauges} gauges, {Slots} slots",
             _settings.Name,
@@ -74,7 +76,8 @@ public sealed class CellRunner
         _log.Information("{Cell} stopped", _settings.Name);
     }
 
-    private IEnumerable<Func<CancellationToken, Task>> Workers(CellFlow flow, Sources sources, OpenFolders folders)
+    private IEnumerable<Func<CancellationToken, Task>> Workers(
+        CellFlow flow, Sources sources, OpenFolders folders, EventWorker? events)
     {
         var originals = new OriginalPrograms(_settings);
         foreach (var (gauge, source) in sources.All)
@@ -116,6 +119,11 @@ public sealed class CellRunner
                     new SlotWorker(flow, machine, slot, folder, sender, listing, originals,
                         new(flow, machine, slot, guard)).WorkAsync).RunAsync;
             }
+        }
+
+        if (events is not null)
+        {
+            yield return new Worker(flow, EventWorker.Where, flow.Stepped, events.WorkAsync).RunAsync;
         }
 
         yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;

@@ -45,6 +45,15 @@ internal sealed record FlowPace
     /// <summary>How long to wait in the end for operations that ignore cancellation, such as those on a share that hangs.</summary>
     public TimeSpan Deaf { get; init; } = TimeSpan.FromSeconds(0.5);
 
+    /// <summary>The longest that a broker may take to answer.</summary>
+    public TimeSpan BrokerAnswer { get; init; } = TimeSpan.FromSeconds(10);
+
+    /// <summary>How often to ask a broker whether it is still there.</summary>
+    public TimeSpan BrokerPing { get; init; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>How long after its acknowledgment a broker must still answer before a message counts as delivered.</summary>
+    public TimeSpan BrokerSettle { get; init; } = TimeSpan.FromSeconds(10);
+
     /// <summary>Interval of the heartbeat.</summary>
     public TimeSpan Heartbeat { get; init; } = TimeSpan.FromSeconds(2);
 

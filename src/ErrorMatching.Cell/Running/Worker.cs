@@ -59,6 +59,7 @@ internal sealed class Worker(CellFlow flow, string where, Wake wake, Func<Cancel
             StoreException s => (CellCodes.Of(s.Error), true),
             SourceException => (CellCodes.GaugeAway, true),
             TransportException t => (CellCodes.Of(t.Error), true),
+            BrokerException b => (CellCodes.Of(b.Error), true),
             _ => (CellCodes.Defect, false),
         };
         if (flow.Troubles.Begin(where, code, e.Message))

@@ -10,10 +10,11 @@ namespace ErrorMatching.Hmi;
 /// accompanying sentence says more (it names blocks, points, files and numbers).</remarks>
 internal static class CodeText
 {
-    // Errors of a store or machine already have texts.
+    // Errors of a store, a machine or a broker already have texts.
     private static readonly Dictionary<string, string> Outside = Enum.GetValues<StoreError>()
         .Select(e => (Code: CellCodes.Of(e), Key: $"StoreError.{e}"))
         .Concat(Enum.GetValues<TransportError>().Select(e => (Code: CellCodes.Of(e), Key: $"TransportError.{e}")))
+        .Concat(Enum.GetValues<BrokerError>().Select(e => (Code: CellCodes.Of(e), Key: $"BrokerError.{e}")))
         .ToDictionary(c => c.Code, c => c.Key, StringComparer.Ordinal);
 
     /// <summary>The text of a code; never the code itself.</summary>

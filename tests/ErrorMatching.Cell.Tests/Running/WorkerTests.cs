@@ -11,6 +11,7 @@ public sealed class WorkerTests
         { new StoreException(StoreError.Full, "The disk is full."), "store-full" },
         { new SourceException("The folder is away.", new IOException()), "gauge-away" },
         { new TransportException(TransportError.Away, "The machine is away."), "machine-away" },
+        { new BrokerException(BrokerError.WrongServer, "Another broker."), "broker-wrong-server" },
         { new InvalidOperationException("Nobody thought of this."), "internal-error" },
     };
 

@@ -92,6 +92,14 @@ internal sealed class FireCell : IDisposable
     /// <summary>The program's name in a slot.</summary>
     public static string ProgramOf(string slot) => $"O{slot}.NC";
 
+    /// <summary>Adds a key to the configuration.</summary>
+    /// <param name="key">The key and its value, as JSON.</param>
+    public void Configure(string key)
+    {
+        var text = File.ReadAllText(Configuration);
+        File.WriteAllText(Configuration, text[..text.LastIndexOf('}')] + $"  {key},\n}}\n");
+    }
+
     /// <summary>Lets a finished file appear as a gauge does: written under another name, then renamed.</summary>
     public void Drop(string name, ReadOnlySpan<byte> bytes)
     {

@@ -29,6 +29,15 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         json.WriteBoolean("ok", check.Store.Problem is null);
         json.WriteEndObject();
         Array(json, "jobs", check.Jobs, j => WriteJob(json, j));
+        if (check.Broker is { } broker)
+        {
+            json.WriteStartObject("broker");
+            json.WriteString("address", broker.Broker.Address);
+            json.WriteString("topic", broker.Broker.Topic);
+            json.WriteBoolean("ok", broker.Problem is null);
+            json.WriteEndObject();
+        }
+
         json.WriteStartArray("notTried");
         foreach (var untried in check.Untried)
         {
@@ -82,6 +91,11 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
             j.Motions is { } motions ? Number(motions) : "", State(j.Problem),
         ]));
         page.Line();
+        if (check.Broker is { } broker)
+        {
+            page.Line($"Broker: {broker.Broker.Address}, topic {broker.Broker.Topic}, {State(broker.Problem)}.");
+        }
+
         page.Line($"Store: {StorePlace(Shown)}, {StoreState}.");
         foreach (var untried in check.Untried)
         {

@@ -53,7 +53,9 @@ internal sealed class CellRun() : CellVerb(
 
         try
         {
-            return RunAsync(settings, log, cancellation).GetAwaiter().GetResult();
+            return CellService.IsOne
+                ? CellService.Run(stop => RunAsync(settings, log, stop), cancellation)
+                : RunAsync(settings, log, cancellation).GetAwaiter().GetResult();
         }
         catch (Exception e)
         {
