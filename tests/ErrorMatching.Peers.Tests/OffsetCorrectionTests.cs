@@ -18,6 +18,8 @@ public sealed partial class OffsetCorrectionTests
     // A micrometer, the words of the programs, and the four decimals that the peer prints.
     private const double Within = 0.001 + 0.0015 + 0.0003;
 
+    private const string Line = "G0 X0 Y-5\nG1 F100 G41 D1 X0 Y0\nX10\nX20\nG40 X30 Y-5\n";
+
     [Fact]
     public void Twenty_jobs_are_cut_where_the_offset_should_bring_them()
     {
@@ -81,6 +83,42 @@ public sealed partial class OffsetCorrectionTests
             "would-change-by-more-than-a-step",
             Rs274.RunWithTools(Text(Program(0.03m, null), Program(-0.03m, null)), Tools).Refusal,
             StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_offset_without_a_correction_may_be_changed_by_hand()
+    {
+        Rs274.IsNeeded();
+        // The path of the tool's center shows the radius: 0.3 and the correction.
+        var path = Rs274.RunWithTools(Text(Program(0.012m, null), Program(0m, null), "G10 L1 P1 R0.3\n", Program(0.02m, null), Line), Tools);
+        Assert.Contains(path.Motions, m => Math.Abs(m.End.Y - 0.32) < 1e-4);
+    }
+
+    // Stopped anywhere, and run again: each line may be the last one of the first run.
+    [Fact]
+    public void The_program_may_be_stopped_anywhere_and_run_again()
+    {
+        Rs274.IsNeeded();
+        var lines = Program(0.02m, null).Split('\n').Where(IsKept).ToArray();
+        var (runs, inBlock) = (0, 0);
+        for (var stop = 1; stop <= lines.Length; stop++)
+        {
+            inBlock += lines[stop - 1].Contains(" if ", StringComparison.Ordinal) ? 1 : 0;
+            inBlock -= lines[stop - 1].EndsWith("endif", StringComparison.Ordinal) ? 1 : 0;
+            if (inBlock > 0)
+            {
+                continue;
+            }
+
+            runs++;
+            var cut = string.Concat(lines.Take(stop).Select(l => l + "\n"));
+            var path = Rs274.RunWithTools(
+                Text(Program(0.012m, null), cut, Program(0.02m, null), Line), Tools);
+            Assert.True(path.Refusal is null, $"stopped behind {lines[stop - 1]}: {path.Refusal}");
+            Assert.Contains(path.Motions, m => Math.Abs(m.End.Y - 0.22) < 1e-4);
+        }
+
+        Assert.InRange(runs, 10, 40);
     }
 
     private static string Program(decimal total, decimal? before) => Encoding.ASCII.GetString(OffsetProgram.Write(

@@ -273,7 +273,7 @@ public static class MatchReporter
             notes.Add($"{map.Feature.Name} is cut in {map.Passes.Count} passes; each is displaced alike.");
         }
 
-        if (result.Decision.Compensates && result.Rewrite is null)
+        if (result is { Decision.Compensates: true, Rewrite: null, Correction: null or { IsOffset: false } })
         {
             notes.Add("Every correction is smaller than half the control's least increment: the program stays as it is.");
         }

@@ -5,8 +5,9 @@ namespace ErrorMatching.Nc;
 
 /// <summary>The small program that brings a control's offsets to given corrections.</summary>
 /// <remarks>It keeps in the control's variables what each offset was without a correction, and the correction in all. What it sets is the
-/// sum of the two, so that it may be stopped anywhere and run again. It stops by itself if somebody changed an offset by hand, if the
-/// correction before is another one than expected, or if a step is too large.</remarks>
+/// sum of the two, so that it may be stopped anywhere and run again; a third variable says that it was stopped in between. It stops by
+/// itself if somebody changed a corrected offset by hand, if the correction before is another one than expected, or if a step is too
+/// large.</remarks>
 public static class OffsetProgram
 {
     /// <summary>Number of variables that it keeps values in.</summary>
