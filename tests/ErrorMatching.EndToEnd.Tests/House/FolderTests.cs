@@ -37,7 +37,8 @@ public sealed partial class FolderTests
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
         ["Cell"] =
         [
-            "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Configuration", "Machines", "Trail", "Database", "Replay",
+            "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Configuration", "Machines", "Trail", "Contents", "Database",
+            "Replay",
             "Store", "Arriving", "Computing", "Keys", "Evidence", "People", "Running", "Checking", "Editing",
         ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
