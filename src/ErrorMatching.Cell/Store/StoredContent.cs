@@ -1,6 +1,5 @@
 using System.Data.Common;
 using System.Security.Cryptography;
-using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
@@ -54,6 +53,19 @@ internal static class StoredContent
     /// <summary>Reads a row's content.</summary>
     public static PackedContent Packed(DbDataReader row) => new(
         row.GetFieldValue<byte[]>(0), row.TextOrNull(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
+
+    /// <summary>The same; null for a row that somebody else wrote and that cannot be read.</summary>
+    public static PackedContent? PackedOrNull(DbDataReader row)
+    {
+        try
+        {
+            return Packed(row);
+        }
+        catch (Exception e) when (e is InvalidCastException or FormatException or OverflowException or InvalidOperationException)
+        {
+            return null;
+        }
+    }
 
     private static PackedContent Row(CellDatabase database, string sha256) =>
         database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", Packed, new { sha256 }))

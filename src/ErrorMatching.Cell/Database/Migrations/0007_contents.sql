@@ -6,3 +6,6 @@ ALTER TABLE content ADD COLUMN source TEXT;
 ALTER TABLE content ADD COLUMN made_by TEXT;
 
 CREATE INDEX content_source ON content (source) WHERE source IS NOT NULL;
+
+-- The last program that was sent is found from the latest step on, however many there are.
+CREATE INDEX step_verified ON step (id) WHERE to_state IN ('verified');
