@@ -19,6 +19,9 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Appended to the statement that reads the head of the audit trail: serializes the writers of all processes.</summary>
     protected abstract string ForUpdate { get; }
 
+    /// <summary>The operator that compares a text with a pattern in any case.</summary>
+    public abstract string Like { get; }
+
     /// <summary>Translates a migration's token, such as <c>{blob}</c>, for this engine.</summary>
     public abstract string Word(string token, string argument);
 

@@ -50,6 +50,8 @@ internal sealed class SqliteDatabase : CellDatabase
         });
     }
 
+    public override string Like => "LIKE";
+
     public override string Word(string token, string argument) => WordOf(token, argument);
 
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>

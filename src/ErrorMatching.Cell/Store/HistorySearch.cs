@@ -6,27 +6,15 @@ internal static class HistorySearch
     private const int FewestDigits = 8;
     private const int Recent = 20_000;
 
+    // Few people take many steps: each name is looked up by the index from the one before.
+    private const string Users = "WITH RECURSIVE known (who) AS (SELECT min(who) FROM step UNION ALL SELECT (SELECT min(who) FROM step WHERE "
+        + "step.who > known.who) FROM known WHERE known.who IS NOT NULL)";
+
     /// <summary>The corrections that match, last arrival first.</summary>
     public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
     {
         if (Period(database, query) is not var (first, last)) return [];
-        var conditions = new List<string>();
-        if (query.Serial is not null) conditions.Add(Has("serial", "@Serial"));
-        if (query.WorkOrder is not null) conditions.Add(
-            $"({Has("work_order", "@WorkOrder")} OR (work_order IS NULL AND {Has("job_work_order", "@WorkOrder")}))");
-        if (query.From is not null) conditions.Add("arrived_at >= @From");
-        if (query.To is not null) conditions.Add("arrived_at < @To");
-        if (query.From is not null || query.To is not null) conditions.Add("id BETWEEN @First AND @Last");
-        if (query.Program is not null)
-            conditions.Add(
-                Hash(query.Program) is null
-                    ? Has("program", "@Program")
-                    : $"({Has("program", "@Program")} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
-        if (query.User is not null)
-            conditions.Add($"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {Is("who", "@User")})");
-        if (query.State is not null) conditions.Add("state = @State");
-        if (query.Machine is not null) conditions.Add("machine = @Machine");
-
+        var isUserAlone = query with { User = null, Most = 0, IsLoose = false } == new HistoryQuery { Most = 0 };
         var parameters = new
         {
             Recent,
@@ -45,22 +33,46 @@ internal static class HistorySearch
             query.Most,
         };
 
-        // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
-        var latest = Rows("id > (SELECT max(id) FROM correction) - @Recent");
-        return latest.Count >= query.Most ? latest : Rows("1 = 1");
+        var took = query.User is null ? "" : $"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {User()})";
 
-        IReadOnlyList<Correction> Rows(string among) => database.Read(connection => Cell.Rows.Query(
+        // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
+        var latest = Rows(false, "id > (SELECT max(id) FROM correction) - @Recent", took);
+        return latest.Count >= query.Most ? latest
+            : Rows(true, "1 = 1", isUserAlone ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
+
+        IReadOnlyList<Correction> Rows(bool isAll, string among, string by) => database.Read(connection => Cell.Rows.Query(
             connection,
-            $"{CorrectionRow.Select} WHERE {string.Join(" AND ", conditions.Prepend(among))} ORDER BY id DESC LIMIT @Most",
+            $"{CorrectionRow.Select} WHERE {string.Join(" AND ", Conditions(isAll).Prepend(among).Append(query.User is null ? "1 = 1" : by))} ORDER BY id DESC LIMIT @Most",
             CorrectionRow.Read,
             parameters));
 
+        List<string> Conditions(bool isAll)
+        {
+            var conditions = new List<string>();
+            if (query.Serial is not null) conditions.Add(Has("serial", "@Serial", isAll));
+            if (query.WorkOrder is not null) conditions.Add(
+                $"({Has("work_order", "@WorkOrder", isAll)} OR (work_order IS NULL AND {Has("job_work_order", "@WorkOrder", isAll)}))");
+            if (query.From is not null) conditions.Add("arrived_at >= @From");
+            if (query.To is not null) conditions.Add("arrived_at < @To");
+            if (query.From is not null || query.To is not null) conditions.Add("id BETWEEN @First AND @Last");
+            if (query.Program is not null)
+                conditions.Add(
+                    Hash(query.Program) is null
+                        ? Has("program", "@Program", isAll)
+                        : $"({Has("program", "@Program", isAll)} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
+            if (query.State is not null) conditions.Add("state = @State");
+            if (query.Machine is not null) conditions.Add("machine = @Machine");
+            return conditions;
+        }
+
+        string User() => query.IsLoose ? $"who IN ({Users} SELECT who FROM known WHERE {Is("who", "@User")})" : Is("who", "@User");
+
         string Is(string column, string parameter) =>
-            query.IsLoose ? $"LOWER({column}) LIKE LOWER({parameter}) ESCAPE '!'" : $"{column} = {parameter}";
+            query.IsLoose ? $"{column} {database.Like} {parameter} ESCAPE '!'" : $"{column} = {parameter}";
 
         // Part of a name is looked for among the names of an index, which are a tenth of the rows' bytes.
-        string Has(string column, string parameter) =>
-            query.IsLoose ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})" : Is(column, parameter);
+        string Has(string column, string parameter, bool isAll) =>
+            query.IsLoose && isAll ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})" : Is(column, parameter);
 
         string? Looked(string? name) => StoredText.NameOrNull(name) is { } text && query.IsLoose
             ? "%"
