@@ -72,7 +72,10 @@ internal static class MillionCorrections
         yield return ("search: machine", new() { Machine = "mill-3" });
         yield return ("search: machine, state, year", new()
         {
-            Machine = "mill-3", State = CorrectionState.Released, From = Begin.AddDays(100), To = Begin.AddDays(465)
+            Machine = "mill-3",
+            State = CorrectionState.Released,
+            From = Begin.AddDays(100),
+            To = Begin.AddDays(465),
         });
     }
 
@@ -137,15 +140,25 @@ internal static class MillionCorrections
             Step(c, null, Recorded.Arrived.With("cmm", c.FileName));
             c = Next(c, CorrectionState.Recognized, Recorded.Of.With("part", $"job-{id % Machines}"), c with
             {
-                Job = $"job-{id % Machines}", Piece = "part", Serial = Serial(id), JobWorkOrder = $"WO-{id % 1000}", Machine = machine,
-                Slot = "A", Program = $"O{1000 + (id % Machines)}.NC", Identity = StoredContent.Sha256(Encoding.UTF8.GetBytes($"identity {id}")),
+                Job = $"job-{id % Machines}",
+                Piece = "part",
+                Serial = Serial(id),
+                JobWorkOrder = $"WO-{id % 1000}",
+                Machine = machine,
+                Slot = "A",
+                Program = $"O{1000 + (id % Machines)}.NC",
+                Identity = StoredContent.Sha256(Encoding.UTF8.GetBytes($"identity {id}")),
             });
             c = Next(c, CorrectionState.Computed, Recorded.DisplacedAt.With(0.1 + (id % 97 * 0.001), Recorded.AtBlock.With("N150")), c with
             {
-                ProgramSha256 = hash, ReportSha256 = report.Sha256, LargestMm = 0.1 + (id % 97 * 0.001), SumMm = 0.1 + (id % 97 * 0.001),
+                ProgramSha256 = hash,
+                ReportSha256 = report.Sha256,
+                LargestMm = 0.1 + (id % 97 * 0.001),
+                SumMm = 0.1 + (id % 97 * 0.001),
             });
             c = Next(c, CorrectionState.Proposed, Recorded.Displaced.With(c.LargestMm), c);
-            c = Next(c, CorrectionState.Approved, id % 50 == 0 ? "looks right" : Recorded.PolicyWithin.With(0.5), c, id % 50 == 0 ? "anna" : "cell");
+            var (by, basis) = id % 50 == 0 ? ("anna", (Statement)"looks right") : ("cell", Recorded.PolicyWithin.With(0.5));
+            c = Next(c, CorrectionState.Approved, basis, c, by);
             c = Next(c, CorrectionState.Uploading, Recorded.SlotEmpty.With(), c, slot: new(machine, "A", id, null, null));
             c = Next(c, CorrectionState.Verified, Recorded.ReadBack.With(), c, slot: new(machine, "A", id, hash, null));
             c = Next(c, CorrectionState.Released, Recorded.MachineWrote.With("A.READY"), c, slot: new(machine, "A", null, hash, null));
@@ -154,7 +167,9 @@ internal static class MillionCorrections
 
         public AuditHead Finish()
         {
-            Run("UPDATE audit_head SET seq = @a, at = @b, hash = @c, seal = @d", _head.Seq, StoredTime.Of(_head.At), _head.Hash, _head.Seal);
+            Run(
+                "UPDATE audit_head SET seq = @a, at = @b, hash = @c, seal = @d", _head.Seq, StoredTime.Of(_head.At), _head.Hash,
+                _head.Seal);
             foreach (var command in _commands.Values) command.Dispose();
             return _head;
         }
@@ -178,15 +193,16 @@ internal static class MillionCorrections
             {
                 var row = SlotRow.Coded(slot);
                 codes.Add((row.Name, row.Code(key)));
-                Run("INSERT OR REPLACE INTO slot (machine, slot, correction, program_sha256, previous_sha256, row_code) VALUES (@a, @b, @c, @d, "
-                    + "@e, @f)", slot.Machine, slot.Slot, slot.Correction, slot.ProgramSha256, slot.PreviousSha256, codes[1].Item2);
+                Run("INSERT OR REPLACE INTO slot (machine, slot, correction, program_sha256, previous_sha256, row_code) VALUES (@a, @b, "
+                    + "@c, @d, @e, @f)", slot.Machine, slot.Slot, slot.Correction, slot.ProgramSha256, slot.PreviousSha256, codes[1].Item2);
             }
 
             var subject = from is null ? Recorded.File.With(c.Id, c.MeasurementSha256)
                 : c.ProgramSha256 is { } program ? Recorded.Program.With(c.Id, program)
                 : Recorded.Correction.With(c.Id);
             var entry = AuditEntry.After(_head.Hash, _head.Seq + 1, c.ChangedAt, by, to, subject, basis, CodedRow.Lines(codes));
-            Run("INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash, row_codes) VALUES (@a, @b, @c, @d, @e, @f, @g, @h, @i)",
+            Run("INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash, row_codes) VALUES (@a, @b, @c, @d, @e, @f, @g, "
+                + "@h, @i)",
                 entry.Seq, at, by, to, subject.Text, basis.Text, entry.Previous, entry.Hash, entry.RowCodes);
             _head = new(entry.Seq, entry.At, entry.Hash, AuditHead.SealOf(key, entry.Seq, entry.Hash));
         }
@@ -194,10 +210,11 @@ internal static class MillionCorrections
         private void Row(Correction c) => Run(
             "INSERT INTO correction (id, state, version, arrival, gauge, file_name, arrived_at, changed_at, measurement_sha256, "
                 + "measurement_bytes, job, piece, serial, job_work_order, identity, machine, slot, program, program_sha256, report_sha256, "
-                + "largest_mm, sum_mm, row_code) VALUES (@a, @b, @c, @d, @e, @f, @g, @h, @i, @j, @k, @l, @m, @n, @o, @p, @q, @r, @s, @t, @u, "
-                + "@v, @w)",
-            c.Id, CorrectionRow.Word(c.State), c.Version, StoredContent.Sha256(Encoding.UTF8.GetBytes($"arrival {c.Id}")), c.Gauge, c.FileName,
-            StoredTime.Of(c.ArrivedAt), StoredTime.Of(c.ChangedAt), c.MeasurementSha256, c.MeasurementBytes, c.Job, c.Piece, c.Serial,
+                + "largest_mm, sum_mm, row_code) "
+                + "VALUES (@a, @b, @c, @d, @e, @f, @g, @h, @i, @j, @k, @l, @m, @n, @o, @p, @q, @r, "
+                + "@s, @t, @u, @v, @w)",
+            c.Id, CorrectionRow.Word(c.State), c.Version, StoredContent.Sha256(Encoding.UTF8.GetBytes($"arrival {c.Id}")), c.Gauge,
+            c.FileName, StoredTime.Of(c.ArrivedAt), StoredTime.Of(c.ChangedAt), c.MeasurementSha256, c.MeasurementBytes, c.Job, c.Piece, c.Serial,
             c.JobWorkOrder, c.Identity, c.Machine, c.Slot, c.Program, c.ProgramSha256, c.ReportSha256, c.LargestMm, c.SumMm,
             CorrectionRow.Coded(c).Code(key));
 

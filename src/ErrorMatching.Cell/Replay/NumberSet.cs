@@ -17,7 +17,8 @@ internal sealed class NumberSet
     public void Add(long number)
     {
         if (Contains(number)) return;
-        if (!_pages.TryGetValue(number >> BitsOfPage, out var page)) _pages.Add(number >> BitsOfPage, page = new ulong[1 << (BitsOfPage - 6)]);
+        var key = number >> BitsOfPage;
+        if (!_pages.TryGetValue(key, out var page)) _pages.Add(key, page = new ulong[1 << (BitsOfPage - 6)]);
         page[WordOf(number)] |= BitOf(number);
         Count++;
     }

@@ -110,7 +110,11 @@ internal sealed class RecordedMeaning
     {
         if (_stepFault is not null) return _stepFault;
         if (_shortOf is { } seq) return new(AuditFaultKind.RowDiffers, seq, Recorded.StepUnrecorded.With(_stepRows, _stepCount));
-        return Rows.Query(_connection, "SELECT id FROM step WHERE id > @_lastStep ORDER BY id LIMIT 1", r => r.GetInt64(0), new { _lastStep },
+        return Rows.Query(
+            _connection,
+            "SELECT id FROM step WHERE id > @_lastStep ORDER BY id LIMIT 1",
+            r => r.GetInt64(0),
+            new { _lastStep },
             _transaction) is [_]
             ? new(AuditFaultKind.RowDiffers, 0, Recorded.StepUnrecorded.With(_stepRows + 1, _stepCount))
             : null;

@@ -67,7 +67,8 @@ internal sealed class CorrectionQueries(CellDatabase database)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
         var verified = CorrectionRow.IsIn("step.to_state", CorrectionState.Verified);
-        var sent = $"correction.job = @job AND {CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}";
+        var sent = "correction.job = @job AND "
+            + CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released);
 
         // Any piece: from the last step on, until one is of the job. A serial number has few corrections.
         var from = serial is null

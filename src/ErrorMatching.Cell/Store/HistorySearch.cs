@@ -7,8 +7,8 @@ internal static class HistorySearch
     private const int Recent = 20_000;
 
     // Few people take many steps: each name is looked up by the index from the one before.
-    private const string Users = "WITH RECURSIVE known (who) AS (SELECT min(who) FROM step UNION ALL SELECT (SELECT min(who) FROM step WHERE "
-        + "step.who > known.who) FROM known WHERE known.who IS NOT NULL)";
+    private const string Users = "WITH RECURSIVE known (who) AS (SELECT min(who) FROM step UNION ALL SELECT (SELECT min(who) FROM step "
+        + "WHERE step.who > known.who) FROM known WHERE known.who IS NOT NULL)";
 
     /// <summary>The corrections that match, last arrival first.</summary>
     public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
@@ -33,18 +33,19 @@ internal static class HistorySearch
             query.Most,
         };
 
-        var took = query.User is null ? "" : $"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {User()})";
+        var took = query.User is null ? "1 = 1" : $"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {User()})";
 
         // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
         var latest = Rows(false, "id > (SELECT max(id) FROM correction) - @Recent", took);
         return latest.Count >= query.Most ? latest
-            : Rows(true, "1 = 1", isUserAlone ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
+            : Rows(true, "1 = 1", query.User is not null && isUserAlone ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
 
-        IReadOnlyList<Correction> Rows(bool isAll, string among, string by) => database.Read(connection => Cell.Rows.Query(
-            connection,
-            $"{CorrectionRow.Select} WHERE {string.Join(" AND ", Conditions(isAll).Prepend(among).Append(query.User is null ? "1 = 1" : by))} ORDER BY id DESC LIMIT @Most",
-            CorrectionRow.Read,
-            parameters));
+        IReadOnlyList<Correction> Rows(bool isAll, string among, string by)
+        {
+            var where = string.Join(" AND ", Conditions(isAll).Prepend(among).Append(by));
+            return database.Read(connection => Cell.Rows.Query(
+                connection, $"{CorrectionRow.Select} WHERE {where} ORDER BY id DESC LIMIT @Most", CorrectionRow.Read, parameters));
+        }
 
         List<string> Conditions(bool isAll)
         {
@@ -72,7 +73,9 @@ internal static class HistorySearch
 
         // Part of a name is looked for among the names of an index, which are a tenth of the rows' bytes.
         string Has(string column, string parameter, bool isAll) =>
-            query.IsLoose && isAll ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})" : Is(column, parameter);
+            query.IsLoose && isAll
+                ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})"
+                : Is(column, parameter);
 
         string? Looked(string? name) => StoredText.NameOrNull(name) is { } text && query.IsLoose
             ? "%"

@@ -5,7 +5,8 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class PackedContentTests
 {
-    private static readonly byte[] Text = Encoding.UTF8.GetBytes(string.Concat(Enumerable.Range(0, 2000).Select(i => $"N{i} X{i % 7}.5\n")));
+    private static readonly byte[] Text = Encoding.UTF8.GetBytes(
+        string.Concat(Enumerable.Range(0, 2000).Select(i => $"N{i} X{i % 7}.5\n")));
 
     [Theory]
     [InlineData(0)]

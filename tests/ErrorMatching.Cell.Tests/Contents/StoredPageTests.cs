@@ -63,7 +63,10 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
         using (var earlier = StoreOpening.Connect(Settings, _ => { }))
         {
             earlier.Change((connection, transaction) => Dapper.SqlMapper.Execute(
-                connection, "INSERT INTO content (sha256, bytes) VALUES (@hash, @bytes)", new { hash, bytes = plain.ToArray() }, transaction));
+                connection,
+                "INSERT INTO content (sha256, bytes) VALUES (@hash, @bytes)",
+                new { hash, bytes = plain.ToArray() },
+                transaction));
         }
 
         Assert.Equal(plain.ToArray(), Open().Content(hash));
