@@ -214,8 +214,8 @@ internal static class MillionCorrections
                 + "VALUES (@a, @b, @c, @d, @e, @f, @g, @h, @i, @j, @k, @l, @m, @n, @o, @p, @q, @r, "
                 + "@s, @t, @u, @v, @w)",
             c.Id, CorrectionRow.Word(c.State), c.Version, StoredContent.Sha256(Encoding.UTF8.GetBytes($"arrival {c.Id}")), c.Gauge,
-            c.FileName, StoredTime.Of(c.ArrivedAt), StoredTime.Of(c.ChangedAt), c.MeasurementSha256, c.MeasurementBytes, c.Job, c.Piece, c.Serial,
-            c.JobWorkOrder, c.Identity, c.Machine, c.Slot, c.Program, c.ProgramSha256, c.ReportSha256, c.LargestMm, c.SumMm,
+            c.FileName, StoredTime.Of(c.ArrivedAt), StoredTime.Of(c.ChangedAt), c.MeasurementSha256, c.MeasurementBytes, c.Job, c.Piece,
+            c.Serial, c.JobWorkOrder, c.Identity, c.Machine, c.Slot, c.Program, c.ProgramSha256, c.ReportSha256, c.LargestMm, c.SumMm,
             CorrectionRow.Coded(c).Code(key));
 
         private (string Sha256, int Length) Text(string kind, int group, int lines)
