@@ -36,6 +36,11 @@ if (args is ["huge"])
     return HugeFiles.Run();
 }
 
+if (args is ["corrections", var place, .. var corrections])
+{
+    return MillionCorrections.Run(place, corrections.FirstOrDefault());
+}
+
 if (args is ["toolpath"])
 {
     return ToolPathBenchmark.Run();

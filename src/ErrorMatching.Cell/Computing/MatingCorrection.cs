@@ -87,13 +87,19 @@ internal sealed class MatingCorrection
             ? new NothingToSend(basis, CorrectionCodes.PartRecorded, Recorded.PartRecorded.With())
             : CounterpartVerification.Of(_files, _request.Part, measured) switch
             {
-                { Report: { } report } => new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With())
-                {
-                    Report = VerifyReportJson.Write(report),
-                    Page = VerifyReportHtml.Write(report)
-                },
+                { Report: { } report } => Verified(basis, report),
                 var none => new(basis, CorrectionCodes.FirstArticle, Statement.InARow(Recorded.FirstArticle.With(), none.Otherwise)),
             };
+    }
+
+    private static NothingToSend Verified(CorrectionBasis basis, VerifyReport report)
+    {
+        var json = VerifyReportJson.Write(report);
+        return new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With())
+        {
+            Report = json,
+            Page = ReportPages.Of(json) ?? VerifyReportHtml.Write(report),
+        };
     }
 
     private Computation Match(CancellationToken cancellation)
@@ -130,13 +136,15 @@ internal sealed class MatingCorrection
             return new RefusedComputation(CorrectionCodes.JobChanged, Recorded.OriginalChanged.With(_files.Job.Counterpart.Program));
         }
 
+        // The page shows the numbers of the recorded report, with its decimals: so the store can draw it again.
+        var json = matched.ReportJson();
         return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new ComputedProgram
         {
             Basis = Basis(matched.Report.Inputs, matched.Match.Input.Program),
             ProgramName = matched.Name,
             Program = matched.Program,
-            Report = matched.ReportJson(),
-            Page = matched.ReportHtml(),
+            Report = json,
+            Page = ReportPages.Of(json) ?? matched.ReportHtml(),
             LargestMm = mm,
             LargestAt = at,
             Corrections = steps,

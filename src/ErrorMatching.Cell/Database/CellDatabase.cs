@@ -8,6 +8,8 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>How long to wait for another process to finish its change.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(15);
 
+    private const int MostTries = 1000;
+
     private readonly Lock _seeing = new();
     private volatile AuditHead? _seen;
 
@@ -16,6 +18,9 @@ internal abstract class CellDatabase : IDisposable
 
     /// <summary>Appended to the statement that reads the head of the audit trail: serializes the writers of all processes.</summary>
     protected abstract string ForUpdate { get; }
+
+    /// <summary>The operator that compares a text with a pattern in any case.</summary>
+    public abstract string Like { get; }
 
     /// <summary>Translates a migration's token, such as <c>{blob}</c>, for this engine.</summary>
     public abstract string Word(string token, string argument);
@@ -32,6 +37,22 @@ internal abstract class CellDatabase : IDisposable
         using var transaction = BeginSnapshot(connection);
         return read(connection, transaction);
     });
+
+    /// <summary>The same with two connections for two cores. Every change moves the end of the audit trail, so two views with the same end
+    /// are of one state.</summary>
+    /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> if others change the store so often that no two views
+    /// agree.</exception>
+    public T TwoSnapshots<T>(Func<DbConnection, DbTransaction, DbTransaction, T> read)
+    {
+        for (var tries = 0; tries < MostTries; tries++)
+        {
+            var (agree, result) = Snapshot((one, first) => Snapshot((two, second) =>
+                AuditRow.Head(one, first, "") == AuditRow.Head(two, second, "") ? (true, read(one, first, second)) : (false, default(T))));
+            if (agree) return result!;
+        }
+
+        throw new StoreException(StoreError.Locked, $"{Place} changes too often to be looked at. Try again.");
+    }
 
     /// <summary>Runs a change that includes audit entries.</summary>
     public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write)

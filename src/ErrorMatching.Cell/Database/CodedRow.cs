@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Buffers.Binary;
 using System.Globalization;
 using System.Security.Cryptography;
@@ -18,18 +19,21 @@ internal sealed record CodedRow(string Name, IReadOnlyList<string?> Values)
     /// each as its byte count (4 bytes, big-endian; -1 for null) and its UTF-8 bytes.</summary>
     public string Code(ReadOnlySpan<byte> key)
     {
-        using var hash = IncrementalHash.CreateHMAC(HashAlgorithmName.SHA256, key);
-        Span<byte> count = stackalloc byte[4];
-        hash.AppendData(Encoding.UTF8.GetBytes(Form));
+        var most = Form.Length;
+        foreach (var text in Values.Prepend(Name)) most += 4 + Encoding.UTF8.GetMaxByteCount(text?.Length ?? 0);
+        var bytes = ArrayPool<byte>.Shared.Rent(most);
+        var at = Encoding.UTF8.GetBytes(Form, bytes);
         foreach (var text in Values.Prepend(Name))
         {
-            var bytes = text is null ? null : Encoding.UTF8.GetBytes(text);
-            BinaryPrimitives.WriteInt32BigEndian(count, bytes?.Length ?? -1);
-            hash.AppendData(count);
-            hash.AppendData(bytes.AsSpan());
+            var length = text is null ? 0 : Encoding.UTF8.GetBytes(text, bytes.AsSpan(at + 4));
+            BinaryPrimitives.WriteInt32BigEndian(bytes.AsSpan(at), text is null ? -1 : length);
+            at += 4 + length;
         }
 
-        return Convert.ToHexStringLower(hash.GetHashAndReset());
+        Span<byte> hash = stackalloc byte[HMACSHA256.HashSizeInBytes];
+        HMACSHA256.HashData(key, bytes.AsSpan(0, at), hash);
+        ArrayPool<byte>.Shared.Return(bytes);
+        return Convert.ToHexStringLower(hash);
     }
 
     /// <summary>A number as a value.</summary>
@@ -45,7 +49,13 @@ internal sealed record CodedRow(string Name, IReadOnlyList<string?> Values)
     public static string Lines(IEnumerable<(string Name, string Code)> rows) => string.Join('\n', rows.Select(r => $"{r.Code} {r.Name}"));
 
     /// <summary>Reads what <see cref="Lines"/> wrote; malformed lines are skipped.</summary>
-    public static IEnumerable<(string Name, string Code)> Read(string lines) =>
-        lines.Split('\n').Where(l => l.Length > CodeLength + 1 && l[CodeLength] == ' ')
-            .Select(l => (l[(CodeLength + 1)..], l[..CodeLength]));
+    public static IEnumerable<(string Name, string Code)> Read(string lines)
+    {
+        for (var (from, to) = (0, 0); from < lines.Length; from = to + 1)
+        {
+            to = lines.IndexOf('\n', from) is >= 0 and var end ? end : lines.Length;
+            if (to - from > CodeLength + 1 && lines[from + CodeLength] == ' ')
+                yield return (lines[(from + CodeLength + 1)..to], lines[from..(from + CodeLength)]);
+        }
+    }
 }

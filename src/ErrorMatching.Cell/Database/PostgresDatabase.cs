@@ -37,6 +37,8 @@ internal sealed class PostgresDatabase : CellDatabase
     public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) =>
         Prepared<PostgresDatabase>(new(settings), prepare);
 
+    public override string Like => "ILIKE";
+
     public override string Word(string token, string argument) => token switch
     {
         "blob" => "BYTEA",

@@ -13,6 +13,11 @@ internal sealed class SqliteDatabase : CellDatabase
 {
     internal const int ApplicationId = 0x45724D43;
     private const long WholeCheckBytes = 256 << 20;
+    private const long QuickCheckBytes = 1L << 30;
+
+    // What a cell acts on at once. The rest is in the audit trail, which is checked before anything is sent.
+    private static readonly string[] Acting = ["slot", "person", "machine_secret", "audit_head", "migration", "sign_in_failure"];
+
     private readonly string _file;
     private readonly SqliteFileWatch _watch;
     private readonly Lock _writing = new();
@@ -45,6 +50,8 @@ internal sealed class SqliteDatabase : CellDatabase
         });
     }
 
+    public override string Like => "LIKE";
+
     public override string Word(string token, string argument) => WordOf(token, argument);
 
     public override AuditFault? FormFault(DbConnection connection, DbTransaction transaction) =>
@@ -64,9 +71,16 @@ internal sealed class SqliteDatabase : CellDatabase
 
     public override void Inspect() => Read(connection =>
     {
-        var check = new FileInfo(_file).Length <= WholeCheckBytes ? "integrity_check" : "quick_check";
-        var found = connection.QueryFirst<string>($"PRAGMA {check}(1)");
-        return found == "ok" ? true : throw SqliteFailure.Damaged(_file, found, null);
+        var length = new FileInfo(_file).Length;
+        foreach (var check in length <= WholeCheckBytes ? ["integrity_check(1)"]
+            : length <= QuickCheckBytes ? ["quick_check(1)"]
+            : Acting.Where(t => HasTable(connection, t)).Select(t => $"quick_check({t})"))
+        {
+            var found = connection.QueryFirst<string>($"PRAGMA {check}");
+            if (found != "ok") throw SqliteFailure.Damaged(_file, found, null);
+        }
+
+        return true;
     });
 
     public override bool HasTable(DbConnection connection, string name) =>

@@ -43,6 +43,10 @@ public enum StoreError
     /// change was stored.</summary>
     Away,
 
+    /// <summary>A page is drawn from its stored report, and this version of the program draws it differently from the one that
+    /// recorded it.</summary>
+    Redrawn,
+
     /// <summary>This kind of store does not support it.</summary>
     NotSupported,
 

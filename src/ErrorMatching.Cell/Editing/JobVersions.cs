@@ -129,11 +129,12 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
         var found = Stated(before);
         var isKnown = before.Count == 0
             || Of(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, StoredContent.Sha256(f.Bytes)))));
+        var kept = StoredContent.Pack([.. before.Concat(after).Select(f => (ReadOnlyMemory<byte>)f.Bytes)]);
         store.Write(t =>
         {
-            foreach (var (_, bytes) in before.Concat(after))
+            foreach (var (sha256, content) in kept)
             {
-                StoredContent.Keep(t, StoredContent.Sha256(bytes), bytes);
+                StoredContent.Keep(t, sha256, content);
             }
 
             if (!isKnown)

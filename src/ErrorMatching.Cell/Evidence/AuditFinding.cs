@@ -9,6 +9,15 @@ namespace ErrorMatching.Cell;
 /// <param name="IsSealChecked">False if the keys were missing, which is a fault.</param>
 public sealed record AuditFinding(long Entries, string Hash, AuditFault? Fault, bool IsSealChecked)
 {
+    /// <summary>Number of contents in the store whose bytes have their hash.</summary>
+    public long Contents { get; init; }
+
+    /// <summary>Length of these contents, uncompressed.</summary>
+    public long ContentBytes { get; init; }
+
+    /// <summary>Number of pages that are drawn from their reports, and are checked whenever they are drawn.</summary>
+    public long Pages { get; init; }
+
     /// <summary>True if there is no fault.</summary>
     public bool Holds => Fault is null;
 

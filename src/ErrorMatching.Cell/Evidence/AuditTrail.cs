@@ -22,18 +22,25 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     public AuditFinding Verify(IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
         var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
-        var finding = store.Database.Snapshot((connection, transaction) =>
+        var finding = store.Database.TwoSnapshots((connection, transaction, rows) =>
         {
             var head = AuditRow.Head(connection, transaction, "");
             var count = Count(connection, transaction);
-            var meaning = new RecordedMeaning();
-            var fault = AuditChain.Verify(meaning.Replay.Added(
+            var meaning = new RecordedMeaning(rows.Connection!, rows, key);
+            var fault = AuditChain.Verify(
                 Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries",
-                count, progress, cancellation)), head, key);
+                    count, progress, cancellation), head, key, meaning.Add);
             var seen = Rows.Query(
                 connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database, connection, transaction, key);
-            return new AuditFinding(count, head.Hash, fault, key is not null);
+            fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database);
+            var contents = new CheckedContents();
+            fault ??= contents.Fault(connection, transaction, rows, progress, cancellation);
+            return new AuditFinding(count, head.Hash, fault, key is not null)
+            {
+                Contents = contents.Count,
+                ContentBytes = contents.Bytes,
+                Pages = contents.Pages,
+            };
         });
         if (finding.Holds && finding.Entries > (witness?.Seq ?? 0))
         {

@@ -29,29 +29,32 @@ internal sealed class AuditReplay
     /// <summary>Called with each step of a correction: its entry, its number, the state before and after.</summary>
     public Action<AuditEntry, long, CorrectionState?, CorrectionState>? Stepped { get; init; }
 
+    /// <summary>Returns a correction that was forgotten; null for one that never was there.</summary>
+    public Func<long, RecordedCorrection?>? Recall { get; init; }
+
+    /// <summary>Forgets a correction that has ended.</summary>
+    public void Forget(long id)
+    {
+        _corrections.Remove(id);
+        _codes.Remove(CorrectionRow.NameOf(id));
+    }
+
     /// <summary>Replays the trail as a change sees it.</summary>
     /// <returns>Null if the trail is not intact.</returns>
     public static AuditReplay? Of(StoreTransaction change)
     {
         var replay = new AuditReplay();
-        return AuditChain.Verify(replay.Added(change.Query(AuditRow.Select + " ORDER BY seq", AuditRow.Read)), change.Head,
-            change.Key) is null ? replay : null;
-    }
-
-    /// <summary>Adds entries while the caller enumerates them.</summary>
-    public IEnumerable<AuditEntry> Added(IEnumerable<AuditEntry> entries)
-    {
-        foreach (var entry in entries)
-        {
-            Add(entry);
-            yield return entry;
-        }
+        return AuditChain.Verify(
+            Rows.Stream(change.Connection, AuditRow.Select + " ORDER BY seq", AuditRow.Read, null, change.Transaction),
+            change.Head,
+            change.Key,
+            replay.Add) is null ? replay : null;
     }
 
     /// <summary>Adds the next entry.</summary>
     public void Add(AuditEntry entry)
     {
-        foreach (var (name, code) in CodedRow.Read(entry.RowCodes ?? ""))
+        foreach (var (name, code) in entry.RowCodes is null ? [] : CodedRow.Read(entry.RowCodes))
         {
             _codes[name] = (code, entry.Seq);
         }
@@ -78,6 +81,7 @@ internal sealed class AuditReplay
         }
 
         var known = _corrections.GetValueOrDefault(id);
+        if (known is null && Recall?.Invoke(id) is { } recalled) _corrections.Add(id, known = recalled);
         var from = known?.State;
         if (known is null)
         {

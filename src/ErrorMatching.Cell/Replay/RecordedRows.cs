@@ -16,13 +16,17 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     {
     }
 
+    /// <summary>How many rows are read at once by their numbers.</summary>
+    public const int AtOnce = 500;
+
     /// <summary>The first row that differs from the trail; null if none does.</summary>
-    public AuditFault? Compare()
+    /// <param name="settled">Corrections whose rows were already compared, and which the replay has forgotten.</param>
+    public AuditFault? Compare(NumberSet settled)
     {
         var slots = Query(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot");
         var holders = slots.Where(s => s.Row?.Value.Correction is not null)
             .ToLookup(s => s.Row!.Value.Correction!.Value, s => (s.Row!.Value.Machine, s.Row.Value.Slot));
-        return Corrections(holders)
+        return Corrections(holders, settled)
             ?? slots.Select(s => s.Row is { } row ? OfSlot(row) : s.Fault).FirstOrDefault(f => f is not null)
             ?? People()
             ?? Missing(slots.Select(s => s.Row!.Coded.Name));
@@ -117,28 +121,65 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
         }
     }
 
-    private AuditFault? Corrections(ILookup<long, (string Machine, string Slot)> holders)
+    /// <summary>The rows of some corrections, in order of their numbers.</summary>
+    /// <param name="ids">Their numbers, in order.</param>
+    public IEnumerable<(StoredRow<Correction>? Row, AuditFault? Fault)> Of(IReadOnlyList<long> ids)
     {
-        var seen = new HashSet<long>();
-        foreach (var (row, fault) in Stream(CorrectionRow.SelectKept + " ORDER BY id", CorrectionRow.ReadKept, "correction"))
+        for (var (from, to) = (0, 0); from < ids.Count; from = to)
         {
-            if (fault is not null || OfCorrection(row!) is not null)
+            for (to = from + 1; to < ids.Count && to - from < AtOnce && ids[to] - ids[to - 1] == 1; to++)
             {
-                return fault ?? OfCorrection(row!);
             }
 
-            var c = row!.Value;
-            seen.Add(c.Id);
-            if (c.State is CorrectionState.Uploading or CorrectionState.Verified
-                && !holders[c.Id].Contains((c.Machine ?? "", c.Slot ?? "")))
+            foreach (var row in Rows.Query(
+                connection,
+                CorrectionRow.SelectKept + " WHERE id BETWEEN @First AND @Last ORDER BY id",
+                r => Read(r, CorrectionRow.ReadKept, "correction"),
+                new { First = ids[from], Last = ids[to - 1] },
+                transaction)) yield return row;
+        }
+    }
+
+    private AuditFault? Corrections(ILookup<long, (string Machine, string Slot)> holders, NumberSet settled)
+    {
+        var seen = new HashSet<long>();
+        var unknown = Unrecorded(settled);
+        foreach (var ids in replay.Corrections.Keys.Order().Chunk(AtOnce))
+        {
+            foreach (var (row, fault) in Of(ids))
             {
-                return Differs(replay.Corrections[c.Id].Seq,
-                    Recorded.SlotNotHeld.With(c.Slot ?? "", c.Machine ?? "", c.Id, CorrectionRow.Word(c.State)));
+                if (unknown is { } first && row?.Value.Id > first) break;
+                if ((fault ?? OfCorrection(row!)) is { } differs) return differs;
+                var c = row!.Value;
+                seen.Add(c.Id);
+                if (c.State is CorrectionState.Uploading or CorrectionState.Verified
+                    && !holders[c.Id].Contains((c.Machine ?? "", c.Slot ?? "")))
+                {
+                    return Differs(replay.Corrections[c.Id].Seq,
+                        Recorded.SlotNotHeld.With(c.Slot ?? "", c.Machine ?? "", c.Id, CorrectionRow.Word(c.State)));
+                }
             }
+        }
+
+        if (unknown is { } other)
+        {
+            var (row, unreadable) = Of([other]).Single();
+            return row is null ? unreadable : OfCorrection(row);
         }
 
         return replay.Corrections.Where(c => !seen.Contains(c.Key)).OrderBy(c => c.Key)
             .Select(c => Differs(c.Value.Seq, Recorded.CorrectionMissing.With(c.Key, c.Value.Seq))).FirstOrDefault();
+    }
+
+    // The number of the first row that no entry names; null if there is none.
+    private long? Unrecorded(NumberSet settled)
+    {
+        foreach (var id in Rows.Stream(connection, "SELECT id FROM correction ORDER BY id", r => r.GetInt64(0), null, transaction))
+        {
+            if (!settled.Contains(id) && !replay.Corrections.ContainsKey(id)) return id;
+        }
+
+        return null;
     }
 
     private AuditFault? People()

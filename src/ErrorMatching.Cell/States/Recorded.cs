@@ -320,6 +320,9 @@ public static class Recorded
     internal static readonly SentenceForm RowUnreadable = new(
         "row-unreadable",
         "The row of {0} {1} cannot be read: something in it is of a kind that the cell does not write.");
+    internal static readonly SentenceForm ContentDiffers = new("content-differs", "Content {0} is not what was kept.");
+    internal static readonly SentenceForm ContentMissing = new(
+        "content-missing", "Content {0} of correction {1:0} is not in the store.");
     internal static readonly SentenceForm StepDiffers = new(
         "step-differs",
         "Step {0:0} of the store is not what entry {1:0} of the audit trail says: correction {2:0}, {3:state}.");
@@ -374,7 +377,7 @@ public static class Recorded
         ApprovalNotAllowed, NotByPolicy, WasNobody, WasDisabled, WasOfRole, OtherProgram, UserNotAllowed, UserUnknown,
         CorrectionUnrecorded, StateDiffers, ProgramDiffers, FileDiffers, CorrectionDiffers, CorrectionMissing, SlotHeldByOther,
         SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
-        StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
+        ContentDiffers, ContentMissing, StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
     ];
 

@@ -7,10 +7,11 @@ internal static class ArrivalWriter
 {
     /// <summary>Stores a file as a new correction.</summary>
     /// <returns>The correction, and whether it is new.</returns>
-    public static (Correction Correction, bool IsNew) Archive(StoreTransaction transaction, Arrival arrival, string sha256)
+    public static (Correction Correction, bool IsNew) Archive(
+        StoreTransaction transaction, Arrival arrival, string sha256, PackedContent packed)
     {
         if (Known(transaction, arrival.Key) is { } known) return (known, false);
-        StoredContent.Keep(transaction, sha256, arrival.Bytes);
+        StoredContent.Keep(transaction, sha256, packed);
         return (
             Arrive(
                 transaction,

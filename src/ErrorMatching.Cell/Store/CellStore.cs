@@ -75,8 +75,8 @@ public sealed class CellStore : IDisposable
     public (Correction Correction, bool IsNew) Archive(Arrival arrival)
     {
         ArgumentNullException.ThrowIfNull(arrival);
-        var sha256 = StoredContent.Sha256(arrival.Bytes.Span);
-        return Write(transaction => ArrivalWriter.Archive(transaction, arrival, sha256));
+        var (sha256, packed) = StoredContent.Pack([arrival.Bytes])[0];
+        return Write(transaction => ArrivalWriter.Archive(transaction, arrival, sha256, packed));
     }
 
     /// <summary>Records a file that is refused without being stored.</summary>
@@ -89,7 +89,8 @@ public sealed class CellStore : IDisposable
 
     /// <summary>The content stored under a hash.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if there is none, with <see cref="StoreError.Damaged"/> if it
-    /// no longer has this hash.</exception>
+    /// no longer has this hash, with <see cref="StoreError.Redrawn"/> if it is a page that this version of the program draws
+    /// differently.</exception>
     public byte[] Content(string sha256) => StoredContent.Read(Database, sha256);
 
     /// <summary>True if content is stored under a hash.</summary>
@@ -185,11 +186,11 @@ public sealed class CellStore : IDisposable
     {
         ArgumentNullException.ThrowIfNull(from);
         StepWriter.DemandAllowed(from, to);
-        var kept = (contents ?? []).Select(c => (Sha256: StoredContent.Sha256(c.Span), Bytes: c)).ToArray();
         var wanted = CorrectionRow.Stored(with?.Invoke(from) ?? from);
+        var kept = StoredContent.Pack(contents ?? [], wanted);
         return Write(transaction =>
         {
-            foreach (var (sha256, bytes) in kept) StoredContent.Keep(transaction, sha256, bytes);
+            foreach (var (sha256, content) in kept) StoredContent.Keep(transaction, sha256, content);
             return StepWriter.Take(transaction, from, to, by, basis, wanted);
         });
     }
@@ -246,12 +247,16 @@ public sealed class CellStore : IDisposable
     public void Audit(string who, string what, Statement basis, Statement? subject = null) => Audit(who, what, basis, subject, null);
 
     /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
-    internal void Audit(string who, string what, Statement basis, Statement? subject, byte[]? content) => Write(transaction =>
+    internal void Audit(string who, string what, Statement basis, Statement? subject, byte[]? content)
     {
-        if (content is not null) StoredContent.Keep(transaction, StoredContent.Sha256(content), content);
-        transaction.Audit(who, what, subject, basis);
-        return true;
-    });
+        var kept = content is null ? [] : StoredContent.Pack([content]);
+        Write(transaction =>
+        {
+            foreach (var (sha256, packed) in kept) StoredContent.Keep(transaction, sha256, packed);
+            transaction.Audit(who, what, subject, basis);
+            return true;
+        });
+    }
 
     /// <summary>Entries of the audit trail, in order.</summary>
     /// <param name="after">Returns entries after this number; 0 for the first.</param>

@@ -66,13 +66,16 @@ internal sealed class CorrectionQueries(CellDatabase database)
     public Correction? LastSent(string job, string? serial)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
+        var verified = CorrectionRow.IsIn("step.to_state", CorrectionState.Verified);
+        var sent = "correction.job = @job AND "
+            + CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released);
+
+        // Any piece: from the last step on, until one is of the job. A serial number has few corrections.
+        var from = serial is null
+            ? $"step CROSS JOIN correction WHERE {verified} AND correction.id = step.correction AND {sent}"
+            : $"correction JOIN step ON step.correction = correction.id AND {verified} WHERE {sent} AND correction.serial = @serial";
         var found = Read(
-            $"SELECT {columns} FROM correction JOIN step ON step.correction = correction.id AND step.to_state = @Verified "
-            + $"WHERE correction.job = @job AND "
-                + $"{CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}"
-                + (serial is null ? "" : " AND correction.serial = @serial") + " ORDER BY step.id DESC LIMIT 1",
-            CorrectionRow.Read,
-            new { job, serial, Verified = CorrectionRow.Word(CorrectionState.Verified) });
+            $"SELECT {columns} FROM {from} ORDER BY step.id DESC LIMIT 1", CorrectionRow.Read, new { job, serial });
         return found is [var last] ? last : null;
     }
 

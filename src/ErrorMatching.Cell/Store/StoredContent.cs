@@ -1,3 +1,4 @@
+using System.Data.Common;
 using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
@@ -5,33 +6,94 @@ namespace ErrorMatching.Cell;
 /// <summary>Contents that a store keeps by their SHA-256.</summary>
 internal static class StoredContent
 {
+    private const string Select = "SELECT bytes, form, length, source, made_by FROM content";
+
     /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
     public static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 
-    /// <summary>Stores a content unless it is already stored.</summary>
-    public static void Keep(StoreTransaction transaction, string sha256, ReadOnlyMemory<byte> bytes) =>
-        transaction.Execute(
-            "INSERT INTO content (sha256, bytes) VALUES (@sha256, @Bytes) ON CONFLICT (sha256) DO NOTHING",
-            new { sha256, Bytes = bytes.ToArray() });
+    /// <summary>Packs contents, outside of any change: that takes its time.</summary>
+    /// <param name="contents">The plain contents.</param>
+    /// <param name="correction">The correction that they belong to. Its page is not kept if its report gives the same bytes.</param>
+    public static IReadOnlyList<(string Sha256, PackedContent Content)> Pack(
+        IReadOnlyList<ReadOnlyMemory<byte>> contents, Correction? correction = null)
+    {
+        var named = contents.Select(c => (Sha256: Sha256(c.Span), Plain: c)).ToArray();
+        return [.. named.Select(c => (c.Sha256, PageOf(c.Sha256, c.Plain) ?? PackedContent.Of(c.Plain)))];
+
+        PackedContent? PageOf(string sha256, ReadOnlyMemory<byte> plain)
+        {
+            if (correction?.PageSha256 != sha256 || correction.ReportSha256 is not { } source) return null;
+            var report = named.FirstOrDefault(c => c.Sha256 == source).Plain;
+            return !report.IsEmpty && ReportPages.Of(report) is { } page && page.AsSpan().SequenceEqual(plain.Span)
+                ? new([], PackedContent.Page, plain.Length, source, ReportPages.Version)
+                : null;
+        }
+    }
+
+    /// <summary>Stores a content unless it is already stored. One that was moved to an archive returns to the store.</summary>
+    public static void Keep(StoreTransaction transaction, string sha256, PackedContent content) => transaction.Execute(
+        "INSERT INTO content (sha256, bytes, form, length, source, made_by) VALUES (@sha256, @Bytes, @Form, @Length, @Source, @MadeBy) "
+            + "ON CONFLICT (sha256) DO UPDATE SET bytes = excluded.bytes, form = excluded.form, length = excluded.length, source = "
+            + "excluded.source, made_by = excluded.made_by WHERE content.form = 'archive'",
+        new { sha256, content.Bytes, content.Form, content.Length, content.Source, content.MadeBy });
 
     /// <summary>True if content is stored under a hash.</summary>
     public static bool Has(CellDatabase database, string sha256) => database.Read(connection => Rows.First(
         connection, "SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 })) is not null;
 
     /// <summary>The content stored under a hash.</summary>
-    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> or <see cref="StoreError.Damaged"/>.</exception>
+    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/>, <see cref="StoreError.Damaged"/> or
+    /// <see cref="StoreError.Redrawn"/>.</exception>
     public static byte[] Read(CellDatabase database, string sha256)
     {
-        var bytes = database.Read(connection => Rows.First(
-            connection, "SELECT bytes FROM content WHERE sha256 = @sha256", r => r.GetFieldValue<byte[]>(0), new { sha256 }))
+        var packed = Row(database, sha256);
+        return packed.Form == PackedContent.Page ? Drawn(database, sha256, packed) : Plain(database, sha256, packed);
+    }
+
+    /// <summary>Reads a row's content.</summary>
+    public static PackedContent Packed(DbDataReader row) => new(
+        row.GetFieldValue<byte[]>(0), row.TextOrNull(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
+
+    /// <summary>The same; null for a row that somebody else wrote and that cannot be read.</summary>
+    public static PackedContent? PackedOrNull(DbDataReader row)
+    {
+        try
+        {
+            return Packed(row);
+        }
+        catch (Exception e) when (e is InvalidCastException or FormatException or OverflowException or InvalidOperationException)
+        {
+            return null;
+        }
+    }
+
+    private static PackedContent Row(CellDatabase database, string sha256) =>
+        database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", Packed, new { sha256 }))
             ?? throw new StoreException(StoreError.Missing, $"{database.Place} has no content {sha256}.");
-        if (Sha256(bytes) != sha256)
+
+    private static byte[] Plain(CellDatabase database, string sha256, PackedContent packed)
+    {
+        var plain = packed.Plain();
+        if (plain is null || Sha256(plain) != sha256)
         {
             throw new StoreException(
                 StoreError.Damaged,
-                $"{database.Place} is damaged: content {sha256} is not what was kept, but {Sha256(bytes)}. Restore the latest backup.");
+                $"{database.Place} is damaged: content {sha256} is not what was kept"
+                    + $"{(plain is null ? "" : $", but {Sha256(plain)}")}. Restore the latest backup.");
         }
 
-        return bytes;
+        return plain;
+    }
+
+    // Its hash decides: a page that another version draws differently is not the one that people saw.
+    private static byte[] Drawn(CellDatabase database, string sha256, PackedContent packed)
+    {
+        var report = packed.Source is { } source ? Plain(database, source, Row(database, source)) : [];
+        var page = ReportPages.Of(report);
+        if (page is not null && Sha256(page) == sha256) return page;
+        throw new StoreException(
+            StoreError.Redrawn,
+            $"Page {sha256} was drawn by version {packed.MadeBy} from report {packed.Source}, which is unchanged. Version "
+                + $"{ReportPages.Version} draws it differently: read the report, or use version {packed.MadeBy}.");
     }
 }

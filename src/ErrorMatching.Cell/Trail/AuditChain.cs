@@ -12,12 +12,14 @@ internal static class AuditChain
     /// <param name="head">The end of the trail.</param>
     /// <param name="key">The key that seals the end; null for none. Without a key, anyone who can write to the store can rewrite the whole
     /// trail.</param>
+    /// <param name="each">Called with each entry that is as written and in its place, in order, while a second core reads ahead; null for
+    /// nothing.</param>
     /// <returns>The first fault; null if there is none.</returns>
-    public static AuditFault? Verify(IEnumerable<AuditEntry> entries, AuditHead head, byte[]? key)
+    public static AuditFault? Verify(IEnumerable<AuditEntry> entries, AuditHead head, byte[]? key, Action<AuditEntry>? each = null)
     {
         ArgumentNullException.ThrowIfNull(entries);
         ArgumentNullException.ThrowIfNull(head);
-        var (seq, hash, ends) = Walk(entries);
+        var (seq, hash, ends) = Walk(entries, each);
         if (!ends) return Explain([.. entries], (int)seq, hash, head.Seq);
         if (head.Seq > seq) return Fault(AuditFaultKind.Removed, seq + 1, $"Entries {seq + 1} to {head.Seq} are missing at the end.");
         if (head.Seq < seq)
@@ -32,13 +34,14 @@ internal static class AuditChain
     }
 
     // The last correct entry, and whether the trail ends there.
-    private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries)
+    private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries, Action<AuditEntry>? each)
     {
         var (seq, hash) = (0L, AuditEntry.NoHash);
-        foreach (var entry in entries)
+        foreach (var (entry, isAsWritten) in ReadAhead.Of(entries.Select(e => (e, e.Hash == e.HashAs(e.Seq)))))
         {
-            if (entry.Seq != seq + 1 || entry.Previous != hash || entry.Hash != entry.HashAs(entry.Seq)) return (seq, hash, false);
+            if (entry.Seq != seq + 1 || entry.Previous != hash || !isAsWritten) return (seq, hash, false);
             (seq, hash) = (entry.Seq, entry.Hash);
+            each?.Invoke(entry);
         }
 
         return (seq, hash, true);

@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Buffers.Binary;
 using System.Security.Cryptography;
 using System.Text;
@@ -46,22 +47,27 @@ public sealed record AuditEntry(
     /// another format name, and the codes follow the basis.</summary>
     internal string HashAs(long seq)
     {
-        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        Span<byte> number = stackalloc byte[8];
-        hash.AppendData(Encoding.UTF8.GetBytes(RowCodes is null ? Form : FormWithRows));
-        BinaryPrimitives.WriteInt64BigEndian(number, seq);
-        hash.AppendData(number);
-        BinaryPrimitives.WriteInt64BigEndian(number, StoredTime.Of(At));
-        hash.AppendData(number);
-        string?[] texts = [Previous, Who, What, Subject?.Text, Basis.Text];
-        foreach (var text in RowCodes is null ? texts : [.. texts, RowCodes])
+        var form = RowCodes is null ? Form : FormWithRows;
+        string?[] texts = RowCodes is null
+            ? [Previous, Who, What, Subject?.Text, Basis.Text]
+            : [Previous, Who, What, Subject?.Text, Basis.Text, RowCodes];
+        var most = form.Length + 16;
+        foreach (var text in texts) most += 4 + Encoding.UTF8.GetMaxByteCount(text?.Length ?? 0);
+        var bytes = ArrayPool<byte>.Shared.Rent(most);
+        var at = Encoding.UTF8.GetBytes(form, bytes);
+        BinaryPrimitives.WriteInt64BigEndian(bytes.AsSpan(at), seq);
+        BinaryPrimitives.WriteInt64BigEndian(bytes.AsSpan(at + 8), StoredTime.Of(At));
+        at += 16;
+        foreach (var text in texts)
         {
-            var bytes = text is null ? null : Encoding.UTF8.GetBytes(text);
-            BinaryPrimitives.WriteInt32BigEndian(number, bytes?.Length ?? -1);
-            hash.AppendData(number[..4]);
-            hash.AppendData(bytes.AsSpan());
+            var length = text is null ? 0 : Encoding.UTF8.GetBytes(text, bytes.AsSpan(at + 4));
+            BinaryPrimitives.WriteInt32BigEndian(bytes.AsSpan(at), text is null ? -1 : length);
+            at += 4 + length;
         }
 
-        return Convert.ToHexStringLower(hash.GetHashAndReset());
+        Span<byte> hash = stackalloc byte[SHA256.HashSizeInBytes];
+        SHA256.HashData(bytes.AsSpan(0, at), hash);
+        ArrayPool<byte>.Shared.Return(bytes);
+        return Convert.ToHexStringLower(hash);
     }
 }

@@ -69,6 +69,7 @@ internal static class FailureOfCell
         StoreError.Denied => "store-denied",
         StoreError.Disk => "store-disk",
         StoreError.Replaced => "store-replaced",
+        StoreError.Redrawn => "store-redrawn",
         StoreError.Away => "store-away",
         StoreError.NotSupported => "store-not-supported",
         StoreError.Unknown => "store-unknown",
@@ -103,7 +104,7 @@ internal static class FailureOfCell
 
     private static ExitCode ExitOf(StoreError error) => error switch
     {
-        StoreError.Conflict or StoreError.Tampered or StoreError.Replaced => ExitCode.Refused,
+        StoreError.Conflict or StoreError.Tampered or StoreError.Replaced or StoreError.Redrawn => ExitCode.Refused,
         StoreError.Missing or StoreError.Foreign or StoreError.TooNew or StoreError.NotSupported => ExitCode.WrongInput,
         _ => ExitCode.Outside,
     };

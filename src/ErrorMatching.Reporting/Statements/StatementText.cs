@@ -44,7 +44,7 @@ public static class StatementText
 
         var reader = new Reader(text, forms);
         var statement = reader.Whole();
-        return Of(statement) == text ? statement : throw reader.Unexpected("a statement as it is recorded", 0);
+        return statement.Text == text ? statement : throw reader.Unexpected("a statement as it is recorded", 0);
     }
 
     /// <summary>The recorded text of a statement.</summary>
@@ -93,6 +93,13 @@ public static class StatementText
     private static void Append(StringBuilder text, string words)
     {
         text.Append('"');
+        if (!words.AsSpan().ContainsAnyInRange('\0', '\u001f') && !words.AsSpan().ContainsAny('"', '\\')
+            && !words.AsSpan().ContainsAnyInRange('\ud800', '\udfff'))
+        {
+            text.Append(words).Append('"');
+            return;
+        }
+
         foreach (var rune in words.EnumerateRunes())
         {
             _ = rune.Value switch

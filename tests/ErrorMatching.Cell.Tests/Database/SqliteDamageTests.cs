@@ -186,7 +186,7 @@ public sealed class SqliteDamageTests : IDisposable
     {
         var kept = Fill();
         var bytes = System.IO.File.ReadAllBytes(File);
-        bytes[bytes.AsSpan().IndexOf("measurement 7;"u8)] ^= 1;
+        bytes[bytes.AsSpan().IndexOf(PackedContent.Of(Measurement(7)).Bytes) + 20] ^= 1;
         System.IO.File.WriteAllBytes(File, bytes);
         using var store = CellStore.Open(Settings, TimeProvider.System);
         var damaged = Assert.Throws<StoreException>(() => store.Content(kept[7].MeasurementSha256));
@@ -367,7 +367,15 @@ public sealed class SqliteDamageTests : IDisposable
     private static Correction Archive(CellStore store, int number)
     {
         var name = string.Create(CultureInfo.InvariantCulture, $"measurement {number}");
-        return store.Archive(new Arrival("gauge", name, name, Encoding.UTF8.GetBytes($"{name};{new string('.', 1000)}"))).Correction;
+        return store.Archive(new Arrival("gauge", name, name, Measurement(number))).Correction;
+    }
+
+    // Noise behind the name: what compresses well leaves nothing to damage.
+    private static byte[] Measurement(int number)
+    {
+        var noise = new byte[500];
+        new Random(number).NextBytes(noise);
+        return Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture, $"measurement {number};{Convert.ToHexString(noise)}"));
     }
 
     private Correction[] Fill()

@@ -37,8 +37,9 @@ public sealed partial class FolderTests
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
         ["Cell"] =
         [
-            "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Database",
-            "Replay", "Store", "Publishing", "Arriving", "Computing", "Keys", "Evidence", "People", "Running", "Checking", "Editing",
+            "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Contents",
+            "Database", "Replay", "Store", "Publishing", "Arriving", "Computing", "Keys", "Evidence", "People", "Running", "Checking",
+            "Editing",
         ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
         ["Hmi"] =

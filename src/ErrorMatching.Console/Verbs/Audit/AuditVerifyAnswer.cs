@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
 
@@ -15,11 +16,25 @@ internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
         json.WriteString("hash", finding.Hash);
         json.WriteBoolean("isSealChecked", finding.IsSealChecked);
         json.WriteString("message", finding.Message);
+        json.WriteNumber("contents", finding.Contents);
+        json.WriteNumber("contentBytes", finding.ContentBytes);
+        json.WriteNumber("pages", finding.Pages);
     }
 
     public override void WriteText(Page page)
     {
         page.Line(finding.Message);
         page.Line($"The last one's hash is {finding.Hash}.");
+        if (finding.Contents > 0)
+        {
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture, $"{finding.Contents} contents with {finding.ContentBytes} bytes have their hashes."));
+        }
+
+        if (finding.Pages > 0)
+        {
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture, $"{finding.Pages} pages are not stored: each is checked when it is drawn from its report."));
+        }
     }
 }

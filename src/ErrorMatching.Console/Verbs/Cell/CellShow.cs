@@ -33,13 +33,16 @@ internal sealed class CellShow : CellVerb
         var folder = arguments.GetValue(_out);
         var files = folder is null
             ? []
-            : CorrectionFiles.Of(correction).Select(f => (Path: Path.Combine(folder, f.Name), f.Sha256)).ToArray();
+            : CorrectionFiles.Read(store, correction).Select(f => (Path: Path.Combine(folder, f.Name), f.Bytes, f.Notice)).ToArray();
         if (files.Length > 0)
         {
-            OutputFile.WriteAll(
-                [.. files.Select(f => (f.Path, (ReadOnlyMemory<byte>)store.Content(f.Sha256)))], [settings.File], () => true, cancellation);
+            OutputFile.WriteAll([.. files.Select(f => (f.Path, f.Bytes))], [settings.File], () => true, cancellation);
         }
 
-        return new CellShowAnswer(correction, store.StepsOf(correction.Id), [.. files.Select(f => f.Path)]);
+        return new CellShowAnswer(
+            correction,
+            store.StepsOf(correction.Id),
+            [.. files.Select(f => f.Path)],
+            [.. files.Select(f => f.Notice?.Sentence).OfType<string>()]);
     }
 }

@@ -6,7 +6,8 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Console;
 
 /// <summary>The history of one file.</summary>
-internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<CorrectionStep> steps, IReadOnlyList<string> files)
+internal sealed class CellShowAnswer(
+    Correction correction, IReadOnlyList<CorrectionStep> steps, IReadOnlyList<string> files, IReadOnlyList<string> notices)
     : DocumentAnswer
 {
     public override string Schema => "errormatch/cell-correction/1";
@@ -35,6 +36,16 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
         }
 
         json.WriteEndArray();
+        if (notices.Count > 0)
+        {
+            json.WriteStartArray("notices");
+            foreach (var notice in notices)
+            {
+                json.WriteStringValue(notice);
+            }
+
+            json.WriteEndArray();
+        }
     }
 
     public override void WriteText(Page page)
@@ -57,6 +68,10 @@ internal sealed class CellShowAnswer(Correction correction, IReadOnlyList<Correc
         {
             page.Line();
             page.Line("Written: " + string.Join(", ", files));
+            foreach (var notice in notices)
+            {
+                page.Line(PrintedText.OneLine(notice));
+            }
         }
     }
 

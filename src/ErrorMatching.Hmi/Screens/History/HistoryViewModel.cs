@@ -344,14 +344,15 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private async Task ExportAsync(CancellationToken cancellation)
     {
         var (correction, folder) = (Detail!.Stored.Correction, Folder.Trim());
-        if (await TryAsync(() => OutputFile.WriteAll(
-            [
-                .. CorrectionFiles.Of(correction).Select(
-                    f => (Path.Combine(folder, f.Name), (ReadOnlyMemory<byte>)Station.Store.Content(f.Sha256)))],
-            [Station.Settings.File],
-            cancellation)))
+        var redrawn = false;
+        if (await TryAsync(() =>
         {
-            Exported = Texts.Current.With("History.Exported", folder);
+            var files = CorrectionFiles.Read(Station.Store, correction);
+            redrawn = files.Any(f => f.Notice is not null);
+            OutputFile.WriteAll([.. files.Select(f => (Path.Combine(folder, f.Name), f.Bytes))], [Station.Settings.File], cancellation);
+        }))
+        {
+            Exported = Texts.Current.With(redrawn ? "History.ExportedRedrawn" : "History.Exported", folder);
         }
     }
 }
