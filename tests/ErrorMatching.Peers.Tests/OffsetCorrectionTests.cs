@@ -90,7 +90,9 @@ public sealed partial class OffsetCorrectionTests
     {
         Rs274.IsNeeded();
         // The path of the tool's center shows the radius: 0.3 and the correction.
-        var path = Rs274.RunWithTools(Text(Program(0.012m, null), Program(0m, null), "G10 L1 P1 R0.3\n", Program(0.02m, null), Line), Tools);
+        var byHand = "G10 L1 P1 R0.3\n";
+        var path = Rs274.RunWithTools(
+            Text(Program(0.012m, null), Program(0m, null), byHand, Program(0.02m, null), Line), Tools);
         Assert.Contains(path.Motions, m => Math.Abs(m.End.Y - 0.32) < 1e-4);
     }
 
@@ -158,7 +160,7 @@ public sealed partial class OffsetCorrectionTests
     // from the beginning.
     private static string Text(params string[] programs) => "G21 G17 G40 G90 G54\nT1 M6\n" + string.Concat(
         programs.SelectMany((p, i) => p.Split('\n').Where(IsKept).Select(
-            l => Label().Replace(l, m => string.Create(CultureInfo.InvariantCulture, $"o{i}{m.Groups["number"].Value} ")) + "\n"))) + "M2\n";
+            l => Label().Replace(l, m => $"o{i.ToString(CultureInfo.InvariantCulture)}{m.Groups["number"].Value} ") + "\n"))) + "M2\n";
 
     private static bool IsKept(string line) => line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6");
 

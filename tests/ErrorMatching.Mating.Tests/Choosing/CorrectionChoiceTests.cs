@@ -15,8 +15,8 @@ public sealed class CorrectionChoiceTests
         "%\nO1000\nN10 G21 G90 G17 G54\nN20 G0 X-20. Y-10.\nN30 G1 G41 D7 X0. Y0. F300\nN50 X50.\nN80 G40 X70. Y-10.\nN90 M30\n%\n";
 
     // The same contour with a side that no feature is on.
-    private const string Corner = "%\nO1000\nN10 G21 G90 G17 G54\nN20 G0 X-20. Y-10.\nN30 G1 G41 D7 X0. Y0. F300\nN50 X50.\nN60 X50. Y-30.\n"
-        + "N70 X20.\nN75 X10. Y-25.\nN80 G40 X0. Y-40.\nN90 M30\n%\n";
+    private const string Corner = "%\nO1000\nN10 G21 G90 G17 G54\nN20 G0 X-20. Y-10.\nN30 G1 G41 D7 X0. Y0. F300\nN50 X50.\n"
+        + "N60 X50. Y-30.\nN70 X20.\nN75 X10. Y-25.\nN80 G40 X0. Y-40.\nN90 M30\n%\n";
 
     [Fact]
     public void A_line_that_should_move_is_moved_by_the_radius_of_its_tool()
