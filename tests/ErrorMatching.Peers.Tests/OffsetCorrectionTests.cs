@@ -96,6 +96,15 @@ public sealed partial class OffsetCorrectionTests
         Assert.Contains(path.Motions, m => Math.Abs(m.End.Y - 0.32) < 1e-4);
     }
 
+    [Fact]
+    public void Units_and_increments_of_the_machine_stay_as_they_were()
+    {
+        Rs274.IsNeeded();
+        var run = Rs274.RunWithTools("G20 G91 G54\nT1 M6\n" + Text(Program(0.012m, null), "G1 F10 X1\nX1\n").Split("T1 M6\n")[1], Tools);
+        Assert.Null(run.Refusal);
+        Assert.InRange(run.Motions[^1].End.X, 50.799, 50.801);
+    }
+
     // Stopped anywhere, and run again: each line may be the last one of the first run.
     [Fact]
     public void The_program_may_be_stopped_anywhere_and_run_again()

@@ -14,7 +14,9 @@ internal sealed class OffsetUse
     public OffsetUse(JobCorrection correction, NcPath path, IReadOnlyList<FeatureMap> maps)
     {
         (_correction, _path, _maps) = (correction, path, maps);
-        (NotByRadius, NotByWorkOffset, NotByTurn) = (RadiusReason(), WorkReason(), Turns());
+        // A setter of a machine in inches reads its offsets in inches, and so must the program that changes them.
+        var inches = Own().Any(i => path.Motions[i].Has(MotionFlags.Inch)) ? "the program is in inches, and offsets are written in mm" : null;
+        (NotByRadius, NotByWorkOffset, NotByTurn) = (inches ?? RadiusReason(), inches ?? WorkReason(), Turns());
     }
 
     /// <summary>Number of the radius offset; null if there is none that could be changed, whatever else moves with it.</summary>

@@ -65,6 +65,15 @@ public sealed class CorrectionChoiceTests
     }
 
     [Fact]
+    public void A_program_in_inches_is_corrected_by_blocks()
+    {
+        var inches = Line.Replace("G21", "G20", StringComparison.Ordinal).Replace("X50.", "X2.", StringComparison.Ordinal);
+        var choice = (Case(All) with { Program = inches }).Match().Correction!;
+        Assert.Equal((CorrectionKind.Blocks, null), (choice.Kind, choice.Program));
+        Assert.All(choice.Refused, r => Assert.Contains("inches", r.Reason, StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void A_cut_that_belongs_to_no_feature_keeps_offsets_from_being_used()
     {
         var stays = (Case(All) with { Program = Corner }).Match().Correction!;

@@ -15,6 +15,7 @@ internal static class Licenses
         ("MathNet.Numerics", "MIT"),
         ("Microsoft.Data.Sqlite.Core", "MIT"),
         ("Microsoft.Extensions.*", "MIT"),
+        ("MQTTnet", "MIT"),
         ("Npgsql", "PostgreSQL"),
         ("OpenTelemetry*", "Apache-2.0"),
         ("Polly.Core", "BSD-3-Clause"),
