@@ -32,38 +32,25 @@ internal sealed class Cholesky
         {
             var row = rows[i];
             var first = Math.Max(0, i - width);
-            var j = first;
-            for (; j + 4 <= i; j += 4)
+            for (var j = first; j <= i; j++)
             {
-                // What four columns share of their sums is summed at once; the rest are the columns among them.
-                var (a, b, c, d) = Vectors.Dots(row.AsSpan(0, j - first), Part(j), Part(j + 1), Part(j + 2), Part(j + 3));
-                Column(j, j - first, a);
-                Column(j + 1, j - first, b);
-                Column(j + 2, j - first, c);
-                Column(j + 3, j - first, d);
-            }
-
-            for (; j < i; j++)
-            {
-                Column(j, 0, 0);
-            }
-
-            var value = row[^1] - Vectors.Dot(row.AsSpan(0, i - first), row);
-            if (!(value > 0 && double.IsFinite(value)))
-            {
-                return null;
-            }
-
-            row[^1] = Math.Sqrt(value);
-
-            // Row k from the first column of row i on.
-            ReadOnlySpan<double> Part(int k) => rows[k].AsSpan(first - Math.Max(0, k - width));
-
-            void Column(int k, int summed, double sum)
-            {
-                var other = Part(k);
-                sum += Vectors.Dot(row.AsSpan(summed, k - first - summed), other[summed..]);
-                row[k - first] = (row[k - first] - sum) / other[^1];
+                var other = rows[j];
+                var start = Math.Max(first, j - width);
+                var a = row.AsSpan(start - first, j - start);
+                var b = other.AsSpan(start - Math.Max(0, j - width), j - start);
+                var value = row[j - first] - Vectors.Dot(a, b);
+                if (j < i)
+                {
+                    row[j - first] = value / other[^1];
+                }
+                else if (value > 0 && double.IsFinite(value))
+                {
+                    row[j - first] = Math.Sqrt(value);
+                }
+                else
+                {
+                    return null;
+                }
             }
         }
 

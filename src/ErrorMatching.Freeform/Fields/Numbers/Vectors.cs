@@ -20,7 +20,7 @@ internal static class Vectors
             sums += Vector256.LoadUnsafe(ref x, (nuint)k) * Vector256.LoadUnsafe(ref y, (nuint)k);
         }
 
-        var sum = Sum(sums);
+        var sum = sums[0] + sums[1] + (sums[2] + sums[3]);
         for (; k < a.Length; k++)
         {
             sum += a[k] * b[k];
@@ -28,41 +28,6 @@ internal static class Vectors
 
         return sum;
     }
-
-    /// <summary>The products of one vector with four others of at least its length. One after the other, each addition would wait for the
-    /// one before.</summary>
-    public static (double A, double B, double C, double D) Dots(
-        ReadOnlySpan<double> v, ReadOnlySpan<double> a, ReadOnlySpan<double> b, ReadOnlySpan<double> c, ReadOnlySpan<double> d)
-    {
-        ref var x = ref MemoryMarshal.GetReference(v);
-        ref var p = ref MemoryMarshal.GetReference(a[..v.Length]);
-        ref var q = ref MemoryMarshal.GetReference(b[..v.Length]);
-        ref var r = ref MemoryMarshal.GetReference(c[..v.Length]);
-        ref var s = ref MemoryMarshal.GetReference(d[..v.Length]);
-        var (sumA, sumB, sumC, sumD) = (Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero, Vector256<double>.Zero);
-        var k = 0;
-        for (; k + Width <= v.Length; k += Width)
-        {
-            var value = Vector256.LoadUnsafe(ref x, (nuint)k);
-            sumA += value * Vector256.LoadUnsafe(ref p, (nuint)k);
-            sumB += value * Vector256.LoadUnsafe(ref q, (nuint)k);
-            sumC += value * Vector256.LoadUnsafe(ref r, (nuint)k);
-            sumD += value * Vector256.LoadUnsafe(ref s, (nuint)k);
-        }
-
-        var (restA, restB, restC, restD) = (Sum(sumA), Sum(sumB), Sum(sumC), Sum(sumD));
-        for (; k < v.Length; k++)
-        {
-            restA += v[k] * a[k];
-            restB += v[k] * b[k];
-            restC += v[k] * c[k];
-            restD += v[k] * d[k];
-        }
-
-        return (restA, restB, restC, restD);
-    }
-
-    private static double Sum(Vector256<double> sums) => sums[0] + sums[1] + (sums[2] + sums[3]);
 
     public static double[] Products(ReadOnlySpan<double> a, ReadOnlySpan<double> b)
     {
