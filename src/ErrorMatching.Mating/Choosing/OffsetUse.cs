@@ -15,7 +15,8 @@ internal sealed class OffsetUse
     {
         (_correction, _path, _maps) = (correction, path, maps);
         // A setter of a machine in inches reads its offsets in inches, and so must the program that changes them.
-        var inches = Own().Any(i => path.Motions[i].Has(MotionFlags.Inch)) ? "the program is in inches, and offsets are written in mm" : null;
+        var isInInches = Own().Any(i => path.Motions[i].Has(MotionFlags.Inch));
+        var inches = isInInches ? "the program is in inches, and offsets are written in mm" : null;
         (NotByRadius, NotByWorkOffset, NotByTurn) = (inches ?? RadiusReason(), inches ?? WorkReason(), Turns());
     }
 
