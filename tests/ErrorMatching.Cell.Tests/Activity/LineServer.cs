@@ -28,9 +28,10 @@ internal sealed class LineServer : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
+        // The loop ends by the token. Stopped before, the listener would refuse to accept once more.
         await _end.CancelAsync();
-        _listener.Stop();
         await _serving;
+        _listener.Stop();
         _end.Dispose();
     }
 

@@ -143,8 +143,8 @@ public sealed class LinuxCncControl : IAsyncLifetime
         await _end.CancelAsync();
         _answers?.Dispose();
         _line?.Dispose();
-        _relay.Dispose();
         await _relaying;
+        _relay.Dispose();
         if (_process is not null)
         {
             // The first process of the name space takes all others with it.
