@@ -180,7 +180,7 @@ internal sealed class OffsetChooser
     private static Vector2 ShiftAbout(Point2 place, Vector2 shift, double degrees) =>
         shift + (place - OffsetFit.Move(0, 0, degrees).Apply(place));
 
-    // By what the noise of the key points asks for, and by the least largest difference. The second round sees what the first left.
+    // By what the noise of the key points asks for, and by the least largest difference.
     private IEnumerable<double[]> Fitted(Func<ComparedPlace, double[]> row)
     {
         double[] way = [.. _wanted.Zip(_now, (w, n) => w - n)];
@@ -211,14 +211,16 @@ internal sealed class OffsetChooser
         var most = left.Max(Math.Abs) / _uncertaintyMm;
         return squares <= ChiSquared.InvCDF(left.Length - 1, 1 - ErrorRate)
             && most <= Normal.InvCDF(0, 1, 1 - (ErrorRate / (2 * left.Length)))
-            && !_places.Where((p, k) => differences[k] > ShareOfTolerance * WidthOf(p.Feature)).Any();
+            && !_places.Where((p, k) => differences[k] > ShareOfTolerance * LimitsOf(p).WidthMm || IsDrivenOut(p, _wanted[k], errors[k]))
+                .Any();
     }
 
-    private double WidthOf(int feature)
-    {
-        var band = _maps[feature].Feature.Tolerance.Band;
-        return band.UpperMm - band.LowerMm;
-    }
+    // Noise or not: what blocks would leave within its limits must not end up outside of them.
+    private bool IsDrivenOut(ComparedPlace place, double byBlocks, double byOffset) =>
+        LimitsOf(place) is var limits && limits.Contains(byBlocks) && !limits.Contains(byOffset);
+
+    // The limits of the mating error at a place.
+    private ToleranceBand LimitsOf(ComparedPlace place) => _maps[place.Feature].Feature.Tolerance.Band.Opposite();
 
     // The boundary beside the programmed one by a distance, and whether the control still follows it with the tool.
     private string? Beside(double distance, out Func<RunEstimate, RunPath> cuts)

@@ -120,6 +120,23 @@ public sealed class CorrectionChoiceTests
                 Part = FormattableString.Invariant($"1 10 0.02; 2 40 {second}")
             }).Match().Correction!.Kind);
 
+    // The two points differ by what a gauge of 3 um cannot tell. With wide limits that is noise. With a narrow lower limit,
+    // the middle radius would leave a point outside that blocks bring within.
+    [Theory]
+    [InlineData("[-0.05, 0.05]", CorrectionKind.ToolWear)]
+    [InlineData("[-0.002, 0.05]", CorrectionKind.Blocks)]
+    public void Noise_is_no_reason_to_drive_a_point_out_of_its_limits(string limits, CorrectionKind kind)
+    {
+        var noisy = Case("\"tool-wear\", \"blocks\"") with
+        {
+            Gauge = """ "uncertaintyMm": 0.003 """,
+            Part = "1 10 0.060; 2 40 0.067",
+            Features = [MatchCase.Line("L1", "N50", "1", "2", $""" "toleranceMm": {limits} """)],
+        };
+        var choice = (noisy with { More = Correction("\"tool-wear\", \"blocks\"", ", \"stepMm\": 0.1") }).Match().Correction!;
+        Assert.Equal(kind, choice.Kind);
+    }
+
     [Theory]
     [InlineData(", \"stepMm\": 0.02", CorrectionKind.ToolWear)]
     [InlineData(", \"stepMm\": 0.0199", CorrectionKind.Blocks)]
