@@ -23,7 +23,7 @@ internal static class ReadAhead
         }
         finally
         {
-            // Whoever reads has a connection open: it must have ended before others use that.
+            // The reader has a connection open: it must have ended before others use that.
             stop.Cancel();
             reading.ContinueWith(_ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default).Wait();
         }

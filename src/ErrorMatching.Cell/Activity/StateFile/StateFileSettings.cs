@@ -4,7 +4,7 @@ namespace ErrorMatching.Cell;
 
 /// <summary>A file that a PLC or control rewrites every few seconds.</summary>
 /// <param name="File">The file.</param>
-/// <param name="MaxAge">An older file says nothing: whoever writes it has stopped.</param>
+/// <param name="MaxAge">An older file says nothing: its writer has stopped.</param>
 internal sealed record StateFileSettings(string File, TimeSpan MaxAge) : StateSettings
 {
     private const double UsualAge = 10;

@@ -37,7 +37,7 @@ internal sealed class SftpConnection : IDisposable
             client,
             bytes =>
             {
-                // Whoever sends what was not asked for may send it for ever.
+                // A server that sends what was not asked for may never end.
                 if (!_session.Receive(bytes.Span))
                     channel?.Cut();
             },
