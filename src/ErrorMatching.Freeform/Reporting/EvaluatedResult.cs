@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
@@ -21,7 +20,7 @@ public static class EvaluatedResult
         ArgumentNullException.ThrowIfNull(stock);
         ArgumentNullException.ThrowIfNull(piece);
         var left = stock.Of(piece.Stage);
-        var limits = tolerance is { } profile && profile.IsAligned == piece.Alignment is not null ? profile.Limits : (ToleranceBand?)null;
+        var limits = tolerance is { } profile && profile.IsAligned == piece.Alignment is not null ? profile.Limits : null;
         return new(
             job.Name,
             piece.Sha256,

@@ -3,7 +3,7 @@ using System.Globalization;
 namespace ErrorMatching.Geometry;
 
 /// <summary>The limits of a signed deviation in millimeters; both limits are inside the band.</summary>
-public readonly record struct ToleranceBand
+public sealed record ToleranceBand
 {
     /// <summary>A band between two limits.</summary>
     /// <param name="lowerMm">The lower limit.</param>
@@ -20,6 +20,9 @@ public readonly record struct ToleranceBand
 
         (LowerMm, UpperMm) = (lowerMm, upperMm);
     }
+
+    /// <summary>The band of the value 0 alone, which asks for a correction of every deviation.</summary>
+    public static ToleranceBand Zero { get; } = new(0, 0);
 
     /// <summary>The lower limit.</summary>
     public double LowerMm { get; }

@@ -71,8 +71,13 @@ public sealed record AlignedMeasurement(
         // Align balls with where their centers should be, and only then move them to the contact: the normals are in the part's frame,
         // which a piece reaches by its alignment.
         var alignment = Align(job, theoretical, measured, actual, nominal);
-        var points = labels.Select((label, i) => (label, alignment.Aligned[i] + toContact[i]));
-        return new(measured, alignment, points.ToDictionary(p => p.label, p => p.Item2, StringComparer.Ordinal), standsOut);
+        var points = new Dictionary<string, Point2>(labels.Count, StringComparer.Ordinal);
+        for (var i = 0; i < labels.Count; i++)
+        {
+            points.Add(labels[i], alignment.Aligned[i] + toContact[i]);
+        }
+
+        return new(measured, alignment, points, standsOut);
     }
 
     private static Alignment Align(

@@ -9,4 +9,4 @@ internal sealed record BoundaryRow(IReadOnlyList<RowTerm> Terms, double ValueMm)
 /// <param name="Element">Index of the element.</param>
 /// <param name="AlongMm">Place on it: length along the boundary.</param>
 /// <param name="Weight">The weight.</param>
-internal readonly record struct RowTerm(int Element, double AlongMm, double Weight);
+internal sealed record RowTerm(int Element, double AlongMm, double Weight);

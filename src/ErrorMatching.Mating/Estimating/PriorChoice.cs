@@ -67,13 +67,13 @@ internal static class PriorChoice
     private static IReadOnlyList<(double Variance, double Part)> FormOfStraight(
         IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
     {
-        var alone = new List<(BoundaryElement Element, BoundaryRow[] Rows, double[] Smooth, double[] Values)>();
+        var alone = new List<StraightRows>();
         for (var e = 0; e < elements.Count; e++)
         {
             if (elements[e].Form != ElementForm.Free && own[e].Length > (elements[e].Form == ElementForm.Straight ? 2 : 3))
             {
                 BoundaryRow[] rows = [.. own[e].Select(r => r with { Terms = [r.Terms[0] with { Element = 0 }] })];
-                alone.Add((elements[e], rows, Covariance(elements[e], rows, []), [.. rows.Select(r => r.ValueMm)]));
+                alone.Add(new(elements[e], rows, Covariance(elements[e], rows, []), [.. rows.Select(r => r.ValueMm)]));
             }
         }
 
@@ -83,11 +83,12 @@ internal static class PriorChoice
         }
 
         double[] errors = [LeastError * noise, .. Steps(noise / 2, Math.Max(largest / 2, noise), Errors - 1)];
-        return Mixture(_formLengths.SelectMany(part =>
+        return Mixture([.. _formLengths.SelectMany(part =>
         {
             double[][] rough = [.. alone.Select(a => Covariance(a.Element, a.Rows, [(1, part)]))];
-            return errors.Select(error => (part, error, alone.Select((a, i) => LogOf(a.Smooth, rough[i], error, a.Values)).Sum()));
-        }));
+            return errors.Select(
+                error => new TriedForm(part, error, alone.Select((a, i) => LogOf(a.Smooth, rough[i], error, a.Values)).Sum()));
+        })]);
 
         double[] Covariance(BoundaryElement element, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
             DeviationField.CovarianceOf(
@@ -101,17 +102,27 @@ internal static class PriorChoice
         [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];
 
     // For each length, the mean of the logarithms of the scale; all of them weighted by their evidence.
-    private static (double Variance, double Length)[] Mixture(IEnumerable<(double Length, double Scale, double Log)> evidence)
+    private static List<(double Variance, double Length)> Mixture(IReadOnlyList<TriedForm> tried)
     {
-        (double Length, double Scale, double Log)[] tried = [.. evidence];
-        return
-        [
-            .. tried.Zip(Weights(tried.Select(t => t.Log))).GroupBy(t => t.First.Length).Select(g =>
+        var weights = Weights(tried.Select(t => t.Log));
+        var form = new List<(double Variance, double Length)>();
+        for (var from = 0; from < tried.Count;)
+        {
+            var (length, weight, sum) = (tried[from].Length, 0.0, 0.0);
+            for (; from < tried.Count && tried[from].Length == length; from++)
             {
-                var weight = g.Sum(t => t.Second);
-                var scale = weight > 0 ? Math.Exp(g.Sum(t => t.Second * Math.Log(t.First.Scale)) / weight) : 0;
-                return (Variance: weight * scale * scale, g.Key, Weight: weight);
-            }).Where(f => f.Weight > LeastWeight).Select(f => (f.Variance, f.Key))];
+                weight += weights[from];
+                sum += weights[from] * Math.Log(tried[from].Scale);
+            }
+
+            var scale = weight > 0 ? Math.Exp(sum / weight) : 0;
+            if (weight > LeastWeight)
+            {
+                form.Add((weight * scale * scale, length));
+            }
+        }
+
+        return form;
     }
 
     // The evidence of a scale, from the covariances for the scales 0 and 1.
@@ -128,10 +139,10 @@ internal static class PriorChoice
 
     // The mean of the logarithms of a scale, weighted by its evidence.
     private static double MeanOf(double[] scales, Func<double, double> log) =>
-        Math.Exp(scales.Zip(Weights(scales.Select(log)), (s, w) => w * Math.Log(s)).Sum());
+        Math.Exp(Weights(scales.Select(log)).Select((w, i) => w * Math.Log(scales[i])).Sum());
 
     // Amplitude and lengths of a curve's form.
-    private static (double, double)[] FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
+    private static List<(double Variance, double Length)> FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
     {
         if (element is not { Form: ElementForm.Free, Degree: null } || rows.Length < 3)
         {
@@ -146,7 +157,7 @@ internal static class PriorChoice
         BoundaryRow[] alone = [.. rows.Select(r => new BoundaryRow([r.Terms[0] with { Element = 0 }], r.ValueMm))];
         var flat = DeviationField.CovarianceOf([new DeviationPrior(element, 0, noise, along)], alone, noise);
         var (work, form) = (new double[flat.Length], new double[flat.Length]);
-        var tried = new List<(double Length, double Amplitude, double Log)>();
+        var tried = new List<TriedForm>();
         foreach (var length in Steps(0.5 * span / (rows.Length - 1), 1.5 * span, Lengths))
         {
             for (var i = 0; i < along.Length; i++)
@@ -164,7 +175,7 @@ internal static class PriorChoice
                     work[i] = flat[i] + (amplitude * amplitude * form[i]);
                 }
 
-                tried.Add((length, amplitude, Evidence.Log(work, values)));
+                tried.Add(new(length, amplitude, Evidence.Log(work, values)));
             }
         }
 
@@ -186,4 +197,10 @@ internal static class PriorChoice
     // Equal ratios from one value to another.
     private static double[] Steps(double from, double to, int count) =>
         [.. Enumerable.Range(0, count).Select(i => from * Math.Pow(to / from, (double)i / (count - 1)))];
+
+    // A line, a flank or an arc with more points than it needs: what they say, and their covariance without form errors.
+    private sealed record StraightRows(BoundaryElement Element, BoundaryRow[] Rows, double[] Smooth, double[] Values);
+
+    // A form error that was tried: its length, its scale, and the logarithm of its evidence.
+    private sealed record TriedForm(double Length, double Scale, double Log);
 }

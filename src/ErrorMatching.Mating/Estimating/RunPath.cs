@@ -103,4 +103,4 @@ internal sealed class RunPath
 /// <param name="Fraction">Place on it, 0 to 1.</param>
 /// <param name="DistanceMm">The distance; positive if the path is on the tool's side of the point.</param>
 /// <param name="Way">From the point to the place.</param>
-internal readonly record struct RunFoot(int Motion, double Fraction, double DistanceMm, Vector2 Way);
+internal sealed record RunFoot(int Motion, double Fraction, double DistanceMm, Vector2 Way);

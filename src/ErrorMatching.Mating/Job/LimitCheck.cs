@@ -91,16 +91,22 @@ internal sealed class LimitCheck(JobProblems problems)
         var (lower, upper) = (tolerance.Band.LowerMm, tolerance.Band.UpperMm);
         if (tolerance.Source == ToleranceSource.Stated)
         {
-            foreach (var (limit, place) in new[] { lower, upper }.Zip(item.Items).Where(l => Math.Abs(l.First) > most))
-            {
-                RefuseLimit(place, limit, most, Number(limit));
-            }
+            RefuseAbove(item.Items[0], lower);
+            RefuseAbove(item.Items[1], upper);
         }
         else if (Math.Max(Math.Abs(lower), Math.Abs(upper)) is var widest && widest > most && chain is not null)
         {
             var link = chain.Links.MaxBy(l => Math.Max(Math.Abs(l.Tolerance.LowerMm), Math.Abs(l.Tolerance.UpperMm)))!;
             var share = $"of which {link.Name} has {Number(link.Tolerance.LowerMm)} to {Number(link.Tolerance.UpperMm)}";
             RefuseLimit(item, widest, most, $"{Number(lower)} to {Number(upper)} from the tolerance chain, {share}");
+        }
+
+        void RefuseAbove(JsonItem place, double limit)
+        {
+            if (Math.Abs(limit) > most)
+            {
+                RefuseLimit(place, limit, most, Number(limit));
+            }
         }
     }
 

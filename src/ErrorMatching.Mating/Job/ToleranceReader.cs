@@ -28,7 +28,7 @@ internal sealed class ToleranceReader(JobProblems problems)
                 "chain-missing",
                 $"\"{item.Text}\" in a job without \"toleranceChain\"",
                 "a tolerance chain, or a lower and an upper limit");
-            return new(default, source);
+            return new(ToleranceBand.Zero, source);
         }
 
         var computed = source == ToleranceSource.WorstCase ? chain.WorstCase() : chain.RootSumOfSquares();
@@ -47,6 +47,6 @@ internal sealed class ToleranceReader(JobProblems problems)
         }
 
         problems.Refuse(item, "reversed-tolerance", $"the limits {item.Items[0].Text} and {item.Items[1].Text}", "the lower limit first");
-        return default;
+        return ToleranceBand.Zero;
     }
 }

@@ -71,4 +71,4 @@ internal static class ReachCheck
 /// <param name="Label">The point.</param>
 /// <param name="Motion">The motion on which it lies.</param>
 /// <param name="GapMm">Distance at which the tool passes it, mm.</param>
-internal readonly record struct UnreachedPoint(string Label, int Motion, double GapMm);
+internal sealed record UnreachedPoint(string Label, int Motion, double GapMm);

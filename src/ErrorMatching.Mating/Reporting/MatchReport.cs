@@ -129,6 +129,6 @@ public sealed record MatchReport
     {
         var bands = Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
         return OutsideLimits.Of(points.Select(
-            p => (p.Point, bands.TryGetValue(p.Feature, out var band) ? band : (ToleranceBand?)null, p.UncompensatedMm, p.PredictedMm)));
+            p => new LimitedPoint(p.Point, bands.GetValueOrDefault(p.Feature), p.UncompensatedMm, p.PredictedMm)));
     }
 }

@@ -98,7 +98,7 @@ public sealed record MatchVerdict
         ErrorLeft Left(ReportKeyPoint p) =>
             new(p.Feature, p.Point, p.Theoretical, p.Normal, p.PredictedMm, p.Interval95Mm, LimitsOf(p));
 
-        ToleranceBand LimitsOf(ReportKeyPoint point) => limits.GetValueOrDefault(point.Feature);
+        ToleranceBand LimitsOf(ReportKeyPoint point) => limits.GetValueOrDefault(point.Feature) ?? ToleranceBand.Zero;
     }
 
     /// <summary>Writes it into the open object.</summary>

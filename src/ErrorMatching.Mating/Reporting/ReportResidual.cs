@@ -5,4 +5,4 @@ namespace ErrorMatching.Mating;
 /// <summary>The residual of an alignment at a point.</summary>
 /// <param name="Point">Label of the point.</param>
 /// <param name="Left">Aligned - theoretical.</param>
-public readonly record struct ReportResidual(string Point, Vector2 Left);
+public sealed record ReportResidual(string Point, Vector2 Left);

@@ -19,11 +19,17 @@ public sealed record OutsideLimits
     public IEnumerable<string> Staying => Points.Except(DrivenOut, StringComparer.Ordinal);
 
     /// <summary>Judges the mating errors of key points.</summary>
-    /// <param name="points">For each point, in the order of cutting: its label, the limits of its mating error (null, or
-    /// without width, for none), and its mating error along the normal without and with compensation, mm.</param>
-    public static OutsideLimits Of(IEnumerable<(string Label, ToleranceBand? Limits, double WithoutMm, double WithMm)> points)
+    /// <param name="points">The points, in the order of cutting.</param>
+    public static OutsideLimits Of(IEnumerable<LimitedPoint> points)
     {
         var outside = points.Where(p => p.Limits is { WidthMm: > 0 } limits && !limits.Contains(p.WithMm)).ToArray();
-        return new([.. outside.Select(p => p.Label)], [.. outside.Where(p => p.Limits!.Value.Contains(p.WithoutMm)).Select(p => p.Label)]);
+        return new([.. outside.Select(p => p.Label)], [.. outside.Where(p => p.Limits!.Contains(p.WithoutMm)).Select(p => p.Label)]);
     }
 }
+
+/// <summary>A key point whose mating error has limits.</summary>
+/// <param name="Label">Its label.</param>
+/// <param name="Limits">The limits of its mating error; null, or without width, for none.</param>
+/// <param name="WithoutMm">Its mating error along the normal without compensation.</param>
+/// <param name="WithMm">The same with compensation.</param>
+public sealed record LimitedPoint(string Label, ToleranceBand? Limits, double WithoutMm, double WithMm);

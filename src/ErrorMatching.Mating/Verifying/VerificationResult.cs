@@ -33,7 +33,7 @@ public sealed record VerificationResult(IReadOnlyList<VerifiedPoint> Points, IRe
 
     /// <summary>The points whose mating error after compensation is outside its limits.</summary>
     public OutsideLimits Outside =>
-        OutsideLimits.Of(Points.Select(p => (p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
+        OutsideLimits.Of(Points.Select(p => new LimitedPoint(p.Label, BandOf(p.Label), p.BeforeError.NormalMm, p.AfterError.NormalMm)));
 
     /// <summary>The boundary of a point; null if it has none.</summary>
     public VerifiedBoundary? BoundaryOf(string point) => Boundaries.FirstOrDefault(b => b.Points.Any(p => p.Label == point));

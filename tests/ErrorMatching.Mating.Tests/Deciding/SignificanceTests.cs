@@ -23,7 +23,7 @@ public sealed class SignificanceTests(ITestOutputHelper output)
     [InlineData(60, 3.33450)]
     public void Without_tolerance_the_factor_is_the_quantile_for_all_points(int points, double expected)
     {
-        Assert.Equal(expected, Significance.Factor([(default, points)], U), 4);
+        Assert.Equal(expected, Significance.Factor([(ToleranceBand.Zero, points)], U), 4);
         Assert.Equal(expected, Significance.Factor([(new(-U, U), points)], U), 4);
         Assert.Equal(0, Significance.Factor([(new(-1.001 * expected * U, 1.001 * expected * U), points)], U));
     }
@@ -44,7 +44,7 @@ public sealed class SignificanceTests(ITestOutputHelper output)
         Assert.Equal(1.95996, Significance.Factor([(new(0.06, 0.07), 1)], U), 4);
 
     [Fact]
-    public void A_gauge_without_error_makes_everything_significant() => Assert.Equal(0, Significance.Factor([(default, 16)], 0));
+    public void A_gauge_without_error_makes_everything_significant() => Assert.Equal(0, Significance.Factor([(ToleranceBand.Zero, 16)], 0));
 
     [Theory]
     [InlineData(0)]
@@ -81,7 +81,7 @@ public sealed class SignificanceTests(ITestOutputHelper output)
     public void A_single_point_of_7_that_is_3_5_u_off_is_seen_with_80_percent()
     {
         // Seen, or another point alarms: 1 - (1 - (B(3.5 - k) + B(-3.5 - k))) (1 - 2 B(-k))^6.
-        var k = Significance.Factor([(default, 7)], U);
+        var k = Significance.Factor([(ToleranceBand.Zero, 7)], U);
         var power = 1 - ((1 - Normal.CDF(0, 1, 3.5 - k) - Normal.CDF(0, 1, -3.5 - k)) * Math.Pow(1 - (2 * Normal.CDF(0, 1, -k)), 6));
         Assert.InRange(power, 0.80, 0.81);
 
@@ -102,7 +102,7 @@ public sealed class SignificanceTests(ITestOutputHelper output)
         const int Trials = 20_000;
         var random = new Random(26);
         var (silent, best, seen, alarmed) = (new double[Trials], new double[Trials], 0, 0);
-        var k = Significance.Factor([(default, 16)], 1);
+        var k = Significance.Factor([(ToleranceBand.Zero, 16)], 1);
         for (var i = 0; i < Trials; i++)
         {
             double[] z = [.. Enumerable.Range(0, 16).Select(_ => Normal.Sample(random, 0, 1))];

@@ -65,7 +65,7 @@ public sealed class MatchVerdictTests
         var report = Report([0.001, 0, 0, 0], null, 0.005, null);
         var verdict = (report with
         {
-            Features = [.. report.Features.Select(f => f with { Tolerance = new(default, ToleranceSource.Stated) })]
+            Features = [.. report.Features.Select(f => f with { Tolerance = new(ToleranceBand.Zero, ToleranceSource.Stated) })]
         }).Verdict;
 
         Assert.Equal((VerdictCode.NoLimits, true, 0, 0), (verdict.Code, verdict.IsToCut, verdict.Points, verdict.Within));

@@ -71,7 +71,7 @@ public sealed class VerdictWordsTests
     [Fact]
     public void Without_limits_the_worst_error_is_said() => Assert.Equal(
         "No feature has limits with a width; the worst error left will be 0.001 ± 0.011. Cut it.",
-        Words(Report([0.001, 0, 0, 0], 0.0054, default(ToleranceBand))));
+        Words(Report([0.001, 0, 0, 0], 0.0054, ToleranceBand.Zero)));
 
     [Fact]
     public void A_proof_that_does_not_hold_is_all_there_is_to_say()

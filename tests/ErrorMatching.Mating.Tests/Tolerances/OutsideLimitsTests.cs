@@ -18,9 +18,9 @@ public sealed class OutsideLimitsTests
     {
         var limits = new ToleranceBand(lower, upper).Opposite();
         var outside = OutsideLimits.Of([
-            ("1", limits, -0.09, -0.04),
-            ("2", limits, 0.03, 0.08),
-            ("3", limits, -0.09, -0.04)]);
+            new("1", limits, -0.09, -0.04),
+            new("2", limits, 0.03, 0.08),
+            new("3", limits, -0.09, -0.04)]);
 
         Assert.Equal((drivenOut, staying), (string.Join(' ', outside.DrivenOut), string.Join(' ', outside.Staying)));
     }
@@ -47,7 +47,9 @@ public sealed class OutsideLimitsTests
     public void A_point_without_limits_is_never_outside()
     {
         var outside = OutsideLimits.Of(
-            [("1", null, 0, 5), ("2", new(-0.1, 0.2), 0, 0.2), ("3", new(-0.1, 0.2), -0.11, -0.12), ("4", new(-0.1, 0.2), 0.2, 0.21)]);
+            [
+                new("1", null, 0, 5), new("2", new(-0.1, 0.2), 0, 0.2),
+                new("3", new(-0.1, 0.2), -0.11, -0.12), new("4", new(-0.1, 0.2), 0.2, 0.21)]);
 
         Assert.Equal(["3", "4"], outside.Points);
         Assert.Equal(["4"], outside.DrivenOut);

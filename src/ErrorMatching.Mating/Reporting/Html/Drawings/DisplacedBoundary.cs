@@ -76,7 +76,7 @@ internal static class DisplacedBoundary
         line.Add(next.DisplacedStart);
     }
 
-    private readonly record struct Piece(Point2 Start, Point2 End, Vector2 Normal, double FromBy, double ToBy)
+    private sealed record Piece(Point2 Start, Point2 End, Vector2 Normal, double FromBy, double ToBy)
     {
         public Point2 DisplacedStart => Start + (Normal * FromBy);
 

@@ -8,12 +8,12 @@ internal sealed class DrawnFeature
 {
     private readonly DrawnOutline _outline;
     private readonly int _side;
-    private readonly (double Station, DrawnPoint Point)[] _stations;
+    private readonly PlacedPoint[] _stations;
 
     private DrawnFeature(DrawnOutline outline, IReadOnlyList<DrawnPoint> points)
     {
         Points = points;
-        _stations = [.. points.Select(p => (Station: outline.Nearest(p.At), Point: p)).OrderBy(s => s.Station)];
+        _stations = [.. points.Select(p => new PlacedPoint(outline.Nearest(p.At), p)).OrderBy(s => s.Station)];
 
         // Each key point becomes a vertex, because the deviation can change its slope there.
         _outline = outline.WithVertices(_stations.Select(s => s.Station));
@@ -73,4 +73,7 @@ internal sealed class DrawnFeature
 
     /// <summary>The boundary place nearest to a key point, where its deviation is drawn.</summary>
     public Point2 Foot(DrawnPoint point) => _outline.At(_outline.Nearest(point.At));
+
+    // A key point and its place along the boundary.
+    private sealed record PlacedPoint(double Station, DrawnPoint Point);
 }

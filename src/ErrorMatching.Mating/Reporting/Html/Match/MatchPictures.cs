@@ -29,19 +29,33 @@ internal static class MatchPictures
     // The place on the axis of the points, at its share of the way from one key point to the next.
     private static PlotPlace? Between(MatchReport report, ReportFeature feature)
     {
-        var points = report.KeyPoints.Select((p, i) => (Point: p, Index: i)).Where(p => p.Point.Feature == feature.Name).ToArray();
-        if (points.Length < 2 || ErrorLeft.Between(feature) is not { } worst)
+        if (ErrorLeft.Between(feature) is not { } worst)
         {
             return null;
         }
 
-        var (at, share) = points.Zip(points.Skip(1)).Select(p =>
+        var (points, last, nearest, place) = (report.KeyPoints, -1, double.PositiveInfinity, double.NaN);
+        for (var i = 0; i < points.Count; i++)
         {
-            var way = new Segment2(p.First.Point.Theoretical, p.Second.Point.Theoretical);
-            var fraction = way.NearestFraction(worst.Place);
-            return (Index: p.First.Index, Fraction: fraction, Distance: way.At(fraction).DistanceTo(worst.Place));
-        }).MinBy(w => w.Distance) is var nearest ? (nearest.Index, nearest.Fraction) : default;
-        return new(feature.Name, at + share, worst.MatingErrorMm, worst.Interval95Mm ?? 0, VerdictWords.Place(worst));
+            if (points[i].Feature != feature.Name)
+            {
+                continue;
+            }
+
+            if (last >= 0)
+            {
+                var way = new Segment2(points[last].Theoretical, points[i].Theoretical);
+                var fraction = way.NearestFraction(worst.Place);
+                var distance = way.At(fraction).DistanceTo(worst.Place);
+                (nearest, place) = distance < nearest ? (distance, last + fraction) : (nearest, place);
+            }
+
+            last = i;
+        }
+
+        return double.IsNaN(place)
+            ? null
+            : new(feature.Name, place, worst.MatingErrorMm, worst.Interval95Mm ?? 0, VerdictWords.Place(worst));
     }
 
     private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
