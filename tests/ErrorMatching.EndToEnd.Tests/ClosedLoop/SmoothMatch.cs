@@ -44,12 +44,20 @@ internal static class SmoothMatch
         [.. part.Boundary.Select(b => DistanceTo(path, b.Actual) - part.ToolRadius)];
 
     /// <summary>The distance of a place from a path.</summary>
-    public static double DistanceTo(IReadOnlyList<(Flat From, Flat To)> path, Flat place) => path.Min(p =>
+    public static double DistanceTo(IReadOnlyList<(Flat From, Flat To)> path, Flat place)
     {
-        var way = p.To - p.From;
-        var share = way.Length > 0 ? Math.Clamp((place - p.From).Dot(way) / way.Dot(way), 0, 1) : 0;
-        return (p.From + (way * share) - place).Length;
-    });
+        var least = double.PositiveInfinity;
+        foreach (var (from, to) in path)
+        {
+            var (way, off) = (to - from, place - from);
+            var length = way.Dot(way);
+            var share = length > 0 ? Math.Clamp(off.Dot(way) / length, 0, 1) : 0;
+            var left = off - (way * share);
+            least = Math.Min(least, left.Dot(left));
+        }
+
+        return Math.Sqrt(least);
+    }
 
     /// <summary>The cuts of a program, read by the referee.</summary>
     public static List<(Flat From, Flat To)> PathOf(ReadOnlyMemory<byte> program) =>

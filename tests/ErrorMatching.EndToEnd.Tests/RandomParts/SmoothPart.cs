@@ -57,6 +57,33 @@ internal sealed class SmoothPart
     /// <summary>The path with the best displacement of each element for the true part: a line can only shift and tilt.</summary>
     public List<(Flat From, Flat To)> BestPath() => PathOf(e => e.Best);
 
+    /// <summary>The path of somebody who knows each wave but for the gauge's noise at its points, and puts each line through its measured
+    /// points by least squares: who knows only the points of a line can hardly do better. For parts without points on corners.</summary>
+    public List<(Flat From, Flat To)> PathByPoints() => PathOf(element =>
+    {
+        KeyPoint[] own = [.. Points.Where(p => p.Feature == element.Feature)];
+        if (own.Length == 0)
+        {
+            return element.Best;
+        }
+
+        if (element.IsWave)
+        {
+            return at => element.Best(at) + Noise(element.Offset + at);
+        }
+
+        var (along, measured) = (own.Average(p => p.Along), own.Average(p => p.Measured));
+        var tilt = own.Sum(p => (p.Along - along) * p.Measured) / own.Sum(p => (p.Along - along) * (p.Along - along));
+        return at => measured + (tilt * (element.Offset + at - along));
+
+        double Noise(double at)
+        {
+            var k = Math.Clamp(Array.FindLastIndex(own, p => p.Along <= at), 0, own.Length - 2);
+            var share = Math.Clamp((at - own[k].Along) / (own[k + 1].Along - own[k].Along), 0, 1);
+            return ((own[k].Measured - own[k].True) * (1 - share)) + ((own[k + 1].Measured - own[k + 1].True) * share);
+        }
+    });
+
     /// <summary>The nominal path.</summary>
     public List<(Flat From, Flat To)> NominalPath() => PathOf(e => e.Nominal);
 
