@@ -46,11 +46,9 @@ internal static class Application
 
     private static VerbResult OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {
-        if (parsed.Errors.Count > 0)
+        if (FailureOfCommandLine.Of(parsed) is { } wrong)
         {
-            return new Failure(
-                ExitCode.WrongInput,
-                [.. parsed.Errors.Select(e => new Refusal("command-line", $"{OneLine(e.Message)} See {CommandLineOf(parsed)} --help."))]);
+            return wrong;
         }
 
         try
@@ -78,19 +76,5 @@ internal static class Application
             return FailureOf.Defect(e);
         }
 #pragma warning restore CA1031
-    }
-
-    private static string OneLine(string message) =>
-        string.Join(' ', message.Split(default(char[]), StringSplitOptions.RemoveEmptyEntries)).TrimEnd('.') + ".";
-
-    private static string CommandLineOf(ParseResult parsed)
-    {
-        var words = new Stack<string>();
-        for (Symbol symbol = parsed.CommandResult.Command; symbol is not RootCommand; symbol = symbol.Parents.First())
-        {
-            words.Push(symbol.Name);
-        }
-
-        return string.Join(' ', words.Prepend("errormatch"));
     }
 }

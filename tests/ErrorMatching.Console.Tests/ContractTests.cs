@@ -38,6 +38,46 @@ public class ContractTests
         Assert.EndsWith($"Example:\n  {verb.Example}\n", output, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void The_program_s_help_shows_what_it_is_for()
+    {
+        var (exit, output, error) = Shell.Run("--help");
+        Assert.Equal((0, ""), (exit, error));
+        Assert.Contains("Example:\n  errormatch match samples/complex-mating/job.json --out out\n", output, StringComparison.Ordinal);
+        Assert.EndsWith("Manual:\n  docs/first-match.md, and the tasks listed in README.md\n", output, StringComparison.Ordinal);
+        Assert.True(File.Exists(Repository.PathTo("docs/first-match.md")));
+    }
+
+    [Theory]
+    [InlineData("mtach job.json", "Unrecognized command or argument 'mtach'. Did you mean match? See errormatch --help.")]
+    [InlineData("nc chek a.nc", "Unrecognized command or argument 'chek'. Did you mean check? See errormatch nc --help.")]
+    [InlineData("--verson", "Unrecognized command or argument '--verson'. Did you mean --version? See errormatch --help.")]
+    [InlineData("match --otu a.json", "Unrecognized command or argument '--otu'. Did you mean --out? See errormatch match --help.")]
+    [InlineData("match a.json --otu b", "Unrecognized command or argument '--otu'. Did you mean --out? See errormatch match --help.")]
+    [InlineData("nc check --jsn", "Unrecognized command or argument '--jsn'. Did you mean --json? See errormatch nc check --help.")]
+    [InlineData("weld", "Unrecognized command or argument 'weld'. See errormatch --help.")]
+    public void A_misspelled_word_is_answered_with_the_one_that_was_meant(string line, string expected) =>
+        Assert.Equal($"errormatch: {expected}\n", Shell.Run(line.Split(' ')).Error);
+
+    // After "--", names of files may look like options; so may the values of options.
+    [Fact]
+    public void A_file_may_be_named_like_an_option()
+    {
+        Assert.Contains("--otu", Shell.Run("nc", "check", "--dialect", "fanuc", "--", "--otu").Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("Unrecognized", Shell.Run("nc", "check", "--dialect", "fanuc", "--", "--otu").Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Completion_offers_the_words_that_may_follow()
+    {
+        Assert.Equal(["check"], Offered("errormatch nc ch"));
+        Assert.Contains("--dialect", Offered("errormatch nc check --"));
+        Assert.Contains("match", Offered("errormatch "));
+
+        static string[] Offered(string line) =>
+            Shell.Run($"[suggest:{line.Length}]", line).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+    }
+
     [Theory]
     [MemberData(nameof(AloneVerbNames))]
     public void Each_example_runs_on_the_samples(string words)

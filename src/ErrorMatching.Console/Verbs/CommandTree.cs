@@ -13,8 +13,12 @@ internal static class CommandTree
         EnablePosixBundling = false,
     };
 
+    /// <summary>The command line that shows what the program is for; it works in the root of the checkout.</summary>
+    internal const string Example = "errormatch match samples/complex-mating/job.json --out out";
+
     /// <summary>The possible first words of a command line, in help order.</summary>
-    internal static IReadOnlyList<string> FirstWords { get; } = ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit"];
+    internal static IReadOnlyList<string> FirstWords { get; } =
+        ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit", "completion"];
 
     /// <summary>Parses a command line.</summary>
     public static ParseResult Parse(IReadOnlyList<string> args) => Build(args.Count > 0 ? args[0] : null).Parse(args, Configuration);
@@ -29,7 +33,12 @@ internal static class CommandTree
             root.Add(Make(word));
         }
 
-        root.Directives.Clear();
+        if (first?.StartsWith("[suggest", StringComparison.Ordinal) != true)
+        {
+            // A file may be named like a directive; only the scripts of "completion" use one.
+            root.Directives.Clear();
+        }
+
         root.Options.Add(
             new Option<bool>("--json")
             {
@@ -86,6 +95,7 @@ internal static class CommandTree
             new AuditTakeOver()
         },
         "fit" => new Command(word, "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
+        "completion" => new CompletionVerb(),
         _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
     };
 }

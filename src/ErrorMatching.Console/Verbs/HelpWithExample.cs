@@ -12,9 +12,15 @@ internal sealed class HelpWithExample(HelpAction help) : SynchronousCommandLineA
     public override int Invoke(ParseResult parseResult)
     {
         var exit = help.Invoke(parseResult);
-        if (parseResult.CommandResult.Command is Verb verb)
+        switch (parseResult.CommandResult.Command)
         {
-            parseResult.InvocationConfiguration.Output.Write($"Example:\n  {verb.Example}\n");
+            case Verb verb:
+                parseResult.InvocationConfiguration.Output.Write($"Example:\n  {verb.Example}\n");
+                break;
+            case RootCommand:
+                parseResult.InvocationConfiguration.Output.Write(
+                    $"Example:\n  {CommandTree.Example}\n\nManual:\n  docs/first-match.md, and the tasks listed in README.md\n");
+                break;
         }
 
         return exit;

@@ -1,9 +1,10 @@
 using System.Reflection;
 using ErrorMatching.Hmi.Tests;
+using Xunit.Sdk;
 using Xunit.v3;
 
 // There is one screen and one language for all tests: what one of them chooses, another one would see.
-[assembly: CollectionBehavior(DisableTestParallelization = true)]
+[assembly: Parallelization(Mode = ParallelMode.None)]
 [assembly: InEnglish]
 
 namespace ErrorMatching.Hmi.Tests;

@@ -30,7 +30,7 @@ internal sealed class MatchVerb : Verb
         : base(
             "match",
             "Makes the counterpart's program follow the measured part, and proves what it changed.",
-            "errormatch match samples/complex-mating/job.json --out out")
+            CommandTree.Example)
     {
         Arguments.Add(_job);
         Options.Add(_part);
