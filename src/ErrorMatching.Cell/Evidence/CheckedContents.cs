@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 internal sealed class CheckedContents
 {
     private static readonly string[] Named = ["job_sha256", "base_sha256", "part_sha256", "program_sha256", "report_sha256", "page_sha256",
-        "sums_sha256", "previous_sha256"];
+        "sums_sha256", "previous_sha256", "undo_sha256"];
 
     private long _count;
     private long _bytes;
