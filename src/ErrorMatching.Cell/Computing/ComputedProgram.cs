@@ -11,8 +11,15 @@ public sealed record ComputedProgram : Computation
     /// <summary>Name of the program in the job, without folders. At the machine it has the slot's program name.</summary>
     public required string ProgramName { get; init; }
 
-    /// <summary>The bytes to send; those of the base program if there is nothing to compensate.</summary>
+    /// <summary>The bytes to send: those of the base program if there is nothing to compensate, or the program that sets offsets of the
+    /// control.</summary>
     public required ReadOnlyMemory<byte> Program { get; init; }
+
+    /// <summary>What the program sets, if it sets offsets of the control; else null.</summary>
+    public Statement? Offset { get; init; }
+
+    /// <summary>The program that takes an offset back; null if <see cref="Offset"/> is.</summary>
+    public ReadOnlyMemory<byte>? Undo { get; init; }
 
     /// <summary>The report as JSON.</summary>
     public required ReadOnlyMemory<byte> Report { get; init; }

@@ -17,6 +17,11 @@ public sealed record LargestMove(double Mm, Statement At, string? Block)
     {
         ArgumentNullException.ThrowIfNull(matched);
         var largest = new LargestMove(0, "", null);
+        if (matched.Match.Correction is { IsOffset: true } offset)
+        {
+            return OffsetMove.Largest(matched.Match, offset.StepRadiusMm, offset.StepMove);
+        }
+
         if (matched.Match.Rewrite is null)
         {
             return largest;

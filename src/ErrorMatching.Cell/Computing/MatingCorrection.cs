@@ -31,7 +31,10 @@ internal sealed class MatingCorrection
     // evidence.
     private bool MakesProgram => IsOfPart != IsFeedback;
 
-    private GivenFile Base => new(_files.Job.PathOf(_files.Job.Counterpart.Program), _request.Base);
+    // With offsets alone, the program stays the original one, whatever the slot held when the piece was cut.
+    private bool IsByOffset => !_files.Job.Correction.Allows(CorrectionKind.Blocks);
+
+    private GivenFile Base => new(_files.Job.PathOf(_files.Job.Counterpart.Program), IsByOffset ? null : _request.Base);
 
     /// <summary>Determines the correction's inputs.</summary>
     public Computation Identify()
@@ -47,7 +50,7 @@ internal sealed class MatingCorrection
                 new("theoretical", theoretical.File, theoretical.Sha256),
                 .. Called(program, dialect).Select(c => new ReportInput("called", c.Name, c.Sha256)),
                 .. dialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []],
-            program));
+            _request.Base ?? program));
     }
 
     // What the program calls is known only when it runs.
@@ -122,6 +125,12 @@ internal sealed class MatingCorrection
             return CorrectionComputer.Refused(outcome.Refusals);
         }
 
+        var offset = IsByOffset ? matched.Match.Correction : null;
+        if (IsByOffset && offset is not { Program: not null, Undo: not null })
+        {
+            return new RefusedComputation(CorrectionCodes.OffsetNotWritten, RecordedOffset.NotWritten.With(_request.Job.Name));
+        }
+
         var steps = Steps(matched);
         var sums = _request.Sums.Plus(steps);
         var (mm, at, block) = LargestMove.Of(matched);
@@ -140,9 +149,11 @@ internal sealed class MatingCorrection
         var json = matched.ReportJson();
         return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new ComputedProgram
         {
-            Basis = Basis(matched.Report.Inputs, matched.Match.Input.Program),
+            Basis = Basis(matched.Report.Inputs, _request.Base ?? matched.Match.Input.Program),
             ProgramName = matched.Name,
-            Program = matched.Program,
+            Program = offset?.Program ?? matched.Program,
+            Offset = offset is null ? null : RecordedOffset.Of(offset),
+            Undo = offset is { Undo: { } undo } ? undo : default(ReadOnlyMemory<byte>?),
             Report = json,
             Page = ReportPages.Of(json) ?? matched.ReportHtml(),
             LargestMm = mm,
@@ -172,8 +183,9 @@ internal sealed class MatingCorrection
     }
 
     // Corrections below half an increment change no word, and what is not in the program is not added to a sum.
-    private static PointCorrection[] Steps(MatchedProgram matched) =>
-        [
+    private static IReadOnlyList<PointCorrection> Steps(MatchedProgram matched) => matched.Match.Correction is { IsOffset: true } offset
+        ? OffsetMove.AtPoints(matched.Match, offset.StepRadiusMm, offset.StepMove)
+        : [
             .. matched.Report.KeyPoints.Select(
                 p => matched.Match.Rewrite is null
                     ? new PointCorrection(p.Point, 0, 0, 0)
@@ -190,6 +202,12 @@ internal sealed class MatingCorrection
         }
 
         var match = matched.Match;
+        if (IsByOffset && match.Correction is { } offset)
+        {
+            var all = OffsetMove.Largest(match, offset.TotalRadiusMm, offset.TotalMove);
+            return (all.Mm, all.At, all.Block);
+        }
+
         if (DistanceFromOriginal.Largest(
             (match.Input with { Program = _files.Program(null).Bytes }).Interpret(), match.After, match.Maps) is not { } elsewhere)
         {

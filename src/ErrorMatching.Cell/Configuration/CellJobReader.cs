@@ -16,7 +16,9 @@ internal sealed class CellJobReader(
         PolicySettings cell, Func<JsonItem, PolicySettings> policy)
     {
         Names.RefuseTwins(list.Items, "name", "duplicate-name", "job", problems);
-        return [.. list.Items.Select(i => Read(i, cell, policy))];
+        (JsonItem Item, CellJobSettings Settings, NamedJob? Job)[] jobs = [.. list.Items.Select(i => Read(i, cell, policy))];
+        new OffsetJobs(problems).Check(jobs);
+        return jobs;
     }
 
     private (JsonItem Item, CellJobSettings Settings, NamedJob? Job) Read(
@@ -115,11 +117,7 @@ internal sealed class CellJobReader(
 
         if (job.Mating is { Correction.AllowsOffsets: true })
         {
-            problems.Refuse(
-                item["job"],
-                "offsets-in-cell",
-                "a job whose correction may be an offset of the control",
-                "one that allows blocks alone: a cell sends programs, and would leave the offset out");
+            OffsetJobs.Check(item, settings, job, machine, problems);
         }
 
         if (item.Find("piece") is { } piece)

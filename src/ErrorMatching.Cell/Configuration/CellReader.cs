@@ -32,14 +32,18 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
         return settings with { Warnings = problems.Warnings };
     }
 
-    private StoreSettings ReadStore(JsonItem item) => item["kind"].Text == "sqlite"
-        ? new SqliteSettings(_paths.Of(item.Find("file")?.Text ?? "store/cell.db"))
-        : new PostgresSettings(
-            item["host"].Text,
-            (int)(item.Find("port")?.Number ?? 5432),
-            item["database"].Text,
-            item["user"].Text,
-            item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null);
+    private StoreSettings ReadStore(JsonItem item)
+    {
+        StoreSettings store = item["kind"].Text == "sqlite"
+            ? new SqliteSettings(_paths.Of(item.Find("file")?.Text ?? "store/cell.db"))
+            : new PostgresSettings(
+                item["host"].Text,
+                (int)(item.Find("port")?.Number ?? 5432),
+                item["database"].Text,
+                item["user"].Text,
+                item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null);
+        return store with { Archives = item.Find("archives") is { } archives ? _paths.Of(archives) : null };
+    }
 
     private PolicySettings ReadPolicy(JsonItem item, PolicySettings outer)
     {

@@ -112,6 +112,7 @@ internal sealed class FolderContradictions(JsonItem root, CellSettings settings,
         Check(root.Find("events")?.Find("passwordFile") ?? root, "the broker's password", settings.Events?.PasswordFile);
         Check(root.Find("events")?.Find("caFile") ?? root, "the broker's authorities", settings.Events?.AuthorityFile);
         Check(root.Find("keys") ?? root, "the folder of keys", settings.KeysFolder);
+        Check(root["store"].Find("archives") ?? root["store"], "the folder of archives", settings.Store.Archives);
         Check(root.Find("logs") ?? root, "the folder of logs", settings.LogFolder);
         for (var i = 0; i < settings.Machines.Count; i++)
         {

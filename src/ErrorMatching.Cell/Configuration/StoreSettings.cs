@@ -1,7 +1,14 @@
 namespace ErrorMatching.Cell;
 
 /// <summary>Where the cell stores its data: a <see cref="SqliteSettings"/> or a <see cref="PostgresSettings"/>.</summary>
-public abstract record StoreSettings;
+public abstract record StoreSettings
+{
+    /// <summary>The folder of the archives as configured; null if it is not.</summary>
+    public string? Archives { get; init; }
+
+    /// <summary>The folder of the archives: as configured, or next to the store's file. Null if there is neither.</summary>
+    public string? ArchiveFolder => Archives ?? (this is SqliteSettings { File: var file } ? file + ".archives" : null);
+}
 
 /// <summary>An embedded store for one cell.</summary>
 /// <param name="File">The database file.</param>

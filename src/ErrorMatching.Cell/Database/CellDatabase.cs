@@ -16,6 +16,9 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Describes the database in messages, such as by a file or server name.</summary>
     public abstract string Place { get; }
 
+    /// <summary>The folder of the archives of contents; null if there is none.</summary>
+    public string? ArchiveFolder { get; set; }
+
     /// <summary>Appended to the statement that reads the head of the audit trail: serializes the writers of all processes.</summary>
     protected abstract string ForUpdate { get; }
 

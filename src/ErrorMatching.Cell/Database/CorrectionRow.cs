@@ -9,7 +9,7 @@ internal static class CorrectionRow
         "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, "
             + "work_order, identity, "
         + "job_sha256, base_sha256, machine, slot, program, program_sha256, report_sha256, page_sha256, largest_mm, sum_mm, "
-            + "previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order, measured_as";
+            + "previous_sha256, code, reason, trace, part_sha256, sums_sha256, job_work_order, measured_as, control_offset, undo_sha256";
 
     public const string Select = "SELECT " + Columns + " FROM correction";
 
@@ -23,7 +23,7 @@ internal static class CorrectionRow
             + "@ProgramSha256, report_sha256 = @ReportSha256, "
         + "page_sha256 = @PageSha256, largest_mm = @LargestMm, sum_mm = @SumMm, previous_sha256 = @PreviousSha256, code = @Code, "
         + "reason = @Reason, trace = @Trace, part_sha256 = @PartSha256, sums_sha256 = @SumsSha256, job_work_order = @JobWorkOrder, "
-        + "row_code = @RowCode "
+        + "control_offset = @Offset, undo_sha256 = @UndoSha256, row_code = @RowCode "
         + "WHERE id = @Id AND version = @Version - 1 AND state = @From";
 
     public const string Insert =
@@ -76,6 +76,8 @@ internal static class CorrectionRow
         SumsSha256 = row.TextOrNull(29),
         JobWorkOrder = row.TextOrNull(30),
         MeasuredAs = row.IsDBNull(31) ? null : row.GetInt64(31),
+        Offset = row.StatementOrNull(32),
+        UndoSha256 = row.TextOrNull(33),
     };
 
     /// <summary>The correction as the store returns it: texts that a database would reject are made acceptable.</summary>
@@ -92,6 +94,7 @@ internal static class CorrectionRow
         Program = StoredText.NameOrNull(correction.Program),
         Code = StoredText.NameOrNull(correction.Code),
         Reason = StoredText.OfOrNull(correction.Reason),
+        Offset = StoredText.OfOrNull(correction.Offset),
         Trace = StoredText.NameOrNull(correction.Trace),
     };
 
@@ -125,10 +128,12 @@ internal static class CorrectionRow
         to.PartSha256,
         to.SumsSha256,
         to.JobWorkOrder,
+        Offset = to.Offset?.Text,
+        to.UndoSha256,
         RowCode = rowCode,
     };
 
-    /// <summary>The row in coded form.</summary>
+    /// <summary>The row in coded form. Without an offset it is that of earlier versions.</summary>
     public static CodedRow Coded(Correction c) => new(NameOf(c.Id),
     [
         Word(c.State), CodedRow.Number(c.Version), c.Gauge, c.FileName, CodedRow.Number(StoredTime.Of(c.ArrivedAt)),
@@ -137,14 +142,15 @@ internal static class CorrectionRow
             c.BaseSha256, c.Machine, c.Slot, c.Program,
         c.ProgramSha256, c.ReportSha256, c.PageSha256, CodedRow.Number(c.LargestMm), CodedRow.Number(c.SumMm), c.PreviousSha256, c.Code,
             c.Reason?.Text, c.Trace, c.PartSha256, c.SumsSha256,
-        c.JobWorkOrder, CodedRow.Number(c.MeasuredAs),
+        c.JobWorkOrder, CodedRow.Number(c.MeasuredAs), .. c is { Offset: null, UndoSha256: null }
+            ? Array.Empty<string?>() : [c.Offset?.Text, c.UndoSha256],
     ]);
 
     /// <summary>The row's name among coded rows.</summary>
     public static string NameOf(long id) => "correction " + CodedRow.Number(id);
 
     /// <summary>The row with its code.</summary>
-    public static StoredRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(32));
+    public static StoredRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(34));
 
     public static CorrectionStep ReadStep(DbDataReader row) => new(
         row.GetInt64(0),

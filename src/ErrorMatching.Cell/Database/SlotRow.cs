@@ -22,7 +22,7 @@ internal static class SlotRow
             + "@Machine AND slot = @Slot AND correction = @Id";
 
     private const string Revert =
-        "UPDATE slot SET program_sha256 = previous_sha256, previous_sha256 = NULL, correction = @Id "
+        "UPDATE slot SET program_sha256 = COALESCE(@UndoSha256, previous_sha256), previous_sha256 = NULL, correction = @Id "
         + "WHERE machine = @Machine AND slot = @Slot AND program_sha256 = @ProgramSha256 AND (correction IS NULL OR correction = @Id)";
 
     public const string SelectKept = "SELECT machine, slot, correction, program_sha256, previous_sha256, row_code FROM slot";
@@ -102,7 +102,7 @@ internal static class SlotRow
         }
 
         Demand(transaction, to.Machine, to.Slot);
-        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256 }) == 1)
+        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256, to.UndoSha256 }) == 1)
         {
             Code(transaction, to.Machine, to.Slot);
             return;

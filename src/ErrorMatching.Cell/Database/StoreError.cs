@@ -47,6 +47,9 @@ public enum StoreError
     /// recorded it.</summary>
     Redrawn,
 
+    /// <summary>A content was moved to an archive, and the archive is not in its folder.</summary>
+    Archived,
+
     /// <summary>This kind of store does not support it.</summary>
     NotSupported,
 

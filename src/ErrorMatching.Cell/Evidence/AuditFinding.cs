@@ -18,11 +18,22 @@ public sealed record AuditFinding(long Entries, string Hash, AuditFault? Fault, 
     /// <summary>Number of pages that are drawn from their reports, and are checked whenever they are drawn.</summary>
     public long Pages { get; init; }
 
+    /// <summary>The archives that the store refers to. Those that are there were checked, content by content; nothing is known of the
+    /// others.</summary>
+    public IReadOnlyList<ArchiveFinding> Archives { get; init; } = [];
+
     /// <summary>True if there is no fault.</summary>
     public bool Holds => Fault is null;
 
     /// <summary>The result, in a sentence or two.</summary>
-    public string Message => Fault is not null ? Fault.Message
-        : Entries == 1 ? "1 entry, and it is as it was written."
+    public string Message => Fault is not null ? Fault.Message : Trail + (Archives.Where(a => !a.IsThere).ToArray() is { Length: > 0 } away
+        ? string.Create(
+            CultureInfo.InvariantCulture,
+            $" {away.Sum(a => a.Contents)} contents are in archives that are not here, and were not looked at: "
+                + $"{string.Join(", ", away.Select(a => a.Name))}.")
+        : "");
+
+    private string Trail => Entries == 1
+        ? "1 entry, and it is as it was written."
         : string.Create(CultureInfo.InvariantCulture, $"{Entries} entries, and all are as they were written.");
 }

@@ -35,11 +35,14 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database);
             var contents = new CheckedContents();
             fault ??= contents.Fault(connection, transaction, rows, progress, cancellation);
+            var archives = new CheckedArchives(store.Database.ArchiveFolder);
+            fault ??= archives.Fault(connection, transaction, progress, cancellation);
             return new AuditFinding(count, head.Hash, fault, key is not null)
             {
                 Contents = contents.Count,
                 ContentBytes = contents.Bytes,
                 Pages = contents.Pages,
+                Archives = archives.Found,
             };
         });
         if (finding.Holds && finding.Entries > (witness?.Seq ?? 0))

@@ -6,7 +6,7 @@ namespace ErrorMatching.Cell;
 internal sealed class CheckedContents
 {
     private static readonly string[] Named = ["job_sha256", "base_sha256", "part_sha256", "program_sha256", "report_sha256", "page_sha256",
-        "sums_sha256", "previous_sha256"];
+        "sums_sha256", "previous_sha256", "undo_sha256"];
 
     private long _count;
     private long _bytes;
@@ -58,14 +58,16 @@ internal sealed class CheckedContents
         Parallel.ForEach(
             ReadAhead.Of(Rows.Stream(
                 connection,
-                "SELECT bytes, form, length, source, made_by, sha256 FROM content",
-                r => (Packed: StoredContent.PackedOrNull(r), Sha256: r.GetString(5)),
+                $"SELECT {ContentRow.Columns}, sha256 FROM content",
+                r => (Packed: ContentRow.ReadOrNull(r), Sha256: r.GetString(5)),
                 null,
                 transaction)),
             new ParallelOptions { MaxDegreeOfParallelism = 2, CancellationToken = cancellation },
             content =>
             {
                 if (Interlocked.Increment(ref done) % each == 0) progress?.Report(new("looking at contents", Volatile.Read(ref done), all));
+                // Archives are looked at by themselves.
+                if (content.Packed is { Form: PackedContent.Archive, Bytes.Length: 0 }) return;
                 if (content.Packed is { Form: PackedContent.Page, Source: not null })
                 {
                     Interlocked.Increment(ref _pages);

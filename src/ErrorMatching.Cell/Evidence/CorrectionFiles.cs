@@ -22,6 +22,7 @@ public static class CorrectionFiles
             ($"{number}-job.json", correction.JobSha256),
             ($"{number}-base-{program}", correction.BaseSha256),
             ($"{number}-previous-{program}", correction.PreviousSha256),
+            ($"{number}-undo-{program}", correction.UndoSha256),
             ($"{number}-report.json", correction.ReportSha256),
             ($"{number}-report.html", correction.PageSha256),
             ($"{number}-{program}", correction.ProgramSha256),

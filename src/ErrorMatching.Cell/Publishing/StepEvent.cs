@@ -72,6 +72,7 @@ internal sealed record StepEvent(
         }
 
         Write(json, "programSha256", ProgramSha256);
+        Write(json, "undoSha256", ProgramSha256 is null ? null : Correction.UndoSha256);
     }
 
     private static void Write(Utf8JsonWriter json, string name, string? text)

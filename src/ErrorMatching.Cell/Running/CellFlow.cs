@@ -133,7 +133,8 @@ internal sealed class CellFlow(
         {
             work();
         }
-        catch (StoreException e) when (e.Error is StoreError.Damaged or StoreError.Missing or StoreError.Tampered)
+        catch (StoreException e) when (e.Error is StoreError.Damaged or StoreError.Missing or StoreError.Archived
+            or StoreError.Tampered)
         {
             Fail(correction, CellCodes.Of(e.Error), e.Statement);
         }

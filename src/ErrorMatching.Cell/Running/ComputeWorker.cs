@@ -56,6 +56,10 @@ internal sealed class ComputeWorker(CellFlow flow)
         var job = flow.Settings.Jobs.First(j => j.Name == recognized.Job);
         switch (_computer.Compute(CorrectionRequests.Of(flow, recognized, job, flow.Store.Content(recognized.MeasurementSha256)), stop))
         {
+            case ComputedProgram computed when flow.Store.LastSent(job.Name, null) is { } last
+                && last.Offset is null != computed.Offset is null:
+                Refuse(recognized, CorrectionCodes.KindChanged, RecordedOffset.KindChanged.With(last.Id, job.Name));
+                break;
             case ComputedProgram computed:
                 Keep(recognized, job, computed);
                 break;
@@ -100,17 +104,19 @@ internal sealed class ComputeWorker(CellFlow flow)
         flow.Step(
             recognized,
             CorrectionState.Computed,
-            Statement.InARow(computed.Warnings.Prepend(basis)),
+            Statement.InARow([.. computed.Offset?.Parts ?? [], basis, .. computed.Warnings]),
             c => c with
             {
                 ProgramSha256 = HashOf(computed.Program),
+                Offset = computed.Offset,
+                UndoSha256 = computed.Undo is { } undo ? HashOf(undo) : null,
                 ReportSha256 = HashOf(computed.Report),
                 PageSha256 = HashOf(computed.Page),
                 LargestMm = computed.LargestMm,
                 SumMm = computed.SumMm,
                 SumsSha256 = sums is { } kept ? HashOf(kept) : null,
             },
-            [computed.Program, computed.Report, computed.Page, .. sums is { } more ? new[] { more } : []]);
+            [computed.Program, computed.Report, computed.Page, .. new[] { sums, computed.Undo }.OfType<ReadOnlyMemory<byte>>()]);
     }
 
     // Its identity becomes free: the refused measurement may come again once the reason is gone.

@@ -79,7 +79,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             Supersede(older, computed);
         }
 
-        ApproveByPolicy(flow.Step(computed, CorrectionState.Proposed, Millimeters(computed)));
+        ApproveByPolicy(flow.Step(computed, CorrectionState.Proposed, Basis(computed)));
     }
 
     private void ApproveByPolicy(Correction proposed)
@@ -122,6 +122,9 @@ internal sealed class ProposeWorker(CellFlow flow)
         CorrectionState.Superseded,
         Recorded.NewerMeasurement.With(newer.Id, newer.Serial),
         c => c with { Code = CellCodes.Superseded, Reason = Recorded.NewerOfSamePiece.With(newer.Id, newer.FileName) });
+
+    private static Statement Basis(Correction computed) =>
+        computed.Offset is { } offset ? Statement.InARow([.. offset.Parts, Millimeters(computed)]) : Millimeters(computed);
 
     private static Statement Millimeters(Correction computed) => (computed.LargestMm, computed.SumMm) switch
     {

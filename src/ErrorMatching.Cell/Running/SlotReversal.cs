@@ -3,8 +3,8 @@ using System.Security.Cryptography;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Restores the program that a slot held before a correction, and reads it back. The slot stays taken until someone frees it: the
-/// person who reverted must check first.</summary>
+/// <summary>Restores the program that a slot held before a correction, or sends the one that takes its offset back, and reads it back. The
+/// slot stays taken until someone frees it: the person who reverted must check first.</summary>
 /// <param name="settings">The configuration.</param>
 /// <param name="store">The store.</param>
 /// <param name="open">Opens a machine's folder, such as by <see cref="MachineFolders.Open"/>.</param>
@@ -26,7 +26,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     {
         var decisions = new CorrectionDecisions(store);
         var correction = decisions.Demand(id, "reverted", CorrectionState.Verified, CorrectionState.Released);
-        if (correction.PreviousSha256 is not { } previous)
+        if (correction.RevertedSha256 is not { } previous)
         {
             throw new DecisionException(
                 DecisionException.NothingBefore,

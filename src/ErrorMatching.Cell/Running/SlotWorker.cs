@@ -19,6 +19,7 @@ internal sealed class SlotWorker(
     OriginalPrograms originals, DeliveryWait delivery)
 {
     private readonly HeldProgram _held = new(flow, machine, slot, sender);
+    private readonly KnownPrograms _known = new(flow, machine, slot, originals);
     private (long Id, CorrectionState State) _seen;
     private long _seenAt;
     private long _nextReady;
@@ -124,29 +125,21 @@ internal sealed class SlotWorker(
         }
 
         var hash = HashOf(found);
-        var isKnown = IsKnown(hash, approved);
+        var unknown = _known.WhyNot(hash, approved);
         var uploading = flow.Step(
             approved,
             CorrectionState.Uploading,
             hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
             // Only the step that refuses an unknown program names it: if the process ends in between, the next one finds it unknown again.
-            c => isKnown ? c with { PreviousSha256 = hash } : c,
-            isKnown && found is not null ? [found] : null);
-        if (isKnown)
+            c => unknown is null ? c with { PreviousSha256 = hash } : c,
+            unknown is null && found is not null ? [found] : null);
+        if (unknown is null)
         {
             return uploading;
         }
 
-        Fail(uploading, CellCodes.ChangedAtMachine, Recorded.ChangedBefore.With(slot.Program, machine.Name, hash), found);
+        Fail(uploading, CellCodes.ChangedAtMachine, unknown, found);
         return null;
-    }
-
-    private bool IsKnown(string? hash, Correction approved)
-    {
-        var holding = flow.Store.Slot(machine.Name, slot.Name);
-        return hash is null || hash == holding.ProgramSha256 || hash == holding.PreviousSha256 || hash == approved.ProgramSha256
-            || hash == approved.PreviousSha256 // Found earlier: it was known then, or a person was warned and approved again.
-            || originals.Hashes(machine.Name, slot.Name).Contains(hash);
     }
 
     private async Task<byte[]?> LookAsync(CancellationToken cancellation)

@@ -88,6 +88,17 @@ public sealed record Correction(
     /// <summary>The sums of corrections since the original program, point by point, if the job accumulates; else null.</summary>
     public string? SumsSha256 { get; init; }
 
+    /// <summary>What the program sets, if it is one that sets offsets of the control: which offset, the step, and the correction in all;
+    /// null if the program is one that cuts.</summary>
+    public Statement? Offset { get; init; }
+
+    /// <summary>The program that takes an offset back; null if <see cref="Offset"/> is.</summary>
+    public string? UndoSha256 { get; init; }
+
+    /// <summary>What a revert brings to the slot: the program that takes the offset back, or what the slot held before. Null if there is
+    /// nothing to bring back.</summary>
+    public string? RevertedSha256 => UndoSha256 ?? PreviousSha256;
+
     /// <summary>What the slot held before the program was sent; null if it held nothing or nothing was sent yet.</summary>
     public string? PreviousSha256 { get; init; }
 

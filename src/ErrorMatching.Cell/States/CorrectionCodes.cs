@@ -18,6 +18,12 @@ internal static class CorrectionCodes
     /// <summary>A job that is not feedback is configured to accumulate.</summary>
     public const string NotFeedback = "not-feedback";
 
+    /// <summary>The job allows offsets alone, and none of them can be set.</summary>
+    public const string OffsetNotWritten = "offset-not-written";
+
+    /// <summary>The job's last correction at the machine was made by an offset, and this one by blocks, or the other way around.</summary>
+    public const string KindChanged = "correction-kind-changed";
+
     /// <summary>Recorded: the measured counterpart of a feed-forward job, which is only verified; nothing is sent.</summary>
     public const string FirstArticle = "first-article";
 

@@ -379,6 +379,7 @@ public static class Recorded
         SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
         ContentDiffers, ContentMissing, StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
+        .. RecordedOffset.All, .. RecordedThinning.All,
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =

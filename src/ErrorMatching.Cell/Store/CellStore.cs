@@ -337,6 +337,26 @@ public sealed class CellStore : IDisposable
         return aside;
     }
 
+    /// <summary>Moves contents that nothing needs any more to archives, while the cell goes on. What was moved is still read from its
+    /// archive.</summary>
+    /// <param name="policy">Which contents.</param>
+    /// <param name="by">The user's name; null to only look how much would be moved.</param>
+    /// <param name="progress">Receives progress; null for no reports.</param>
+    /// <param name="cancellation">Ends the work; everything that was not moved is still in the store.</param>
+    /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> if there is no folder for archives; with
+    /// <see cref="StoreError.Locked"/> while another process does the same.</exception>
+    public Thinned Thin(ThinPolicy policy, string? by, IProgress<CellProgress>? progress, CancellationToken cancellation) =>
+        Thin(policy, by, _ => { }, progress, cancellation);
+
+    /// <summary>The same; tests end the process between two steps.</summary>
+    internal Thinned Thin(
+        ThinPolicy policy, string? by, Action<string> at, IProgress<CellProgress>? progress, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(policy);
+        var thinning = new Thinning(Database, _clock, _auditKey);
+        return by is null ? thinning.Rehearse(policy) : thinning.Run(policy, by, at, progress, cancellation);
+    }
+
     /// <summary>Runs a change with its audit entries, for tables of other parts of the cell.</summary>
     internal T Write<T>(Func<StoreTransaction, T> write) => Database.Write(_clock, _auditKey, write);
 

@@ -34,12 +34,17 @@ internal static class StoreOpening
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Checks its integrity and migrates it to the wanted schema.</param>
     /// <param name="toRead">True if the database need not be writable.</param>
-    public static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false) => settings switch
+    public static CellDatabase Connect(StoreSettings settings, Action<CellDatabase> prepare, bool toRead = false)
     {
-        SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
-        PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
-        _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
-    };
+        CellDatabase database = settings switch
+        {
+            SqliteSettings sqlite => SqliteDatabase.Open(sqlite.File, prepare, toRead),
+            PostgresSettings postgres => PostgresDatabase.Open(postgres, prepare),
+            _ => throw new ArgumentOutOfRangeException(nameof(settings), settings, "No such kind of store."),
+        };
+        database.ArchiveFolder = settings.ArchiveFolder;
+        return database;
+    }
 
     /// <summary>True if there is a store whose audit trail is sealed with a key.</summary>
     public static bool IsSealed(StoreSettings settings)

@@ -1,15 +1,12 @@
-using System.Data.Common;
-using System.Security.Cryptography;
-
 namespace ErrorMatching.Cell;
 
 /// <summary>Contents that a store keeps by their SHA-256.</summary>
 internal static class StoredContent
 {
-    private const string Select = "SELECT bytes, form, length, source, made_by FROM content";
+    private const string Select = $"SELECT {ContentRow.Columns} FROM content";
 
     /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
-    public static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
+    public static string Sha256(ReadOnlySpan<byte> bytes) => ContentRow.Sha256(bytes);
 
     /// <summary>Packs contents, outside of any change: that takes its time.</summary>
     /// <param name="contents">The plain contents.</param>
@@ -37,42 +34,44 @@ internal static class StoredContent
             + "excluded.source, made_by = excluded.made_by WHERE content.form = 'archive'",
         new { sha256, content.Bytes, content.Form, content.Length, content.Source, content.MadeBy });
 
-    /// <summary>True if content is stored under a hash.</summary>
-    public static bool Has(CellDatabase database, string sha256) => database.Read(connection => Rows.First(
-        connection, "SELECT sha256 FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 })) is not null;
+    /// <summary>True if content is stored under a hash. What was moved to an archive must be in it: an absent archive stores
+    /// nothing.</summary>
+    public static bool Has(CellDatabase database, string sha256)
+    {
+        var form = database.Read(connection => Rows.First(
+            connection, "SELECT COALESCE(form, '') FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }));
+        if (form != PackedContent.Archive) return form is not null;
+        try
+        {
+            return Read(database, sha256) is not null;
+        }
+        catch (StoreException e) when (e.Error is StoreError.Archived or StoreError.Damaged or StoreError.Denied)
+        {
+            return false;
+        }
+    }
 
     /// <summary>The content stored under a hash.</summary>
-    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/>, <see cref="StoreError.Damaged"/> or
-    /// <see cref="StoreError.Redrawn"/>.</exception>
+    /// <exception cref="StoreException">With <see cref="StoreError.Missing"/>, <see cref="StoreError.Damaged"/>,
+    /// <see cref="StoreError.Redrawn"/> or <see cref="StoreError.Archived"/>.</exception>
     public static byte[] Read(CellDatabase database, string sha256)
     {
         var packed = Row(database, sha256);
         return packed.Form == PackedContent.Page ? Drawn(database, sha256, packed) : Plain(database, sha256, packed);
     }
 
-    /// <summary>Reads a row's content.</summary>
-    public static PackedContent Packed(DbDataReader row) => new(
-        row.GetFieldValue<byte[]>(0), row.TextOrNull(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
-
-    /// <summary>The same; null for a row that somebody else wrote and that cannot be read.</summary>
-    public static PackedContent? PackedOrNull(DbDataReader row)
-    {
-        try
-        {
-            return Packed(row);
-        }
-        catch (Exception e) when (e is InvalidCastException or FormatException or OverflowException or InvalidOperationException)
-        {
-            return null;
-        }
-    }
-
     private static PackedContent Row(CellDatabase database, string sha256) =>
-        database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", Packed, new { sha256 }))
+        database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", ContentRow.Read, new { sha256 }))
             ?? throw new StoreException(StoreError.Missing, $"{database.Place} has no content {sha256}.");
 
     private static byte[] Plain(CellDatabase database, string sha256, PackedContent packed)
     {
+        if (packed.Form == PackedContent.Archive)
+        {
+            using var archive = ContentArchive.Open(database.ArchiveFolder, packed.Source);
+            return archive.Plain(sha256, packed.Length);
+        }
+
         var plain = packed.Plain();
         if (plain is null || Sha256(plain) != sha256)
         {

@@ -70,6 +70,7 @@ internal static class FailureOfCell
         StoreError.Disk => "store-disk",
         StoreError.Replaced => "store-replaced",
         StoreError.Redrawn => "store-redrawn",
+        StoreError.Archived => "store-archived",
         StoreError.Away => "store-away",
         StoreError.NotSupported => "store-not-supported",
         StoreError.Unknown => "store-unknown",

@@ -77,7 +77,8 @@ internal static class CommandTree
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
             new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(),
-            new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellSecret(),
+            new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellThin(),
+            new CellSecret(),
         },
         "user" => new Command(word, "Says who may do what at a cell.")
         {

@@ -7,7 +7,7 @@ internal static class RevertSigning
 {
     /// <summary>True if it can be restored: the correction's program is at the machine, or was cut and is still in the slot.</summary>
     public static bool IsPossible(StoredCorrection? kept) =>
-        kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, PreviousSha256: not null } };
+        kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, RevertedSha256: not null } };
 
     /// <summary>Creates the signing dialog.</summary>
     /// <param name="shell">The shell that shows it, and its current user.</param>
@@ -25,7 +25,8 @@ internal static class RevertSigning
                 station.Settings, station.Store, station.Open, station.Clock).RevertAsync(correction.Id, by.Name, reason!, cancellation))
         {
             Correction = correction,
-            Told = () => kept.Before is { } before
+            Told = () => correction.UndoSha256 is not null ? Texts.Current["Revert.Offset"]
+                : kept.Before is { } before
                 ? Texts.Current.With("Revert.Before", CorrectionLabel.Of(before))
                 : Texts.Current["Revert.BeforeUnknown"],
         };

@@ -9,8 +9,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Correction">The correction.</param>
 /// <param name="Steps">Its history, step by step.</param>
 /// <param name="Report">The report of the match; null if there is none, or if it is of another kind.</param>
-/// <param name="Lines">The original program and the new one; a newly generated program is its own original. Null before it is
-/// computed.</param>
+/// <param name="Lines">The original program and the new one; a newly generated program, also one that sets offsets of the control, is its
+/// own original. Null before it is computed.</param>
 internal sealed record StoredCorrection(
     Correction Correction, IReadOnlyList<CorrectionStep> Steps, MatchReport? Report, ProgramLines? Lines)
 {
@@ -59,6 +59,7 @@ internal sealed record StoredCorrection(
         var (report, surface) = (stored?.Match, stored?.Surface);
         var program = correction.ProgramSha256 is { } made ? store.Content(made) : null;
         var lines = program is null ? null
+            : correction.Offset is not null ? new ProgramLines(program, program, [])
             : correction.BaseSha256 is { } was
                 ? new ProgramLines(store.Content(was), program, report?.Program.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
             : surface is not null ? new ProgramLines(program, program, [])

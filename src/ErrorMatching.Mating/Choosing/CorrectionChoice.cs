@@ -21,11 +21,23 @@ public sealed record CorrectionChoice(
     IReadOnlyList<KindRefused> Refused,
     byte[]? Program)
 {
+    /// <summary>The program that takes this correction back: the offsets are then as before it, in feed-forward without a correction. Null
+    /// if there is no <see cref="Program"/>.</summary>
+    public byte[]? Undo { get; init; }
+
     /// <summary>True if the correction is made by an offset, and the program stays as it is.</summary>
     public bool IsOffset => Kind is CorrectionKind.ToolWear or CorrectionKind.WorkOffset;
 
     /// <summary>How far this correction moves the boundary toward the tool beyond the correction before, mm.</summary>
     public double StepRadiusMm => Kind == CorrectionKind.ToolWear ? (double)(Radius!.TotalMm - (Radius.BeforeMm ?? 0)) : 0;
+
+    /// <summary>How far all corrections together move the boundary toward the tool, mm.</summary>
+    public double TotalRadiusMm => (double)(Radius?.TotalMm ?? 0);
+
+    /// <summary>How all corrections together move the program in its own frame.</summary>
+    public RigidTransform2 TotalMove => Work?.Total is { } total
+        ? OffsetFit.Move((double)total.XMm, (double)total.YMm, (double)total.RotationDegrees)
+        : RigidTransform2.Identity;
 
     /// <summary>How this correction moves the program in its own frame beyond the correction before.</summary>
     public RigidTransform2 StepMove

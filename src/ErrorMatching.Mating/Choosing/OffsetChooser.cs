@@ -23,6 +23,7 @@ internal sealed class OffsetChooser
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
     private readonly OffsetTotals? _before;
+    private readonly Marker _marker;
     private readonly double _uncertaintyMm;
     private readonly IReadOnlyList<ComparedPlace> _places;
     private readonly double[] _wanted;
@@ -39,6 +40,7 @@ internal sealed class OffsetChooser
     /// <param name="blocks">The program corrected by blocks; null if that is not possible, and then the boundary should be right.</param>
     /// <param name="before">The corrections by offsets with which the measured counterpart was cut; null in feed-forward, which starts
     /// from none.</param>
+    /// <param name="marker">The comment in the program of the offsets that names its sources.</param>
     public OffsetChooser(
         MatingJob job,
         NcPath path,
@@ -46,9 +48,10 @@ internal sealed class OffsetChooser
         MatingDecision decision,
         CourseEstimator estimator,
         NcPath? blocks,
-        OffsetTotals? before)
+        OffsetTotals? before,
+        Marker marker)
     {
-        (_job, _path, _maps, _before, _use) = (job, path, maps, before, new(job.Correction, path, maps));
+        (_job, _path, _maps, _before, _marker, _use) = (job, path, maps, before, marker, new(job.Correction, path, maps));
         _uncertaintyMm = decision.Features[0].StandardUncertaintyMm;
         _places = estimator.Places();
         var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
@@ -302,10 +305,23 @@ internal sealed class OffsetChooser
             difference,
             isNoise,
             _refused,
-            radius is null && work is null
-                ? null
-                : OffsetProgram.Write(_path.Dialect, radius, work, job.Limits, job.FirstVariable, job.ProgramNumber));
+            Program(radius, work))
+        {
+            // Back to the offsets before, which in feed-forward are none, whatever the control has of the piece before.
+            Undo = Program(
+                radius is { BeforeMm: { } radiusBefore } ? radius with { TotalMm = radiusBefore, BeforeMm = radius.TotalMm }
+                    : radius is null ? null : radius with { TotalMm = 0 },
+                work is { Before: { } workBefore } ? work with { Total = workBefore, Before = work.Total }
+                    : work is null ? null : work with { Total = default }),
+        };
     }
+
+    private byte[]? Program(RadiusCorrection? radius, WorkOffsetCorrection? work) => radius is null && work is null
+        ? null
+        : _marker.InsertInto(NcProgram.Read(
+            OffsetProgram.Write(
+                _path.Dialect, radius, work, _job.Correction.Limits, _job.Correction.FirstVariable, _job.Correction.ProgramNumber),
+            _path.Dialect.Syntax));
 
     private static Func<RunEstimate, RunPath> Cuts(Func<RunEstimate, RunPath> of)
     {

@@ -136,7 +136,7 @@ public static class Matcher
             return Unchanged(input, path, maps, part, counterpart, lot, decision);
         }
 
-        var marker = new Marker(input.Compensated.Sha256, path.Sha256);
+        var marker = MarkerOf(input, path);
         var program = NcProgram.Read(marker.InsertInto(rewrite.Program), path.Dialect.Syntax);
         var proof = Prover.Check(path, program, wish, rewrite.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         if (!proof.Holds)
@@ -149,7 +149,8 @@ public static class Matcher
         CorrectionChoice? correction = null;
         if (input.Job.Correction.AllowsOffsets)
         {
-            var chooser = new OffsetChooser(input.Job, path, maps, decision, estimator, after, OffsetsBefore(input));
+            var chooser = new OffsetChooser(
+                input.Job, path, maps, decision, estimator, after, OffsetsBefore(input), marker);
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
@@ -202,11 +203,14 @@ public static class Matcher
         }
 
         estimator.Predict(path);
-        var chooser = new OffsetChooser(input.Job, path, maps, decision, estimator, null, OffsetsBefore(input));
+        var chooser = new OffsetChooser(
+            input.Job, path, maps, decision, estimator, null, OffsetsBefore(input), MarkerOf(input, path));
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
             ? Unchanged(input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!))
             : null;
     }
+
+    private static Marker MarkerOf(MatchInput input, NcPath path) => new(input.Compensated.Sha256, path.Sha256);
 
     // In feedback the counterpart was cut with the offsets of the match before. In feed-forward each piece starts from none.
     private static OffsetTotals? OffsetsBefore(MatchInput input) =>
@@ -241,7 +245,8 @@ public static class Matcher
         var prediction = predicted ?? estimator.Predict(path);
         if (correction is null && input.Job.Correction.AllowsOffsets)
         {
-            correction = new OffsetChooser(input.Job, path, maps, decision, estimator, path, OffsetsBefore(input))
+            correction = new OffsetChooser(
+                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), MarkerOf(input, path))
                 .Choose(compensates: false);
         }
 

@@ -9,3 +9,5 @@ public sealed class SqliteStoreLineTests() : StoreLineTests(new SqliteKind());
 public sealed class SqliteStoreHistoryTests() : StoreHistoryTests(new SqliteKind());
 
 public sealed class SqliteStoreMigrationTests() : StoreMigrationTests(new SqliteKind());
+
+public sealed class SqliteStoreThinTests() : StoreThinTests(new SqliteKind());

@@ -21,3 +21,7 @@ public sealed class PostgresStoreHistoryTests(PostgresServer server) : StoreHist
 /// <inheritdoc cref="PostgresStoreTests"/>
 [Collection(PostgresTests.Name)]
 public sealed class PostgresStoreMigrationTests(PostgresServer server) : StoreMigrationTests(new PostgresKind(server));
+
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreThinTests(PostgresServer server) : StoreThinTests(new PostgresKind(server));

@@ -19,6 +19,17 @@ internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
         json.WriteNumber("contents", finding.Contents);
         json.WriteNumber("contentBytes", finding.ContentBytes);
         json.WriteNumber("pages", finding.Pages);
+        json.WriteStartArray("archives");
+        foreach (var archive in finding.Archives)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", archive.Name);
+            json.WriteBoolean("isThere", archive.IsThere);
+            json.WriteNumber("contents", archive.Contents);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
     }
 
     public override void WriteText(Page page)
@@ -29,6 +40,11 @@ internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
         {
             page.Line(string.Create(
                 CultureInfo.InvariantCulture, $"{finding.Contents} contents with {finding.ContentBytes} bytes have their hashes."));
+        }
+
+        if (finding.Archives.Where(a => a.IsThere).Sum(a => a.Contents) is > 0 and var moved)
+        {
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"{moved} contents in archives have their hashes."));
         }
 
         if (finding.Pages > 0)

@@ -34,7 +34,8 @@ internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) :
             [
                 c.Id.ToString(CultureInfo.InvariantCulture), c.ArrivedAt.ToString("yyyy-MM-dd HH:mm:ss'Z'", CultureInfo.InvariantCulture),
                 c.FileName, c.Job ?? "", c.Serial ?? "", c.WorkOrder ?? "",
-                CorrectionJson.Word(c.State), c.LargestMm is { } mm ? Show.Mm(mm) : "", c.Code is null ? "" : $"{c.Code}: {c.Reason}",
+                CorrectionJson.Word(c.State), c.LargestMm is { } mm ? Show.Mm(mm) : "",
+                c.Code is null ? c.Offset?.Sentence ?? "" : $"{c.Code}: {c.Reason}",
             ]));
     }
 }

@@ -5,8 +5,8 @@ namespace ErrorMatching.Console;
 /// <summary><c>errormatch cell revert</c>.</summary>
 internal sealed class CellRevert() : CellDecisionVerb(
     "revert",
-    "Brings back the program that the slot held before a correction, and reads it back. The slot stays taken until cell release. A "
-        + "setter signs.",
+    "Brings back the program that the slot held before a correction, or sends the one that takes its offset back, and reads it back. The "
+        + "slot stays taken until cell release. A setter signs.",
     "errormatch cell revert samples/cell/cell.json 1 --user anna --reason chatter",
     needsReason: true)
 {
@@ -21,6 +21,10 @@ internal sealed class CellRevert() : CellDecisionVerb(
         return new CellDecisionAnswer(
             "revert",
             reverted,
-            $"is reverted: {reverted.Machine} holds the program before it, read back. The slot stays taken until errormatch cell release");
+            reverted.UndoSha256 is null
+                ? $"is reverted: {reverted.Machine} holds the program before it, read back. The slot stays taken until errormatch cell "
+                    + "release"
+                : $"is reverted: {reverted.Machine} holds the program that takes its offset back, read back. Run it there. The slot stays "
+                    + "taken until errormatch cell release");
     }
 }

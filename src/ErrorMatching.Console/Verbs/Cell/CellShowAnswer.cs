@@ -83,6 +83,7 @@ internal sealed class CellShowAnswer(
         ("work order", correction.WorkOrder),
         ("slot", correction.Machine is null ? null : $"{correction.Machine}/{correction.Slot}"),
         ("program", correction.Program),
+        ("offset", correction.Offset?.Sentence),
         ("largest displacement", correction.LargestMm is { } mm ? Show.Mm(mm) + " mm" : null),
         ("sum since the original", correction.SumMm is { } sum ? Show.Mm(sum) + " mm" : null),
         ("measurement SHA-256", correction.MeasurementSha256),

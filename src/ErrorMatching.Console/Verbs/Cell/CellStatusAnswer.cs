@@ -63,6 +63,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             : $"{settings.Name} is not running");
         page.Line();
         page.Table(["machine", "slot", "program", "holds", "state", "since", "waiting", "next"], status.Slots.Select(Row));
+        foreach (var held in status.Slots.Select(s => s.Held).OfType<Correction>().Where(c => c.Offset is not null))
+        {
+            page.Line(PrintedText.OneLine($"{held.Machine}/{held.Slot}: {held.Offset!.Sentence}"));
+        }
+
         foreach (var report in status.Slots.Select(s => s.Report).OfType<MachineReport>().DistinctBy(r => r.Machine))
         {
             page.Line(PrintedText.OneLine(

@@ -54,6 +54,9 @@ internal static class CorrectionJson
         json.WriteString("baseSha256", correction.BaseSha256);
         json.WriteString("programSha256", correction.ProgramSha256);
         json.WriteString("previousSha256", correction.PreviousSha256);
+        json.WriteString("undoSha256", correction.UndoSha256);
+        json.WriteString("offset", correction.Offset?.Sentence);
+        Write(json, "offsetStatement", correction.Offset);
         Number(json, "largestMm", correction.LargestMm);
         Number(json, "sumMm", correction.SumMm);
         json.WriteString("code", correction.Code);

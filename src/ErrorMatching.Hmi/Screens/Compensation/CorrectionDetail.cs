@@ -79,6 +79,9 @@ internal sealed class CorrectionDetail
         ? Texts.Current.With("Head.LargestAt", Shown.Mm(Stored.Correction.LargestMm), place)
         : Texts.Current.With("Head.Largest", Shown.Mm(Stored.Correction.LargestMm));
 
+    /// <summary>The offset of the control that the program sets, its step and its total; null if the program is one that cuts.</summary>
+    public string? Offset => Stored.Correction.Offset is { } offset ? RecordedText.Of(offset, Stored.Correction) : null;
+
     /// <summary>The verdict on the pair or the surface: what a user decides by; null without a prediction, and for a surface without a
     /// tolerance. Whether to cut is answered until the piece is cut or given up.</summary>
     public string? Verdict => _verdict is not null ? MatchVerdictText.Of(_verdict, Stored.IsToBeCut)
@@ -170,9 +173,9 @@ internal sealed class CorrectionDetail
         Shown.Count(proof.MovedMotions),
         Shown.Mm(proof.MaxDeviationFromWantedMm));
 
-    /// <summary>How much of the program differs.</summary>
-    public string Changed =>
-        Stored.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
+    /// <summary>How much of the program differs, or what a program of offsets sets.</summary>
+    public string Changed => Offset is { } offset ? offset
+        : Stored.Report is not { Program: var program } ? "" : Texts.Current.With("Detail.Changed", Shown.Count(program.ChangedBlocks));
 
     /// <summary>What the user should know before using the program.</summary>
     public IReadOnlyList<string> Warnings => [.. Stored.Report?.Warnings.Select(WarningText.Of) ?? Surface?.Warnings ?? []];
@@ -188,6 +191,7 @@ internal sealed class CorrectionDetail
     {
         Verdict is { } verdict ? new Fact(verdict, VerdictSeverity) : null,
         HasProof && !IsProved ? new(Proof, ProofSeverity) : null,
+        Offset is { } offset ? new(offset, Severity.Quiet) : null,
         Largest is { } largest ? new(largest, Severity.Quiet) : null,
         LeftOver is { Length: > 0 } left ? new(left, Severity.Quiet) : null,
         Missing is { } missing ? new(missing, Severity.Attention) : null,

@@ -1,6 +1,7 @@
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Mating;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
@@ -160,8 +161,20 @@ internal sealed class DryRunning
 
         // The stored result was computed with the previous job; show the figures of the dry run.
         var move = LargestMove.Of(matched);
-        var computed = correction with { State = CorrectionState.Computed, Code = null, Reason = null, LargestMm = move.Mm };
-        return new(computed, [], report, new(matched.Match.Input.Program, matched.Program, report.Program.Blocks, report.Proof.Marker))
+        var offset = matched.Match is { Correction: { Program: not null } choice, Input.Job.Correction: var allowed }
+            && !allowed.Allows(CorrectionKind.Blocks) ? choice : null;
+        var computed = correction with
+        {
+            State = CorrectionState.Computed,
+            Code = null,
+            Reason = null,
+            LargestMm = move.Mm,
+            Offset = offset is null ? null : RecordedOffset.Of(offset),
+        };
+        var lines = offset is null
+            ? new ProgramLines(matched.Match.Input.Program, matched.Program, report.Program.Blocks, report.Proof.Marker)
+            : new ProgramLines(offset.Program, offset.Program, []);
+        return new(computed, [], report, lines)
         {
             TriedAt = move.At
         };

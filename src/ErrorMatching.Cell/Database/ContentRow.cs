@@ -1,0 +1,31 @@
+using System.Data.Common;
+using System.Security.Cryptography;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Rows of contents, of a store or of an archive.</summary>
+internal static class ContentRow
+{
+    /// <summary>The columns that <see cref="Read"/> reads, in this order.</summary>
+    public const string Columns = "bytes, form, length, source, made_by";
+
+    /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
+    public static string Sha256(ReadOnlySpan<byte> plain) => Convert.ToHexStringLower(SHA256.HashData(plain));
+
+    /// <summary>Reads a row's content.</summary>
+    public static PackedContent Read(DbDataReader row) => new(
+        row.GetFieldValue<byte[]>(0), row.TextOrNull(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
+
+    /// <summary>The same; null for a row that somebody else wrote and that cannot be read.</summary>
+    public static PackedContent? ReadOrNull(DbDataReader row)
+    {
+        try
+        {
+            return Read(row);
+        }
+        catch (Exception e) when (e is InvalidCastException or FormatException or OverflowException or InvalidOperationException)
+        {
+            return null;
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>Decides which programs found in a slot the cell may replace.</summary>
+/// <param name="flow">State shared by the workers.</param>
+/// <param name="machine">The machine.</param>
+/// <param name="slot">The slot.</param>
+/// <param name="originals">The original programs of the slot's jobs.</param>
+internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, SlotSettings slot, OriginalPrograms originals)
+{
+    // Identical pieces have the same program.
+    private const int MostAlike = 100;
+
+    /// <summary>Why a program must not be replaced; null if it may be: the cell put it there, or it is an original.</summary>
+    /// <param name="hash">SHA-256 of the program; null if the slot is empty.</param>
+    /// <param name="approved">The correction to send.</param>
+    public Statement? WhyNot(string? hash, Correction approved)
+    {
+        // What it found earlier was known then, or a person was warned and approved again.
+        if (hash is null || hash == approved.ProgramSha256 || hash == approved.PreviousSha256) return null;
+        if (Cutting(hash, approved) is { } cutting) return RecordedOffset.SlotOfPrograms.With(slot.Program, machine.Name, cutting.Id);
+        var holding = flow.Store.Slot(machine.Name, slot.Name);
+        return hash == holding.ProgramSha256 || hash == holding.PreviousSha256
+            || (approved.Offset is null && originals.Hashes(machine.Name, slot.Name).Contains(hash))
+            ? null
+            : Recorded.ChangedBefore.With(slot.Program, machine.Name, hash);
+    }
+
+    // A program that sets offsets does not replace one that cuts.
+    private Correction? Cutting(string hash, Correction approved) => approved.Offset is null
+        ? null
+        : flow.Store.Search(new() { Program = hash, Most = MostAlike }).FirstOrDefault(c => c.ProgramSha256 == hash && c.Offset is null);
+}

@@ -1,0 +1,76 @@
+using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Cell;
+
+/// <summary>The forms of what the cell states about corrections by offsets of the control.</summary>
+public static class RecordedOffset
+{
+    private const string Length = "0.0000";
+    private const string Turn = "0.000000";
+
+    /// <summary>A radius offset: its number, the step and the correction in all, mm.</summary>
+    public static SentenceForm Radius { get; } = new(
+        "offset-radius", $"offset of the control: radius D{{0:0}} by {{1:{Length}}} mm, {{2:{Length}}} mm in all.");
+
+    /// <summary>The same where offsets belong to tools: the tool's number first.</summary>
+    public static SentenceForm RadiusOfTool { get; } = new(
+        "offset-radius-of-tool",
+        $"offset of the control: radius of tool {{0:0}}, D{{1:0}}, by {{2:{Length}}} mm, {{3:{Length}}} mm in all.");
+
+    /// <summary>A work offset: its number, then X and Y of the step and of the correction in all, mm.</summary>
+    public static SentenceForm Work { get; } = new(
+        "offset-work",
+        $"offset of the control: work offset {{0:0}} by X {{1:{Length}}} Y {{2:{Length}}} mm, X {{3:{Length}}} Y {{4:{Length}}} mm "
+            + "in all.");
+
+    /// <summary>The same with the rotation of the step and in all, degrees.</summary>
+    public static SentenceForm WorkTurned { get; } = new(
+        "offset-work-turned",
+        $"offset of the control: work offset {{0:0}} by X {{1:{Length}}} Y {{2:{Length}}} mm and {{3:{Turn}}} degrees, X {{4:{Length}}} "
+            + $"Y {{5:{Length}}} mm and {{6:{Turn}}} degrees in all.");
+
+    internal static readonly SentenceForm NotWritten = new(
+        "offset-not-written",
+        "The job {0} allows offsets alone, and the program does not tell which offset of the control its features are cut with. State "
+            + "radiusOffset in the job, or allow another offset.");
+
+    internal static readonly SentenceForm SlotOfPrograms = new(
+        "slot-of-programs",
+        "{0} at {1} is the program of correction {2:0}, which cuts: a program that sets offsets does not replace it. Give the offsets a "
+            + "slot of their own.");
+
+    internal static readonly SentenceForm KindChanged = new(
+        "correction-kind-changed",
+        "Correction {0:0} of the job {1} was made by other means: by an offset of the control where this one rewrites the program, or by "
+            + "blocks where this one sets an offset. Both together would correct twice. Take that correction back at the machine: revert "
+            + "it, and run what that sends if it is an offset. Then give the job another name in the configuration.");
+
+    /// <summary>All forms.</summary>
+    public static IReadOnlyList<SentenceForm> All { get; } =
+        [Radius, RadiusOfTool, Work, WorkTurned, NotWritten, SlotOfPrograms, KindChanged];
+
+    /// <summary>What the program of a choice sets: each offset, the step and the correction in all.</summary>
+    /// <param name="choice">The choice.</param>
+    public static Statement Of(CorrectionChoice choice) => Statement.InARow(new[]
+    {
+        choice.Radius is { } radius ? Of(radius) : null,
+        choice.Work is { } work ? Of(work.Number, work.Total, work.Before ?? default) : null,
+    }.OfType<Statement>());
+
+    private static Statement Of(Nc.RadiusCorrection radius)
+    {
+        var step = radius.TotalMm - (radius.BeforeMm ?? 0);
+        return radius.Tool > 0
+            ? RadiusOfTool.With(radius.Tool, radius.Number, step, radius.TotalMm)
+            : Radius.With(radius.Number, step, radius.TotalMm);
+    }
+
+    private static Statement Of(int number, Nc.OffsetShift total, Nc.OffsetShift before)
+    {
+        var (x, y, turn) = (total.XMm - before.XMm, total.YMm - before.YMm, total.RotationDegrees - before.RotationDegrees);
+        return (turn, total.RotationDegrees) == (0, 0)
+            ? Work.With(number, x, y, total.XMm, total.YMm)
+            : WorkTurned.With(number, x, y, turn, total.XMm, total.YMm, total.RotationDegrees);
+    }
+}
