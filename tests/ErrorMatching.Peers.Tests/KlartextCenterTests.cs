@@ -6,20 +6,20 @@ namespace ErrorMatching.Peers.Tests;
 /// <summary>
 /// The path of the tool's center under RL and RR between the way in and the way out, motion by motion against that of LinuxCNC's own
 /// interpreter for the same contour under G41 and G42: outside corners are arcs on both, inside corners intersections.
-/// <c>ERRORMATCH_COMPENSATED_PROGRAMS</c> sets how many random contours (40 if not set).
+/// <c>ERRORMATCH_COMPENSATED_PROGRAMS</c> sets how many random contours (15 if not set).
 /// </summary>
 public sealed class KlartextCenterTests
 {
     private const double ToleranceMm = 0.0015;
 
     private static readonly int Contours = Environment.GetEnvironmentVariable("ERRORMATCH_COMPENSATED_PROGRAMS") is { } text
-        ? int.Parse(text, CultureInfo.InvariantCulture) : 40;
+        ? int.Parse(text, CultureInfo.InvariantCulture) : 15;
 
     [Fact]
     public void The_same_contour_gives_the_same_path_of_the_center()
     {
         Rs274.IsNeeded();
-        var (failures, refused, wrong, motions) = (new List<string>(), 0, 0, 0);
+        var (failures, refused, wrong, own, motions) = (new List<string>(), 0, 0, 0, 0);
         for (var seed = 1; seed <= Contours; seed++)
         {
             var contour = new TwoTongueContour(seed);
@@ -33,6 +33,10 @@ public sealed class KlartextCenterTests
             {
                 wrong++;
             }
+            else if (peer.Refusal is not null && center.Refusal is null && GrowsArc(contour.Iso))
+            {
+                own++;
+            }
             else if (peer.Refusal is null != center.Refusal is null)
             {
                 failures.Add($"seed {seed}: {peer.Refusal ?? "accepted"} {center.Refusal?.Message}\n{contour.Iso}\n{contour.Klartext}");
@@ -44,10 +48,15 @@ public sealed class KlartextCenterTests
         }
 
         TestContext.Current.TestOutputHelper?.WriteLine(
-            $"{Contours} contours, {refused} refused by rs274 and by us, {wrong} by us only, {motions} motions compared, {failures.Count} differ");
+            $"{Contours} contours, {refused} refused by rs274, {wrong} by us only, {own} by a rule of rs274 only, {motions} motions compared, {failures.Count} differ");
         Assert.True(failures.Count == 0, $"{failures.Count} of {Contours} contours differ, first {failures.FirstOrDefault()}");
         Assert.InRange(refused, 0, Contours / 4);
     }
+
+    // LinuxCNC alone stops where an arc gets longer behind a slight outside turn.
+    private static bool GrowsArc(string iso) =>
+        CompensatedPath.Of(NcInterpreter.Run(NcProgram.FromText(iso, NcSyntax.LinuxCnc), NcDialects.LinuxCnc)).Refusal?.Code
+            == NcRefusalCodes.CompensationStop;
 
     private static int Compare(string contour, PeerRun peer, CompensatedPath center, List<string> failures)
     {

@@ -33,6 +33,10 @@ internal sealed class TwoTongueContour
             Ahead(Radius * (2 + (4 * _random.NextDouble()))),
             string.Create(CultureInfo.InvariantCulture, $"{(isLeft ? "G41.1" : "G42.1")} D{2 * Radius} "),
             isLeft ? " RL" : " RR");
+
+        // Where compensation begins differs: the first element is long enough for both ways.
+        _heading += 0.3 * Next();
+        Straight(Ahead(8 * Radius));
         _heading = Turned();
         var elements = 3 + _random.Next(10);
         for (var i = 0; i < elements; i++)
