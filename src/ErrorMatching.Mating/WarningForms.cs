@@ -53,8 +53,8 @@ public static class WarningForms
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
-            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, ToolRadiusDiffers, Aligned, MeasuredNotThere, GaugeCoarse, LotWords.Outlier,
-            LotWords.Moved,
+            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, ToolRadiusDiffers, Aligned, MeasuredNotThere, GaugeCoarse,
+            LotWords.Outlier, LotWords.Moved,
         ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>

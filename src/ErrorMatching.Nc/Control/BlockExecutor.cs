@@ -69,7 +69,8 @@ internal sealed class BlockExecutor
         SystemCommands = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
-        _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls, _intent, tool), Switches);
+        var statements = new BlockStatements(control, values, run, layers, result, _codes, _calls, _intent, tool);
+        _obstacles = new(control, values, run, layers, result, statements, Switches);
 
         // A rotary axis that moves along only marks the motion: its place is not followed.
         _straightLetters = (StraightLetters | values.OtherAxes) & ~values.UnknownLetters;

@@ -32,7 +32,8 @@ internal sealed class BlockIntent
     /// <summary>True if the block calls a tool.</summary>
     public bool CallsTool { get; set; }
 
-    /// <summary>What the call adds to the tool's radius, as programmed; null if it does not say, NaN if only the machine knows it.</summary>
+    /// <summary>What the call adds to the tool's radius, as programmed; null if it does not say, NaN if only the machine knows
+    /// it.</summary>
     public double? Oversize { get; set; }
 
     /// <summary>Clears the intent of the previous block.</summary>

@@ -355,7 +355,7 @@ public enum NcMeaning : byte
     /// M120).</summary>
     CompensationUnfollowed,
 
-    /// <summary>Goes to the first point of a contour over a point ahead of its first element, as far as its length says (APPR LT).</summary>
+    /// <summary>Goes to the first point of a contour over a point ahead of its first element (APPR LT).</summary>
     ApproachTangent,
 
     /// <summary>Goes to the first point of a contour over a point at right angles to its first element (APPR LN).</summary>

@@ -16,7 +16,8 @@ internal readonly record struct CompensationSwitch(int Block, int Joint, NcMeani
     /// <summary>Millimeters per unit of a diameter given as D.</summary>
     public double Unit { get; init; }
 
-    /// <summary>The radius that the program itself defines for the tool, mm; null if it does not, NaN if only the machine knows it.</summary>
+    /// <summary>The radius that the program itself defines for the tool, mm; null if it does not, NaN if only the machine knows
+    /// it.</summary>
     public double? Radius { get; init; }
 
     /// <summary>What the tool's call adds to its radius, mm; NaN if only the machine knows it.</summary>
