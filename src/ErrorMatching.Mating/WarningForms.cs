@@ -26,6 +26,12 @@ public static class WarningForms
         "Under cutter compensation the tool passes the point {0} at {1} mm: it leaves a round of its own radius in the inside corner of "
             + "{2}. What is corrected there cannot be cut. For the next parts, choose a key point that the tool touches.");
 
+    /// <summary>Block, the radius that the program gives, and that of the job's tool, mm.</summary>
+    public static SentenceForm ToolRadiusDiffers { get; } = new(
+        "tool-radius-differs",
+        "For {0} the program itself gives a tool radius of {1} mm, and the tool of the job has {2} mm: under cutter compensation the cut "
+            + "lies beside the programmed contour by the difference. Correct the job's toolDiameterMm, or the program.");
+
     /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(
         "aligned",
@@ -47,8 +53,8 @@ public static class WarningForms
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
-            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, Aligned, MeasuredNotThere, GaugeCoarse, LotWords.Outlier,
-            LotWords.Moved,
+            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, ToolRadiusDiffers, Aligned, MeasuredNotThere, GaugeCoarse,
+            LotWords.Outlier, LotWords.Moved,
         ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>

@@ -15,7 +15,7 @@ public sealed class DeclaredRoleTests
         NcMeaning.Harmless, NcMeaning.Smoothing, NcMeaning.Dwell, NcMeaning.InverseTimeFeed, NcMeaning.FeedPerMinute,
         NcMeaning.FeedPerRevolution, NcMeaning.RetractToInitial, NcMeaning.RetractToR,
         NcMeaning.CompensationRoundCorners, NcMeaning.CompensationSharpCorners, NcMeaning.CompensationNormalEntry,
-        NcMeaning.CompensationOtherEntry,
+        NcMeaning.CompensationOtherEntry, NcMeaning.CompensationSharpCorner, NcMeaning.CompensationUnfollowed,
         NcMeaning.LengthOffset, NcMeaning.CycleOff, NcMeaning.ModalCycle, NcMeaning.StoreReference, NcMeaning.CycleCall, NcMeaning.Unknown,
     ];
 
@@ -23,7 +23,8 @@ public sealed class DeclaredRoleTests
     [
         "rapid-in-block", "arc-by-radius", "arc-about-pole", "polar-arc", "polar-line", "polar-tangent-arc", "arc-sense", "set-pole",
         "corner-rounding", "corner-chamfer", "datum-shift", "unknown-origin", "tool-axis-retract", "approach", "departure",
-        "computed-contour",
+        "computed-contour", "approach-tangent", "approach-normal", "departure-tangent", "departure-normal", "tool-call",
+        "tool-definition",
     ];
 
     // Not every family has a code for these states: G556 and the codes behind it.
@@ -108,7 +109,7 @@ public sealed class DeclaredRoleTests
         }
 
         // What only languages have.
-        Assert.Equal(32, refused.RemoveAll(r => OfLanguages.Contains(r.Split(' ')[1])));
+        Assert.Equal(2 * OfLanguages.Length, refused.RemoveAll(r => OfLanguages.Contains(r.Split(' ')[1])));
         Assert.Equal(
             ["G555 cycle-call", "G555 modal-cycle", "SPECIAL reference-return", "SPECIAL store-reference", "SPECIAL work-offset"],
             refused.Order(StringComparer.Ordinal));

@@ -37,14 +37,16 @@ public sealed class LanguageDialectTests
                 "1 L X+1 Y+2 Z+3 RL F100\n2 PLANE SPATIAL SPA+1\n3 {0}\n4 L X+7 Y+8\n",
                 "0 BEGIN PGM A INCH\n1 {0}\n2 L X+1 Y+2 Z+3 RR F100\n3 CR R+2 X+2 Y+3 DR+\n",
                 "0 TOOL CALL 5 Y S1000\n1 {0}\n2 L X+1 Y+2 Z+3 RR F100\n3 CR R+2 X+2 Y+3 DR+\n",
+                "1 L X+1 Y+2 Z+3 R0 FMAX\n2 L X+9 RL\n3 L X+19 {0}\n4 L Y-20\n",
             ];
             Assert.True(Still.Contains(name) || programs.Any(p => Trace(p, dialect) != Trace(p, without)), name);
         }
 
         Assert.Equal(
             [
-                "arc-sense", "compensation-left", "compensation-off", "compensation-right", "computed-contour", "cycle-call", "harmless",
-                "inch", "machine-coordinates", "metric", "opaque-call", "opaque-transform", "opaque-transform-off",
+                "arc-sense", "compensation-left", "compensation-off", "compensation-right", "compensation-sharp-corner",
+                "compensation-unfollowed", "computed-contour", "cycle-call", "harmless", "inch", "machine-coordinates",
+                "metric", "opaque-call", "opaque-transform", "opaque-transform-off",
                 "plane-xy", "plane-yz", "plane-zx", "rapid-in-block", "smoothing", "tool-axis-retract", "unknown", "unknown-origin",
             ],
             KebabNames.Of(typeof(NcMeaning)).Keys.Except(refused).Order(StringComparer.Ordinal));
@@ -81,7 +83,8 @@ public sealed class LanguageDialectTests
         var path = Bench.Read(text.Replace("{0}", "SPECIAL", StringComparison.Ordinal), dialect);
         var motions = path.Motions
             .Select(m => $"{m.Kind} {m.Plane} {m.Flags} {m.Start} {m.End} {m.Center} {m.Turns} {m.UnknownStart} {m.UnknownEnd} {m.Frame}");
-        return string.Join('|', motions) + path.Refusal
+        var center = CompensatedPath.Of(path, ToolRadii.Of(2));
+        return string.Join('|', motions) + path.Refusal + string.Join('|', center.Motions.Select(m => m.End)) + center.Refusal?.Message
             + string.Join('|', path.Problems.Select(p => p.Code)) + string.Join('|', path.Frames);
     }
 }

@@ -164,9 +164,10 @@ public sealed partial class CompensatedProgramTests
     [GeneratedRegex(@"(?<code>G4[12])\.1(?<d> D[0-9.]+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Compensation();
 
-    // A program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own path goes backwards
-    // on a line, is on the wrong side of an arc's center, or goes along an arc by half a turn more or less than programmed.
-    private static bool CutsWrong(PeerRun peer, CompensatedPath ours)
+    /// <summary>True for a program that rs274 accepts although the tool would cut something else: at the element that we refuse, its own
+    /// path goes backwards on a line, is on the wrong side of an arc's center, or goes along an arc by half a turn more or less than
+    /// programmed.</summary>
+    internal static bool CutsWrong(PeerRun peer, CompensatedPath ours)
     {
         var motions = ours.Path.Motions;
         var block = ours.Refusal!.Place!.Line - 1;

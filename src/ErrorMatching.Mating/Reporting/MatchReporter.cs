@@ -236,6 +236,17 @@ public static class MatchReporter
                 WarningForms.PointNotReached, point.Label, point.GapMm.ToString("0.000", CultureInfo.InvariantCulture), block);
         }
 
+        foreach (var (motion, radius) in RadiusCheck.Others(result.Input.Job, result.Before, result.Maps))
+        {
+            var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions.BlockOf(motion)]);
+            var tool = result.Input.Job.Counterpart.ToolDiameterMm / 2;
+            yield return WarningForms.Warning(
+                WarningForms.ToolRadiusDiffers,
+                block,
+                radius.ToString("0.###", CultureInfo.InvariantCulture),
+                tool.ToString("0.###", CultureInfo.InvariantCulture));
+        }
+
         foreach (var warning in GaugeCapability.WarningsOf(result.Input.Job))
         {
             yield return warning;

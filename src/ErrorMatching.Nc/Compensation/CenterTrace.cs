@@ -43,6 +43,28 @@ internal sealed class CenterTrace(List<CompensatedMotion>? motions)
         }
     }
 
+    /// <summary>Leads the first motion that is held back over another place: there in the plane, then to its height, then to its
+    /// end.</summary>
+    /// <param name="place">The place in the plane.</param>
+    /// <param name="kind">How the tool moves there.</param>
+    public void LeadOver(Point2 place, MotionKind kind)
+    {
+        var way = _held[0];
+        var over = way with
+        {
+            Kind = kind,
+            IsInserted = true,
+            IsCompensated = false,
+            End = way.Plane.Lift(place, way.Plane.Height(way.Start)),
+        };
+        var down = over with
+        {
+            Kind = MotionKind.Line, Start = over.End, End = way.Plane.Lift(place, way.Plane.Height(way.End)),
+        };
+        _held[0] = way with { Kind = MotionKind.Line, Start = down.End };
+        _held.InsertRange(0, down.Start == down.End ? [over] : [over, down]);
+    }
+
     /// <summary>Releases what is held back.</summary>
     public void Release()
     {

@@ -6,7 +6,8 @@ namespace ErrorMatching.Nc;
 /// <param name="Motion">Position of the programmed motion that causes it; for a corner, of the motion after it.</param>
 /// <param name="Kind">How the control moves.</param>
 /// <param name="Plane">The plane of arcs and compensation.</param>
-/// <param name="IsInserted">True if the control inserts it to go around a corner.</param>
+/// <param name="IsInserted">True if the control inserts it to go around a corner, or to a contour or away from it over a point that it
+/// computes.</param>
 /// <param name="IsCompensated">True if the tool's center is beside the programmed path at its end.</param>
 /// <param name="Start">Its start.</param>
 /// <param name="End">Its end.</param>

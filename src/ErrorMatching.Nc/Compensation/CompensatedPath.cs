@@ -19,7 +19,9 @@ public sealed class CompensatedPath
     public Refusal? Refusal { get; }
 
     /// <summary>True if a program uses cutter compensation somewhere.</summary>
-    public static bool Concerns(NcPath path) => path.CompensationSwitches.Any(s => s.Meaning != NcMeaning.CompensationOff);
+    public static bool Concerns(NcPath path) => path.CompensationSwitches.Any(s => s.Meaning
+        is NcMeaning.CompensationLeft or NcMeaning.CompensationRight
+        or NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter);
 
     /// <summary>Follows the tool's center.</summary>
     /// <param name="path">The programmed path; its dialect has the radii that the control uses (<see cref="NcDialect.ToolRadii"/>).</param>

@@ -37,7 +37,9 @@ internal sealed class CompensationCorners(CompensationRule rule, CompensationMod
     /// <returns>What is still to be inserted: <see cref="CompensationCorner.Intersection"/> for nothing.</returns>
     public CompensationCorner GoOn(in OffsetElement last, in OffsetElement next, double left)
     {
-        var corner = last.EndTangent.Dot(next.StartTangent) < _sharpCosine ? modes.SharpCorners : modes.Corners;
+        var corner = modes.IsSharpAtEndOf(last.Motion) ? CompensationCorner.Intersection
+            : last.EndTangent.Dot(next.StartTangent) < _sharpCosine ? modes.SharpCorners
+            : modes.Corners;
         if (corner == CompensationCorner.Intersection)
         {
             if (last.Meet(next) is not { } meeting)

@@ -7,8 +7,11 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
 {
     private readonly IReadOnlyList<CompensationSwitch> _switches = path.CompensationSwitches;
     private readonly CompensationRule _rule = path.Dialect.Compensation;
+    private readonly HashSet<int> _sharpEnds = [];
     private int _next;
     private CompensationSwitch? _on;
+    private CompensationSwitch? _lead;
+    private CompensationSwitch? _unfollowed;
 
     /// <summary>The control's way in.</summary>
     public CompensationStart Start { get; private set; } = path.Dialect.Compensation.Start;
@@ -38,12 +41,24 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
         return null;
     }
 
+    /// <summary>How a motion leads to a contour or away from it; null if its block does not say.</summary>
+    public CompensationSwitch? LeadOf(int motion) => _lead is { } lead && lead.Joint == motion ? lead : null;
+
+    /// <summary>True if the outside corner at the end of a motion goes on to the intersection, whatever others do.</summary>
+    public bool IsSharpAtEndOf(int motion) => _sharpEnds.Contains(motion);
+
     /// <summary>Distance of the tool's center to the left of a motion that begins compensation, mm.</summary>
     /// <param name="motion">The motion.</param>
+    /// <param name="index">Its position.</param>
     /// <param name="left">The distance.</param>
-    public Refusal? Find(in NcMotion motion, out double left)
+    public Refusal? Find(in NcMotion motion, int index, out double left)
     {
         left = 0;
+        if (_unfollowed is { } word && word.Joint == index)
+        {
+            return Unfollowed(word);
+        }
+
         if (_on is not { } on)
         {
             return At(
@@ -51,9 +66,10 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
         }
 
         var byDiameter = on.Meaning is NcMeaning.CompensationLeftByDiameter or NcMeaning.CompensationRightByDiameter;
-        var radius = !byDiameter ? radii.For(on.Offset) : on.Offset is { } d && !double.IsNaN(d) ? d * on.Unit / 2 : null;
+        var radius = byDiameter ? on.Offset * on.Unit / 2 : on.Radius ?? radii.For(on.Offset);
+        radius += on.Oversize;
         left = (motion.Has(MotionFlags.CompensationLeft) ? 1 : -1) * (radius ?? 0);
-        return radius is not null
+        return radius is { } known && !double.IsNaN(known)
             ? null
             : At(
                 on.Block,
@@ -73,6 +89,17 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
                     found.Block,
                     NcRefusalCodes.CompensationUnfollowed,
                     "another tool radius is selected while cutter compensation is on; the path of the tool's center is not followed.");
+            case NcMeaning.CompensationUnfollowed when isOn:
+                return Unfollowed(found);
+            case NcMeaning.CompensationUnfollowed:
+                _unfollowed = found;
+                break;
+            case NcMeaning.CompensationSharpCorner:
+                _sharpEnds.Add(found.Joint);
+                break;
+            case NcMeaning.Approach or NcMeaning.Departure or (>= NcMeaning.ApproachTangent and <= NcMeaning.DepartureNormal):
+                _lead = found;
+                break;
             case NcMeaning.CompensationOff:
                 _on = null;
                 break;
@@ -95,7 +122,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
                     return At(
                         found.Block,
                         NcRefusalCodes.CompensationUnfollowed,
-                        $"{found.Word} changes the side without G40; the path of the tool's center is not followed.");
+                        $"{found.Word} changes the side while cutter compensation is on; the path of the tool's center is not followed.");
                 }
 
                 _on = found;
@@ -104,6 +131,11 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
 
         return null;
     }
+
+    private Refusal Unfollowed(in CompensationSwitch word) => At(
+        word.Block,
+        NcRefusalCodes.CompensationUnfollowed,
+        $"{word.Word} acts here while cutter compensation is on, and how the control then leads the tool's center is not followed.");
 
     private Refusal At(int block, string code, string message) => BlockRefusal.At(path.Program, block, code, lead + message);
 }

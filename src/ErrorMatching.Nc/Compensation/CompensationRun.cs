@@ -23,6 +23,7 @@ internal sealed class CompensationRun
     private readonly CompensationModes _modes;
     private readonly CenterTrace _trace;
     private readonly CompensationCorners _corners;
+    private readonly CompensationLeads _leads;
     private readonly string _lead;
 
     // The tool's center is beside the programmed path by this much to the left; the element that led there is _last.
@@ -41,7 +42,7 @@ internal sealed class CompensationRun
     public CompensationRun(NcPath path, ToolRadii radii, List<CompensatedMotion>? motions, string lead = "")
     {
         (_path, _rule, _modes, _trace, _lead) = (path, path.Dialect.Compensation, new(path, radii, lead), new(motions), lead);
-        _corners = new(_rule, _modes, _trace);
+        (_corners, _leads) = (new(_rule, _modes, _trace), new(path, _modes, _trace, lead));
     }
 
     /// <summary>Follows the whole path.</summary>
@@ -75,6 +76,16 @@ internal sealed class CompensationRun
     private Refusal? GoAsProgrammed(in NcMotion motion, int index)
     {
         var start = motion.Start;
+        if (_isBeside && !motion.MovesInPlane && !motion.IsKnownInPlane)
+        {
+            // The program does not say where a departure ended.
+            var end = motion.Plane.Lift(motion.Plane.Project(_trace.At), motion.Plane.Height(motion.End));
+            var unknown = motion.UnknownEnd & ~motion.Plane.Axes();
+            _trace.Release();
+            _trace.Add(new(index, motion.Kind, motion.Plane, false, false, _trace.At, end, default, 0, unknown));
+            return null;
+        }
+
         if (_isBeside)
         {
             if (motion.IsArc)
@@ -107,13 +118,21 @@ internal sealed class CompensationRun
             }
         }
 
+        if (motion.Has(MotionFlags.CornerWord) || (_waitsForNext && _path.IsLead(_path.Motions[_last.Motion]))
+            || (_rule.EndsInPlane && !motion.MovesInPlane))
+        {
+            return _leads.NotFollowed(motion);
+        }
+
         (_isOn, _waitsForNext, _isBeside) = (false, false, true);
-        return (isAround ? null : CheckLast(endsStraight: true)) ?? GoAsProgrammed(motion, index);
+        return (isAround ? null : CheckLast(endsStraight: true))
+            ?? (_leads.Depart(_last, index, _left) ? null : GoAsProgrammed(motion, index));
     }
 
     private Refusal? Lead(in NcMotion motion, int index)
     {
-        if (motion.Has(Unfollowed) || !(motion.IsCut || motion.Kind == MotionKind.Rapid) || !motion.IsKnownInPlane)
+        var isMove = motion.IsCut || motion.Kind == MotionKind.Rapid || (!_isOn && _path.IsLead(motion));
+        if (motion.Has(Unfollowed) || !isMove || !motion.IsKnownInPlane)
         {
             return Refuse(motion, NcRefusalCodes.CompensationUnfollowed, "the path of the tool's center is not followed here: cutter "
                 + "compensation is on, and this move depends on something that the program does not say.");
@@ -170,7 +189,7 @@ internal sealed class CompensationRun
     // The way in.
     private Refusal? Enter(in NcMotion motion, int index)
     {
-        if (_modes.Find(motion, out var left) is { } unknown)
+        if (_modes.Find(motion, index, out var left) is { } unknown)
         {
             return unknown;
         }
@@ -184,6 +203,11 @@ internal sealed class CompensationRun
         var (start, radius) = (motion.Start, Math.Abs(left));
         start += _isBeside ? _trace.At - _programmed : Vector3.Zero;
         var (from, to) = (motion.Plane.Project(start), motion.PlaneEnd);
+        if (_path.IsLead(motion) && from.DistanceTo(to) <= Tiny)
+        {
+            return _leads.NotFollowed(motion);
+        }
+
         if (!motion.IsArc && from.DistanceTo(to) <= (_rule.StartExceedsRadius ? radius + Tiny : Tiny))
         {
             if (_rule.StartExceedsRadius && radius > 0)
@@ -267,6 +291,11 @@ internal sealed class CompensationRun
         if (_waitsForNext)
         {
             _waitsForNext = false;
+            if (motion.Has(MotionFlags.CornerWord))
+            {
+                return _leads.NotFollowed(motion);
+            }
+
             if (_modes.StartsOtherwiseAround && kind == CornerKind.Outside)
             {
                 return Around(motion);
@@ -275,6 +304,7 @@ internal sealed class CompensationRun
             if (_rule.Start == CompensationStart.NextNormal || kind != CornerKind.Outside)
             {
                 _trace.MoveEnd(_last.ProgrammedEnd + (next.StartTangent.Left * _left));
+                _leads.Approach(_last, next.StartTangent, _left);
                 _trace.Release();
                 return null;
             }

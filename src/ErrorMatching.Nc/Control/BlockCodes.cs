@@ -99,10 +99,13 @@ internal sealed class BlockCodes(
 
     /// <summary>Applies the meaning of a code or keyword; the family distinguishes transformations that each have their own end
     /// code.</summary>
-    public void Apply(NcMeaning meaning, int family)
+    public void Apply(NcMeaning meaning, int family, string? word = null)
     {
         switch (meaning)
         {
+            case NcMeaning.ToolCall:
+                intent.CallsTool = true;
+                break;
             case NcMeaning.Dwell:
                 intent.Use = AxisUse.Nothing;
                 break;
@@ -182,10 +185,13 @@ internal sealed class BlockCodes(
                 (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);
                 break;
             default:
-                SwitchMode(meaning);
+                SwitchMode(meaning, word);
                 break;
         }
     }
+
+    /// <summary>Calls the block's tool, or changes what its call says.</summary>
+    public void CallTool() => switches.CallTool(intent.Oversize);
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
         is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
@@ -216,21 +222,29 @@ internal sealed class BlockCodes(
         intent.AboutPole = meaning is NcMeaning.PolarArc or NcMeaning.PolarLine or NcMeaning.PolarTangentArc;
     }
 
-    private void SwitchMode(NcMeaning meaning)
+    // The control computes the way to a contour or away from it.
+    private void NameLead(NcMeaning meaning, string word)
     {
-        intent.NamesMotion |= meaning is NcMeaning.Line or NcMeaning.Rapid or NcMeaning.TangentArc
-            or NcMeaning.Approach or NcMeaning.Departure or (>= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc);
+        var leaves = meaning is NcMeaning.Departure or NcMeaning.DepartureTangent or NcMeaning.DepartureNormal;
+        if (leaves)
+        {
+            control.Compensate(MotionFlags.None);
+        }
+
+        switches.Lead(meaning, word);
+        control.Mode(MotionKind.Spline);
+        control.State.Form = leaves ? NcMeaning.Departure : NcMeaning.Approach;
+    }
+
+    private void SwitchMode(NcMeaning meaning, string? word)
+    {
+        var isLead = meaning is NcMeaning.Approach or NcMeaning.Departure
+            or (>= NcMeaning.ApproachTangent and <= NcMeaning.DepartureNormal);
+        intent.NamesMotion |= isLead || meaning is NcMeaning.Line or NcMeaning.Rapid or NcMeaning.TangentArc
+            or (>= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc);
         switch (meaning)
         {
-            case NcMeaning.Approach or NcMeaning.Departure:
-                if (meaning == NcMeaning.Departure)
-                {
-                    control.Compensate(MotionFlags.None);
-                }
-
-                control.Mode(MotionKind.Spline);
-                control.State.Form = meaning;
-                break;
+            case var _ when isLead: NameLead(meaning, word ?? ""); break;
             case >= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc: NameMotion(meaning); break;
             case NcMeaning.RapidInBlock:
                 control.State.Mode = intent.NamesMotion && control.State.Mode == MotionKind.Line ? MotionKind.Rapid : control.State.Mode;
@@ -263,8 +277,8 @@ internal sealed class BlockCodes(
             case NcMeaning.AbsoluteCenters: control.State.AbsoluteCenters = true; break;
             case NcMeaning.IncrementalCenters: control.State.AbsoluteCenters = false; break;
             case >= NcMeaning.CompensationOff and <= NcMeaning.CompensationRight
-                or >= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.CompensationOtherEntry:
-                switches.Apply(meaning);
+                or >= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.CompensationUnfollowed:
+                switches.Apply(meaning, word);
                 break;
             case NcMeaning.InverseTimeFeed: control.State.InverseTime = true; break;
             case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: control.State.InverseTime = false; break;

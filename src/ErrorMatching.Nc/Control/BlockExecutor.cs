@@ -59,15 +59,18 @@ internal sealed class BlockExecutor
         var offsets = new OffsetCodes(control, values, layers);
         _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
         _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
-        _codes = new(control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory,
-            new(control, values, result));
+        var tool = new CalledTool(control, values);
+        Compensation = new(control, values, tool, result);
+        _codes = new(
+            control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory, Compensation);
 
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);
         SystemCommands = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
-        _obstacles = new(control, values, run, layers, result, new(control, values, run, layers, result, _codes, _calls), Switches);
+        var statements = new BlockStatements(control, values, run, layers, result, _codes, _calls, _intent, tool);
+        _obstacles = new(control, values, run, layers, result, statements, Switches);
 
         // A rotary axis that moves along only marks the motion: its place is not followed.
         _straightLetters = (StraightLetters | values.OtherAxes) & ~values.UnknownLetters;
@@ -85,6 +88,8 @@ internal sealed class BlockExecutor
     public SystemCommands SystemCommands { get; }
 
     public SteeringWords Steering { get; }
+
+    public CompensationWords Compensation { get; }
 
     public IntegerWords Integers { get; }
 
@@ -230,6 +235,11 @@ internal sealed class BlockExecutor
     // Where each block names its motion, coordinates without a motion, and an arc without its sense or its end, are an error.
     private MotionFlags CheckMotion()
     {
+        if (_intent.CallsTool)
+        {
+            _codes.CallTool();
+        }
+
         if ((_words.Present & _values.ToolCalls) != 0 || (_words.Computed & _values.ToolCalls) != 0)
         {
             _result.ChangeTool();

@@ -29,10 +29,17 @@ internal sealed class BlockIntent
     /// <summary>True if the block's end is polar, about the pole.</summary>
     public bool AboutPole { get; set; }
 
+    /// <summary>True if the block calls a tool.</summary>
+    public bool CallsTool { get; set; }
+
+    /// <summary>What the call adds to the tool's radius, as programmed; null if it does not say, NaN if only the machine knows
+    /// it.</summary>
+    public double? Oversize { get; set; }
+
     /// <summary>Clears the intent of the previous block.</summary>
     public void Begin()
     {
         (Use, Code, Family, Probes, HasUnknownCode) = (AxisUse.Motion, NcMeaning.Unknown, 0, false, false);
-        (NamesMotion, NeedsSense, AboutPole) = (false, false, false);
+        (NamesMotion, NeedsSense, AboutPole, CallsTool, Oversize) = (false, false, false, false, null);
     }
 }

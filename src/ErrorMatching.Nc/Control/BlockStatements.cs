@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 
 namespace ErrorMatching.Nc;
@@ -10,7 +11,9 @@ internal sealed class BlockStatements(
     CoordinateLayers layers,
     RunResult result,
     BlockCodes codes,
-    CycleCalls calls)
+    CycleCalls calls,
+    BlockIntent intent,
+    CalledTool tool)
 {
     public MotionFlags Read()
     {
@@ -66,14 +69,32 @@ internal sealed class BlockStatements(
                 return MotionFlags.None;
             case NcMeaning.ArcSense:
                 codes.TakeSense(run.BytesOf(statement));
+                TakeOversize(statement, name.Length);
+                return MotionFlags.None;
+            case NcMeaning.ToolDefinition:
+                tool.Define(run.TextOf(statement));
                 return MotionFlags.None;
             case NcMeaning.OpaqueTransform when HasNoArguments(statement):
                 codes.Apply(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
                 return MotionFlags.None;
             case var meaning:
-                codes.Apply(meaning, values.Dialect.FamilyOf(name));
+                codes.Apply(meaning, values.Dialect.FamilyOf(name), IsOfCompensation(meaning) ? SpellingOf(statement) : null);
                 return MotionFlags.None;
         }
+    }
+
+    private static bool IsOfCompensation(NcMeaning meaning) => meaning is NcMeaning.Approach or NcMeaning.Departure
+        or (>= NcMeaning.CompensationOff and <= NcMeaning.CompensationRight)
+        or (>= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.DepartureNormal);
+
+    private string SpellingOf(NcToken statement) => run.TextOf(statement).ToUpperInvariant();
+
+    // In a tool call, the word that names the sense of an arc elsewhere is what is added to the radius.
+    private void TakeOversize(NcToken word, int nameLength)
+    {
+        var text = SpellingOf(word)[nameLength..];
+        intent.Oversize = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
+            CultureInfo.InvariantCulture, out var oversize) && text[0] is '+' or '-' ? oversize : double.NaN;
     }
 
     // The flow reads the name of a called program, and that at the head of a program.

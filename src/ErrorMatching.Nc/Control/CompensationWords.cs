@@ -4,7 +4,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Applies the words of a block that concern cutter compensation, and records them for the path of the tool's center.</summary>
-internal sealed class CompensationWords(ControlState control, BlockValues values, RunResult result)
+internal sealed class CompensationWords(ControlState control, BlockValues values, CalledTool tool, RunResult result)
 {
     private bool IsOn => control.State.Compensation != MotionFlags.None;
 
@@ -56,9 +56,11 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     }
 
     /// <summary>Switches compensation, or how it goes around corners or begins.</summary>
-    public void Apply(NcMeaning meaning)
+    /// <param name="meaning">What the word does.</param>
+    /// <param name="word">The word; null for a G code.</param>
+    public void Apply(NcMeaning meaning, string? word)
     {
-        Record(meaning, SideOf(meaning) switch
+        Record(meaning, word ?? SideOf(meaning) switch
         {
             MotionFlags.CompensationLeft => "G41",
             MotionFlags.CompensationRight => "G42",
@@ -67,6 +69,37 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
         if (SideOf(meaning) is { } side)
         {
             control.Compensate(side);
+        }
+    }
+
+    /// <summary>Records how the block leads to a contour, or away from it.</summary>
+    /// <param name="meaning">How.</param>
+    /// <param name="word">The word.</param>
+    public void Lead(NcMeaning meaning, string word)
+    {
+        var isKnown = values.Words.Has('L') && (values.Words.Unknown & BlockWords.Bit('L')) == 0;
+        result.SwitchCompensation(new(0, 0, meaning, word)
+        {
+            Length = isKnown ? values.Words.Value('L') * control.Unit : double.NaN,
+        });
+    }
+
+    /// <summary>Calls the block's tool.</summary>
+    /// <param name="oversize">What the block adds to its radius, as programmed; null if it does not say.</param>
+    public void CallTool(double? oversize)
+    {
+        if (tool.Call(oversize) && IsOn)
+        {
+            Record(NcMeaning.CompensationUnfollowed, "TOOL CALL");
+        }
+    }
+
+    /// <summary>Records that the run goes to another file.</summary>
+    public void ChangeFile()
+    {
+        if (IsOn && values.Dialect.Compensation.EndsAtCalls)
+        {
+            Record(NcMeaning.CompensationUnfollowed, "A call of another program");
         }
     }
 
@@ -92,5 +125,11 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
         return false;
     }
 
-    private void Record(NcMeaning meaning, string word) => result.SwitchCompensation(meaning, word, control.Offset, control.Unit);
+    private void Record(NcMeaning meaning, string word) => result.SwitchCompensation(new(0, 0, meaning, word)
+    {
+        Offset = control.Offset,
+        Unit = control.Unit,
+        Radius = tool.Radius,
+        Oversize = tool.Oversize,
+    });
 }

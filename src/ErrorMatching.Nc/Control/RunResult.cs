@@ -71,6 +71,6 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
 
     public void ChangeTool() => _toolChanges.Add(Motions.Length);
 
-    public void SwitchCompensation(NcMeaning meaning, string word, double? offset, double unit) =>
-        _switches.Add(new(Block, Motions.Length, meaning, word, offset, unit));
+    /// <summary>Records a word that concerns cutter compensation, for the block and the joint where the run is.</summary>
+    public void SwitchCompensation(CompensationSwitch found) => _switches.Add(found with { Block = Block, Joint = Motions.Length });
 }

@@ -15,6 +15,12 @@ internal sealed class CompensationRule
     /// <summary>True if compensation may begin on an arc.</summary>
     public bool StartsOnArcs { get; set; }
 
+    /// <summary>True if only a move in the plane is known to end it.</summary>
+    public bool EndsInPlane { get; set; }
+
+    /// <summary>True if a call of a program in another file ends it.</summary>
+    public bool EndsAtCalls { get; set; }
+
     /// <summary>True if it works in the YZ plane.</summary>
     public bool WorksInYz { get; set; }
 

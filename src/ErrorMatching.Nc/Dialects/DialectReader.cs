@@ -23,14 +23,16 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         NcMeaning.RapidInBlock, NcMeaning.ArcByRadius, NcMeaning.ArcAboutPole, NcMeaning.PolarArc, NcMeaning.PolarLine,
         NcMeaning.PolarTangentArc, NcMeaning.ArcSense, NcMeaning.SetPole, NcMeaning.CornerRounding, NcMeaning.CornerChamfer,
         NcMeaning.DatumShift, NcMeaning.UnknownOrigin, NcMeaning.ToolAxisRetract, NcMeaning.Approach, NcMeaning.Departure,
-        NcMeaning.ComputedContour,
+        NcMeaning.ComputedContour, NcMeaning.ApproachTangent, NcMeaning.ApproachNormal, NcMeaning.DepartureTangent,
+        NcMeaning.DepartureNormal, NcMeaning.ToolCall, NcMeaning.ToolDefinition,
     ];
 
     private static readonly NcMeaning[] MeaningsWithWords =
     [
         NcMeaning.Line, NcMeaning.TangentArc, NcMeaning.ArcByRadius, NcMeaning.ArcAboutPole, NcMeaning.PolarArc, NcMeaning.PolarLine,
         NcMeaning.PolarTangentArc, NcMeaning.SetPole, NcMeaning.CornerRounding, NcMeaning.CornerChamfer, NcMeaning.DatumShift,
-        NcMeaning.Approach, NcMeaning.Departure,
+        NcMeaning.Approach, NcMeaning.Departure, NcMeaning.ApproachTangent, NcMeaning.ApproachNormal, NcMeaning.DepartureTangent,
+        NcMeaning.DepartureNormal,
     ];
 
     private static readonly NcMeaning[] CommonMeanings =
@@ -38,7 +40,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         NcMeaning.Unknown, NcMeaning.Harmless, NcMeaning.Line, NcMeaning.TangentArc, NcMeaning.PlaneXY, NcMeaning.PlaneZX,
         NcMeaning.PlaneYZ, NcMeaning.Inch, NcMeaning.Metric, NcMeaning.CompensationOff, NcMeaning.CompensationLeft,
         NcMeaning.CompensationRight, NcMeaning.MachineCoordinates, NcMeaning.OpaqueTransform, NcMeaning.OpaqueTransformOff,
-        NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.CycleCall,
+        NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.CycleCall, NcMeaning.CompensationSharpCorner,
+        NcMeaning.CompensationUnfollowed,
     ];
 
     public List<Refusal> Problems { get; } = [];
@@ -94,6 +97,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "compensationStartExceedsRadius": rule.StartExceedsRadius = value.Flag; break;
             case "compensationArcsExceedRadius": rule.ArcsExceedRadius = value.Flag; break;
             case "compensationStartsOnArcs": rule.StartsOnArcs = value.Flag; break;
+            case "compensationEndsInPlane": rule.EndsInPlane = value.Flag; break;
+            case "compensationEndsAtCalls": rule.EndsAtCalls = value.Flag; break;
             case "compensationWorksInYz": rule.WorksInYz = value.Flag; break;
             case "compensationCorners": rule.OutsideCorners = (CompensationCorner)CornerNames[value.Text]; break;
             case "compensationSharpCorners": rule.SharpCorners = (CompensationCorner)CornerNames[value.Text]; break;
@@ -264,6 +269,9 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         {
             _ when Array.IndexOf(MeaningsWithWords, meaning) >= 0 && LanguageSpelling.Of(tables.Syntax) is { } language
                 && !language.HasWords(Encoding.ASCII.GetBytes(subject.Word)) => "another meaning: no coordinates can follow this word",
+            NcMeaning.ToolCall or NcMeaning.ToolDefinition
+                when LanguageSpelling.Of(tables.Syntax)?.NamesTool(Encoding.ASCII.GetBytes(subject.Word)) == false =>
+                "another meaning: no tool can follow this word",
             _ when isCode && LanguageSpelling.Of(tables.Syntax) is not null => "a word: programs in this syntax have no codes",
             NcMeaning.CycleCall or NcMeaning.ModalCycle when isCode => "another meaning: only a word of several letters can have this one",
             NcMeaning.WorkOffset or NcMeaning.ReferenceReturn or NcMeaning.StoreReference when !isCode =>

@@ -319,10 +319,10 @@ public enum NcMeaning : byte
     /// <summary>Retracts the tool along its axis by a way that is not followed, before its block's motion (M140).</summary>
     ToolAxisRetract,
 
-    /// <summary>Goes to the first point of a contour by a way that is not followed (APPR LT).</summary>
+    /// <summary>Goes to the first point of a contour by a way that is not followed (APPR CT).</summary>
     Approach,
 
-    /// <summary>Leaves a contour by a way that is not followed, and ends cutter compensation (DEP LT). Without coordinates, its end is
+    /// <summary>Leaves a contour by a way that is not followed, and ends cutter compensation (DEP CT). Without coordinates, its end is
     /// unknown.</summary>
     Departure,
 
@@ -347,4 +347,29 @@ public enum NcMeaning : byte
     /// <summary>Cutter compensation begins and ends around the contour's first and last point, in a way that is not followed
     /// (KONT).</summary>
     CompensationOtherEntry,
+
+    /// <summary>The outside corner at the end of its block goes on to the intersection under cutter compensation (M97).</summary>
+    CompensationSharpCorner,
+
+    /// <summary>Changes how the control leads the tool's center under cutter compensation, in a way that is not followed (M98,
+    /// M120).</summary>
+    CompensationUnfollowed,
+
+    /// <summary>Goes to the first point of a contour over a point ahead of its first element (APPR LT).</summary>
+    ApproachTangent,
+
+    /// <summary>Goes to the first point of a contour over a point at right angles to its first element (APPR LN).</summary>
+    ApproachNormal,
+
+    /// <summary>Leaves a contour straight on from its last element, and ends cutter compensation (DEP LT).</summary>
+    DepartureTangent,
+
+    /// <summary>Leaves a contour at right angles to its last element, and ends cutter compensation (DEP LN).</summary>
+    DepartureNormal,
+
+    /// <summary>Calls a tool: its number and the oversize of its radius are words of the block (TOOL CALL).</summary>
+    ToolCall,
+
+    /// <summary>Defines a tool by its number and radius (TOOL DEF).</summary>
+    ToolDefinition,
 }

@@ -286,7 +286,12 @@ public sealed class NcInterpreter
             _executor.Layers.LoseOrigin();
         }
 
+        var file = _run.Text;
         _run.Follow(action);
+        if (!ReferenceEquals(_run.Text, file))
+        {
+            _executor.Compensation.ChangeFile();
+        }
     }
 
     private void GoOn()

@@ -22,6 +22,10 @@ internal abstract class LanguageSpelling
     /// <param name="name">Its name.</param>
     public abstract bool HasWords(ReadOnlySpan<byte> name);
 
+    /// <summary>True for a keyword that calls or defines a tool.</summary>
+    /// <param name="name">Its name.</param>
+    public abstract bool NamesTool(ReadOnlySpan<byte> name);
+
     /// <summary>True for an M function that is a keyword, because it is the control's own and not the machine's.</summary>
     public abstract bool IsKeyword(int function);
 

@@ -16,11 +16,18 @@ public sealed class ClosedLoopTests
     private const int Parts = 400;
 
     /// <summary>
-    /// Parts that may be refused: two features run into each other tangentially and deviate by different amounts,
-    /// so the part has a step that no contour of the same blocks can follow. Or a displaced chord becomes so short that under cutter
-    /// compensation no tool fits between its corners.
+    /// Parts that may be refused, with the code. Of most, two features run into each other tangentially and deviate by different amounts,
+    /// so the part has a step that no contour of the same blocks can follow. Of part 215 in feedback, the straight block behind a wave cuts
+    /// its last chords off: 1.4 um are left of the last one before an inside corner of 49 degrees, where a tool with a radius of 10 um needs
+    /// 4.6 um. rs274 refuses the program that would have been written, too.
     /// </summary>
-    private const int StepsAllowed = 4;
+    private static readonly Dictionary<int, string> Refused = new()
+    {
+        [47] = NcRefusalCodes.NoIntersection,
+        [108] = NcRefusalCodes.NoIntersection,
+        [177] = NcRefusalCodes.NoIntersection,
+        [215] = NcRefusalCodes.CompensationGouge,
+    };
 
     [Fact]
     public void Feed_forward_makes_the_counterpart_follow_the_part() =>
@@ -71,7 +78,6 @@ public sealed class ClosedLoopTests
     private static List<string> Failures(Func<RandomPart, MatchInput> input, Func<RandomKeyPoint, double> wanted)
     {
         var failures = new List<string>();
-        var steps = 0;
         for (var seed = 0; seed < Parts; seed++)
         {
             var part = RandomParts.Generate(seed);
@@ -79,7 +85,7 @@ public sealed class ClosedLoopTests
             if (outcome.Result is not { } result)
             {
                 var refusal = Assert.Single(outcome.Refusals);
-                if (refusal.Code is not (NcRefusalCodes.NoIntersection or NcRefusalCodes.CompensationGouge) || ++steps > StepsAllowed)
+                if (Refused.GetValueOrDefault(seed) != refusal.Code)
                 {
                     failures.Add($"part {seed}, {part.Flavor}: {refusal.Message}");
                 }

@@ -37,6 +37,55 @@ public sealed class KlartextLoopTests
         }
     }
 
+    // The circle of a real tool, carried along the path of its center, leaves the contour that the referee reads.
+    [Fact]
+    public void The_tool_of_a_compensated_program_touches_the_programmed_contour()
+    {
+        var (failures, probed) = (new List<string>(), 0);
+        for (var seed = 0; seed < Parts; seed++)
+        {
+            var part = KlartextWriter.InKlartext(RandomParts.Generate(seed));
+            var radius = 0.5 + (seed % 3);
+            var path = NcInterpreter.Run(NcProgram.FromText(part.Program, NcSyntax.Klartext), NcDialects.HeidenhainKlartext);
+            var center = CompensatedPath.Of(path, ToolRadii.Of(radius), TestContext.Current.CancellationToken);
+            if (!part.Flavor.Compensated || center.Refusal is not null)
+            {
+                continue;
+            }
+
+            var contour = KlartextReferee.Run(part.Program).Where(m => m.Side != CutterSide.None).ToList();
+            var room = new VirtualCut(contour.Select(m => m with { Side = CutterSide.None }), radius - 1e-3);
+            var (wanted, cut) = (new VirtualCut(contour, radius), new VirtualCut(center.Motions.Select(MoveOf), radius));
+            foreach (var point in part.KeyPoints)
+            {
+                // In an inside corner the tool does not reach the point.
+                var place = wanted.Probe(point.Place, point.Normal);
+                if (room.Clearance(point.Place + (point.Normal.Unit() * (place + radius))) < 0)
+                {
+                    continue;
+                }
+
+                probed++;
+                var error = cut.Probe(point.Place, point.Normal) - place;
+                if (!(Math.Abs(error) <= Rounding))
+                {
+                    failures.Add($"part {seed}, {part.Flavor}, point {point.Label}: {error:0.0000} mm beside");
+                }
+            }
+        }
+
+        Assert.True(failures.Count == 0, string.Join('\n', failures));
+        Assert.True(probed > Parts, $"{probed} points");
+    }
+
+    private static RefereeMove MoveOf(CompensatedMotion motion)
+    {
+        var (from, to) = (motion.Start, motion.End);
+        var move = new RefereeMove(
+            "", 0, motion.Kind == MotionKind.Rapid, new(from.X, from.Y, from.Z), new(to.X, to.Y, to.Z), WorkPlane.XY, CutterSide.None);
+        return motion.IsArc ? move.Around(new(motion.Center.X, motion.Center.Y), motion.Kind == MotionKind.ArcCounterClockwise) : move;
+    }
+
     [Fact]
     public void The_counterpart_follows_the_part()
     {

@@ -45,6 +45,38 @@ public sealed class CompensatedMatchTests
     public void The_wish_stores_the_tool_for_another_proof() =>
         Assert.Equal(3, Floor(6, 0.1).Match().WishFile().ToolRadii.Otherwise);
 
+    [Theory]
+    [InlineData("G41.1 D6", "linuxcnc", null)]
+    [InlineData("G41.1 D6.2", "linuxcnc", "3.1")]
+    [InlineData("G41 D1", "linuxcnc", null)]
+    public void Another_radius_in_the_block_than_the_tool_s_is_warned_of(string on, string dialect, string? radius)
+    {
+        var program = Slot.Replace("G41 D1", on, StringComparison.Ordinal);
+        var match = new MatchCase(program)
+        {
+            ToolDiameterMm = 6, Dialect = dialect, Theoretical = "1 10 0; 2 30 0", Part = "1 10 0.05; 2 30 0.05",
+        };
+        Assert.Equal(radius is null ? [] : new[] { $"N50 {radius} 3" }, Differing(match));
+    }
+
+    [Theory]
+    [InlineData("TOOL CALL 1 Z S3000", null)]
+    [InlineData("TOOL CALL 1 Z S3000 DR+0.2", "3.2")]
+    [InlineData("TOOL DEF 1 L+0 R+2.5\nTOOL CALL 1 Z S3000", "2.5")]
+    public void Another_radius_in_a_tool_call_than_the_tool_s_is_warned_of(string call, string? radius)
+    {
+        var match = new MatchCase($"0 BEGIN PGM A MM\n{call}\n1 L X-20 Y+4 Z+0 R0 FMAX\n2 L X-10 Y+0 RL F300\n5 L X+40\n6 L Y+8.1\n"
+            + "7 L X-10\n8 L X-20 Y+4 R0\n9 END PGM A MM\n")
+        {
+            ToolDiameterMm = 6, Dialect = "heidenhain-klartext", Theoretical = "1 10 0; 2 30 0", Part = "1 10 0.05; 2 30 0.05",
+            Features = [MatchCase.Line("L1", "N5", "1", "2")],
+        };
+        Assert.Equal(radius is null ? [] : new[] { $"5 {radius} 3" }, Differing(match));
+    }
+
+    private static IEnumerable<string> Differing(MatchCase match) =>
+        match.Report().Warnings.Where(w => w.Code == "tool-radius-differs").Select(w => string.Join(' ', w.Values));
+
     private static MatchCase Floor(double diameter, double up) => new(Slot)
     {
         ToolDiameterMm = diameter,

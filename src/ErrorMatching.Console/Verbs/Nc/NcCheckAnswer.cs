@@ -108,7 +108,7 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
             unknown += motion.UnknownEnd != AxisSet.None ? 1 : 0;
         }
 
-        Note(compensated, "run under cutter compensation (G41, G42), which is not applied: the path is as programmed");
+        Note(compensated, "run under cutter compensation, which is not applied: the path is as programmed");
         if (compensated > 0)
         {
             notes.Add(_compensation is { } refusal

@@ -8,7 +8,7 @@ internal sealed class NcMotionVerb : NcVerb
 {
     private readonly Option<bool> _compensated = new("--compensated")
     {
-        Description = "Prints the path of the tool's center, with cutter compensation (G41, G42) applied.",
+        Description = "Prints the path of the tool's center, with cutter compensation (G41, G42, RL, RR) applied.",
     };
 
     public NcMotionVerb()

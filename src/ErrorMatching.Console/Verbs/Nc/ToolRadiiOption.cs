@@ -11,13 +11,13 @@ internal sealed class ToolRadiiOption
 
     private readonly Option<string> _radius = new("--tool-radius")
     {
-        Description = "The tool's radius in mm, as the control has it for cutter compensation (G41, G42).",
+        Description = "The tool's radius in mm, as the control has it for cutter compensation (G41, G42, RL, RR).",
         HelpName = "R"
     };
 
     private readonly Option<string> _radii = new("--tool-radii")
     {
-        Description = "The radii in mm by the numbers that D names, if there are several.",
+        Description = "The radii in mm by the numbers that D or TOOL CALL names, if there are several.",
         HelpName = "D1=R1,D2=R2"
     };
 

@@ -69,6 +69,9 @@ internal sealed class KlartextSpelling : LanguageSpelling
 
     public override bool HasWords(ReadOnlySpan<byte> name) => KlartextStatements.HasWords(name);
 
+    public override bool NamesTool(ReadOnlySpan<byte> name) =>
+        Ascii.EqualsIgnoreCase(name, "TOOLCALL"u8) || Ascii.EqualsIgnoreCase(name, "TOOLDEF"u8);
+
     public override bool IsKeyword(int function) => KlartextWords.IsOfControl(function);
 
     public override ReadOnlySpan<byte> LabelOf(ReadOnlySpan<byte> keyword) =>
