@@ -63,8 +63,9 @@ public class ContractTests
     [Fact]
     public void A_file_may_be_named_like_an_option()
     {
-        Assert.Contains("--otu", Shell.Run("nc", "check", "--dialect", "fanuc", "--", "--otu").Error, StringComparison.Ordinal);
-        Assert.DoesNotContain("Unrecognized", Shell.Run("nc", "check", "--dialect", "fanuc", "--", "--otu").Error, StringComparison.Ordinal);
+        var error = Shell.Run("nc", "check", "--dialect", "fanuc", "--", "--otu").Error;
+        Assert.Contains("--otu", error, StringComparison.Ordinal);
+        Assert.DoesNotContain("Unrecognized", error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -75,7 +76,8 @@ public class ContractTests
         Assert.Contains("match", Offered("errormatch "));
 
         static string[] Offered(string line) =>
-            Shell.Run($"[suggest:{line.Length}]", line).Output.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+            Shell.Run($"[suggest:{line.Length}]", line).Output.Split(
+                '\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
     }
 
     [Theory]

@@ -6,7 +6,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>Every command of the documentation runs as it is written and prints what the page shows.</summary>
 public sealed partial class DocumentationTests
 {
-    private const string Quickstart = "dotnet run --project src/ErrorMatching.Console -c Release -- ";
+    private const string Quickstart = "dotnet run --project src/ErrorMatching.Console -- ";
 
     public static TheoryData<string> Pages =>
         [.. new[] { "README.md" }.Concat(InRepository("docs").Concat(InRepository("samples")).Order(StringComparer.Ordinal))];
