@@ -50,6 +50,7 @@ public sealed class CellExampleTests : IDisposable
             await Until(3, "proposed");
             Example("cell reject", e => e.Replace("cell.json 1 ", "cell.json 3 ", StringComparison.Ordinal));
             Example("cell backup");
+            Example("cell thin");
             Example("cell secret");
         }
 

@@ -146,6 +146,31 @@ public sealed class CellVerbTests
                 .Select(c => c.GetProperty("id").GetInt64()));
     }
 
+    [Fact]
+    public void A_store_is_thinned_by_age()
+    {
+        using var cell = CellFolder.WithPeople();
+        foreach (var age in new[] { "soon", "0d", "2w", "101y", "-1y" })
+        {
+            Assert.Equal("command-line", Shell.Error(1, "cell", "thin", cell.Config, $"--older-than={age}").Text("code"));
+        }
+
+        Assert.Equal("command-line", Shell.Error(1, "cell", "thin", cell.Config, "--older-than", "1y", "--keep-last", "0").Text("code"));
+        foreach (var age in new[] { "2y", "P18M", "730d" })
+        {
+            var answer = Shell.Json(0, "errormatch/cell-thin/1", "cell", "thin", cell.Config, "--older-than", age);
+            Assert.Equal((false, 0, 100), (
+                answer.GetProperty("dryRun").GetBoolean(),
+                answer.GetProperty("contents").GetInt32(),
+                answer.GetProperty("keepLast").GetInt32()));
+            Assert.EndsWith("cell.db.archives", answer.Text("folder"), StringComparison.Ordinal);
+            Assert.InRange(
+                DateTimeOffset.Parse(answer.Text("before")!, System.Globalization.CultureInfo.InvariantCulture),
+                DateTimeOffset.UtcNow.AddDays(-732),
+                DateTimeOffset.UtcNow.AddDays(-540));
+        }
+    }
+
     [Theory]
     [InlineData("--from", "yesterday")]
     [InlineData("--to", "2026-13-01")]

@@ -134,6 +134,21 @@ public sealed class CorrectionHeadTests
     }
 
     [Fact]
+    public void Who_signs_for_an_offset_reads_which_one_its_step_and_its_total()
+    {
+        var correction = new Correction(
+            1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1)
+        {
+            Offset = RecordedOffset.Radius.With(1, 0.02m, 0.035m),
+            LargestMm = 0.02,
+        };
+        var detail = new CorrectionDetail(new(correction, [], null, null), TimeProvider.System);
+        const string Offset = "offset of the control: radius D1 by 0.0200 mm, 0.0350 mm in all.";
+        Assert.Equal((Offset, Offset), (detail.Offset, detail.Changed));
+        Assert.Contains(new Fact(Offset, Severity.Quiet), detail.Facts);
+    }
+
+    [Fact]
     public Task The_next_change_is_a_changed_block_with_those_around_it() => Seat.AtAsync(seat =>
     {
         Arrive(seat);

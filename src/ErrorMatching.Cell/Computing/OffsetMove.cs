@@ -1,6 +1,5 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
-using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell;
 

@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Globalization;
 
 namespace ErrorMatching.Cell;
@@ -14,6 +15,7 @@ internal sealed class Thinning(CellDatabase database, TimeProvider clock, byte[]
     private const int MostContents = 10_000;
     private const long MostBytes = 256L << 20;
     private const int RowsAtOnce = 500;
+    private static readonly SearchValues<char> Digits = SearchValues.Create("0123456789abcdef");
 
     /// <summary>How much would be moved.</summary>
     public Thinned Rehearse(ThinPolicy policy)
@@ -158,7 +160,7 @@ internal sealed class Thinning(CellDatabase database, TimeProvider clock, byte[]
             ? $"'{h}'"
             : throw new ArgumentException(string.Create(CultureInfo.InvariantCulture, $"{h} is no hash."), nameof(hashes)))) + ")";
 
-    private static bool IsHash(string text) => text.Length == 64 && !text.AsSpan().ContainsAnyExcept("0123456789abcdef");
+    private static bool IsHash(string text) => text.Length == 64 && !text.AsSpan().ContainsAnyExcept(Digits);
 
     private static bool IsSame(PackedContent one, PackedContent other) =>
         one.Form == other.Form && one.Length == other.Length && one.Bytes.AsSpan().SequenceEqual(other.Bytes);

@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 

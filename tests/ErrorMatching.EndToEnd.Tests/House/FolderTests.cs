@@ -38,8 +38,8 @@ public sealed partial class FolderTests
         ["Cell"] =
         [
             "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Contents",
-            "Database", "Replay", "Store", "Publishing", "Arriving", "Computing", "Keys", "Evidence", "People", "Running", "Checking",
-            "Editing",
+            "Database", "Archives", "Replay", "Store", "Publishing", "Arriving", "Computing", "Keys", "Evidence", "People", "Running",
+            "Checking", "Editing",
         ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
         ["Hmi"] =
