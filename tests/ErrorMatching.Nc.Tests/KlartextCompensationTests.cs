@@ -39,6 +39,11 @@ public sealed class KlartextCompensationTests
             ["Line 0 3", "Line 11.2426 3", "Line 22.1213 -7.8787", "ArcClockwise 23 -10", "Line 23 -20"],
             Center(Start + "L X+10 M97\nL X+20 Y-10\nL Y-20\n"));
 
+        // Behind a rounding, it is the corner at the end of its own block that counts.
+        Assert.Equal(
+            ["Line 0 3", "Line 10 3", "ArcClockwise 18 -5", "Line 18 -23", "Line 0 -23"],
+            Center(Start + "L X+15\nRND R5\nL Y-20 M97\nL X+0\n"));
+
         // The step of half a millimeter of the manuals, and the same without M97.
         Assert.Equal(
             ["Line 0 3", "Line 13 3", "Line 13 2.5", "Line 30 2.5"], Center(Start + "L X+10 M97\nL Y-0.5\nL X+30\n"));
