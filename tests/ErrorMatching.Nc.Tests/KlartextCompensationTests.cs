@@ -65,6 +65,22 @@ public sealed class KlartextCompensationTests
     }
 
     [Fact]
+    public void Polar_ends_are_led_beside()
+    {
+        Assert.Equal(["Line 0 3", "Line 7 3", "Line 7 20"], Center(Start + "CC X+0 Y+0\nLP PR+10 PA+0\nCC X+10 Y+0\nLP PR+20 PA+90\n"));
+        Assert.Equal(["Line 0 3", "Line 5 3", "ArcCounterClockwise 12 10"], Center(Start + "L X+5\nCC X+5 Y+10\nCTP PR+10 PA+0\n"));
+        var helix = Follow(Start + "CC X+0 Y+10\nCP IPA+450 IZ-2 DR+\n");
+        Assert.Null(helix.Refusal);
+        Assert.Equal((1, -7.0), (helix.Motions[^1].Turns, helix.Motions[^1].End.Z));
+        Assert.Equal(7, helix.Motions[^1].Center.DistanceTo(new(helix.Motions[^1].End.X, helix.Motions[^1].End.Y)), 9);
+
+        // A rotation is another matter.
+        const string rotated = "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+20\nCC X+0 Y+0\n";
+        Assert.Equal("compensation-unfollowed", Refused(Start + rotated + "LP PR+10 PA+0\n")?.Code);
+        Assert.Equal("compensation-unfollowed", Refused(Start + rotated + "CP IPA+90 DR+\n")?.Code);
+    }
+
+    [Fact]
     public void An_approach_goes_over_its_auxiliary_point()
     {
         // Along the contour 7 mm ahead of it; at right angles 7 mm beside the tool's place.
