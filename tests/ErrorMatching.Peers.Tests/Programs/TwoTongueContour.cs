@@ -6,8 +6,8 @@ namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
 /// A random contour under radius compensation, written twice: for LinuxCNC (G41.1, G42.1), where roundings and chamfers are written out as
-/// arcs and lines, and in Klartext (RL, RR), with C, CP, CR, CT, LP, RND and CHF. Blocks of both are numbered alike. In the rough ones, some
-/// elements are too small for the tool.
+/// arcs and lines, and in Klartext (RL, RR), with C, CP, CR, CT, LP, RND and CHF. Blocks of both are numbered alike. In the rough ones,
+/// some elements are too small for the tool.
 /// </summary>
 internal sealed class TwoTongueContour
 {
