@@ -178,7 +178,7 @@ public sealed class KlartextCompensationTests
             name => name == "B" ? called : null,
             TestContext.Current.CancellationToken);
         Assert.Null(path.Refusal);
-        Assert.Equal("compensation-unfollowed", CompensatedPath.Of(path).Refusal?.Code);
+        Assert.Equal("compensation-unfollowed", CompensatedPath.Of(path, TestContext.Current.CancellationToken).Refusal?.Code);
     }
 
     [Fact]

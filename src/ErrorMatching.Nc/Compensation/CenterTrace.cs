@@ -59,7 +59,9 @@ internal sealed class CenterTrace(List<CompensatedMotion>? motions)
         };
         var down = over with
         {
-            Kind = MotionKind.Line, Start = over.End, End = way.Plane.Lift(place, way.Plane.Height(way.End)),
+            Kind = MotionKind.Line,
+            Start = over.End,
+            End = way.Plane.Lift(place, way.Plane.Height(way.End)),
         };
         _held[0] = way with { Kind = MotionKind.Line, Start = down.End };
         _held.InsertRange(0, down.Start == down.End ? [over] : [over, down]);
