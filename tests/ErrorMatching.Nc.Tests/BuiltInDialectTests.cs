@@ -117,6 +117,7 @@ public sealed class BuiltInDialectTests
     [InlineData("linuxcnc", "G76", NcMeaning.Unsure)]
     [InlineData("linuxcnc", "G71", NcMeaning.Unsure)]
     [InlineData("haas", "G71", NcMeaning.BoltArc)]
+    [InlineData("haas", "G72", NcMeaning.BoltLine)]
     [InlineData("haas", "G5.1", NcMeaning.Unknown)]
     [InlineData("grbl", "G41", NcMeaning.Unknown)]
     [InlineData("mazak-eia", "G81", NcMeaning.DrillCycle)]

@@ -14,14 +14,20 @@ public sealed class HaasTests
     // An arc of two, 90 degrees clockwise from hole to hole.
     [InlineData("G98 G81 Z-3. R1. L0\nG71 I5. J90. K-90. L2", "R0,5,10 R0,5,1 L0,5,-3 R0,5,10 R5,0,10 R5,0,1 L5,0,-3 R5,0,10")]
 
+    // A row of three from the block's place, 5 from hole to hole at 90 degrees, and one of two backwards.
+    [InlineData(
+        "G99 G81 Z-3. R1. L0\nG72 I5. J90. L3",
+        "R0,0,1 L0,0,-3 R0,0,1 R0,5,1 L0,5,-3 R0,5,1 R0,10,1 L0,10,-3 R0,10,1")]
+    [InlineData("G99 G72 G81 X1. Y2. Z-3. R1. I-5. L2", "R1,2,10 R1,2,1 L1,2,-3 R1,2,1 R-4,2,1 L-4,2,-3 R-4,2,1")]
+
     // The tool is at one of the holes or at the center, as nobody looked up: X and Y are not known until they are stated.
     [InlineData("G99 G81 Z-3. R1. L0\nG70 I5. L1\nG80\nG0 X7.", "R5,0,10 R5,0,1 L5,0,-3 R5,0,1 R7,?,1")]
 
-    // Not followed: no cycle, an angle that could count thousandths, another plane, pecks that vary, a row.
+    // Not followed: no cycle, an angle that could count thousandths, another plane, pecks that vary.
     [InlineData("G70 I5. J90. L4", "C?,?,?")]
     [InlineData("G99 G81 Z-3. R1. L0\nG70 I5. J90 L4", "C?,?,?")]
     [InlineData("G18\nG99 G81 Y-3. R1. L0\nG70 I5. J90. L4", "C?,?,?")]
-    [InlineData("G99 G81 Z-3. R1. L0\nG72 I5. J90. L4", "C?,?,?")]
+    [InlineData("G99 G81 Z-3. R1. L0\nG72 I5. J90 L4", "C?,?,?")]
     [InlineData("G99 G83 X1. Z-3. R1. I2. J.5 K1. F10.\nG80", "C1,0,1")]
     [InlineData("G12 I5. Z-1. D1 F100.\nG0 Z3.\nX1. Y2.", "C?,?,? R?,?,3 R1,2,3")]
     [InlineData("G150 P100 X1. Z-1. I.3 K.01 Q.1 R.1 D1 F10.\nG0 X1.", "C?,?,? R1,?,?")]

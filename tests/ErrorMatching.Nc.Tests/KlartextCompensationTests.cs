@@ -39,6 +39,11 @@ public sealed class KlartextCompensationTests
             ["Line 0 3", "Line 11.2426 3", "Line 22.1213 -7.8787", "ArcClockwise 23 -10", "Line 23 -20"],
             Center(Start + "L X+10 M97\nL X+20 Y-10\nL Y-20\n"));
 
+        // Behind a rounding, it is the corner at the end of its own block that counts.
+        Assert.Equal(
+            ["Line 0 3", "Line 10 3", "ArcClockwise 18 -5", "Line 18 -23", "Line 0 -23"],
+            Center(Start + "L X+15\nRND R5\nL Y-20 M97\nL X+0\n"));
+
         // The step of half a millimeter of the manuals, and the same without M97.
         Assert.Equal(
             ["Line 0 3", "Line 13 3", "Line 13 2.5", "Line 30 2.5"], Center(Start + "L X+10 M97\nL Y-0.5\nL X+30\n"));
@@ -57,6 +62,22 @@ public sealed class KlartextCompensationTests
         Assert.Equal(
             ["Line 0 3", "Line 10 3", "ArcClockwise 12.1213 2.1213", "Line 17.1213 -2.8787", "ArcClockwise 18 -5", "Line 18 -10"],
             Center(Start + "L X+15\nCHF 5\nL Y-10\n"));
+    }
+
+    [Fact]
+    public void Polar_ends_are_led_beside()
+    {
+        Assert.Equal(["Line 0 3", "Line 7 3", "Line 7 20"], Center(Start + "CC X+0 Y+0\nLP PR+10 PA+0\nCC X+10 Y+0\nLP PR+20 PA+90\n"));
+        Assert.Equal(["Line 0 3", "Line 5 3", "ArcCounterClockwise 12 10"], Center(Start + "L X+5\nCC X+5 Y+10\nCTP PR+10 PA+0\n"));
+        var helix = Follow(Start + "CC X+0 Y+10\nCP IPA+450 IZ-2 DR+\n");
+        Assert.Null(helix.Refusal);
+        Assert.Equal((1, -7.0), (helix.Motions[^1].Turns, helix.Motions[^1].End.Z));
+        Assert.Equal(7, helix.Motions[^1].Center.DistanceTo(new(helix.Motions[^1].End.X, helix.Motions[^1].End.Y)), 9);
+
+        // A rotation is another matter.
+        const string rotated = "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+20\nCC X+0 Y+0\n";
+        Assert.Equal("compensation-unfollowed", Refused(Start + rotated + "LP PR+10 PA+0\n")?.Code);
+        Assert.Equal("compensation-unfollowed", Refused(Start + rotated + "CP IPA+90 DR+\n")?.Code);
     }
 
     [Fact]
@@ -157,7 +178,7 @@ public sealed class KlartextCompensationTests
             name => name == "B" ? called : null,
             TestContext.Current.CancellationToken);
         Assert.Null(path.Refusal);
-        Assert.Equal("compensation-unfollowed", CompensatedPath.Of(path).Refusal?.Code);
+        Assert.Equal("compensation-unfollowed", CompensatedPath.Of(path, TestContext.Current.CancellationToken).Refusal?.Code);
     }
 
     [Fact]

@@ -48,8 +48,8 @@ public sealed class KlartextCenterTests
         }
 
         TestContext.Current.TestOutputHelper?.WriteLine(
-            $"{Contours} contours, {refused} refused by rs274, {wrong} by us only, {own} by a rule of rs274 only, {motions} motions compared, "
-                + $"{failures.Count} differ");
+            $"{Contours} contours, {refused} refused by rs274, {wrong} by us only, {own} by a rule of rs274 only, {motions} motions "
+                + $"compared, {failures.Count} differ");
         Assert.True(failures.Count == 0, $"{failures.Count} of {Contours} contours differ, first {failures.FirstOrDefault()}");
         Assert.InRange(refused, 0, Contours / 4);
     }

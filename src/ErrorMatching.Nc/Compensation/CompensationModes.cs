@@ -42,7 +42,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
     }
 
     /// <summary>How a motion leads to a contour or away from it; null if its block does not say.</summary>
-    public CompensationSwitch? LeadOf(int motion) => _lead is { } lead && lead.Joint == motion ? lead : null;
+    public CompensationSwitch? LeadOf(int motion) => _lead is { } lead && MotionOf(lead) == motion ? lead : null;
 
     /// <summary>True if the outside corner at the end of a motion goes on to the intersection, whatever others do.</summary>
     public bool IsSharpAtEndOf(int motion) => _sharpEnds.Contains(motion);
@@ -54,7 +54,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
     public Refusal? Find(in NcMotion motion, int index, out double left)
     {
         left = 0;
-        if (_unfollowed is { } word && word.Joint == index)
+        if (_unfollowed is { } word && MotionOf(word) == index)
         {
             return Unfollowed(word);
         }
@@ -95,7 +95,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
                 _unfollowed = found;
                 break;
             case NcMeaning.CompensationSharpCorner:
-                _sharpEnds.Add(found.Joint);
+                _sharpEnds.Add(MotionOf(found));
                 break;
             case NcMeaning.Approach or NcMeaning.Departure or (>= NcMeaning.ApproachTangent and <= NcMeaning.DepartureNormal):
                 _lead = found;
@@ -131,6 +131,10 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
 
         return null;
     }
+
+    // The motion of the word's own block: a rounding that waited for it comes first.
+    private int MotionOf(in CompensationSwitch word) =>
+        word.Joint < path.Motions.Length && path.Motions[word.Joint].Has(MotionFlags.CornerWord) ? word.Joint + 1 : word.Joint;
 
     private Refusal Unfollowed(in CompensationSwitch word) => At(
         word.Block,

@@ -15,8 +15,8 @@ internal sealed class CompensationRun
 
     private const MotionFlags Sides = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
 
-    private const MotionFlags Unfollowed = MotionFlags.Transformed | MotionFlags.UnsureMode | MotionFlags.UnknownWord
-        | MotionFlags.BadArc | MotionFlags.Cycle | MotionFlags.MachineMove;
+    private const MotionFlags Unfollowed = MotionFlags.UnsureMode | MotionFlags.UnknownWord | MotionFlags.BadArc
+        | MotionFlags.Cycle | MotionFlags.MachineMove;
 
     private readonly NcPath _path;
     private readonly CompensationRule _rule;
@@ -132,7 +132,7 @@ internal sealed class CompensationRun
     private Refusal? Lead(in NcMotion motion, int index)
     {
         var isMove = motion.IsCut || motion.Kind == MotionKind.Rapid || (!_isOn && _path.IsLead(motion));
-        if (motion.Has(Unfollowed) || !isMove || !motion.IsKnownInPlane)
+        if (motion.IsTransformed || motion.Has(Unfollowed) || !isMove || !motion.IsKnownInPlane)
         {
             return Refuse(motion, NcRefusalCodes.CompensationUnfollowed, "the path of the tool's center is not followed here: cutter "
                 + "compensation is on, and this move depends on something that the program does not say.");

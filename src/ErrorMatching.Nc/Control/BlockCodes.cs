@@ -178,7 +178,7 @@ internal sealed class BlockCodes(
             case >= NcMeaning.PoleFromPosition and <= NcMeaning.PoleFromPole:
                 (intent.Use, intent.Code) = (AxisUse.Pole, meaning);
                 break;
-            case >= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc:
+            case (>= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc) or NcMeaning.BoltLine:
                 (intent.Use, intent.Code) = (AxisUse.Cycle, meaning);
                 break;
             case var _ when SetsOrigin(meaning):

@@ -23,7 +23,7 @@ internal sealed class BlockCycles(
     {
         corners.Lose();
         result.DependOnPlace();
-        if (intent.Code is NcMeaning.BoltCircle or NcMeaning.BoltArc && Places() is { } places)
+        if (intent.Code is NcMeaning.BoltCircle or NcMeaning.BoltArc or NcMeaning.BoltLine && Places() is { } places)
         {
             canned.DrillAt(flags, places);
 
@@ -40,8 +40,9 @@ internal sealed class BlockCycles(
         }
     }
 
-    // Haas G70: radius I, angle of the first hole J, number L. G71 has the angle K from hole to hole instead of a full circle. Null if
-    // they are not stated, or if only the machine knows how they are read.
+    // Haas G70: radius I, angle of the first hole J, number L. G71 has the angle K from hole to hole instead of a full circle. G72 has
+    // the distance I from hole to hole along a line at the angle J. Null if they are not stated, or if only the machine knows how they are
+    // read.
     private List<Point2>? Places()
     {
         var words = values.Words;
@@ -64,13 +65,13 @@ internal sealed class BlockCycles(
 
         var step = isArc ? words.Value('K') : FullCircle / number;
         var first = words.Has('J') ? words.Value('J') : 0;
-        var radius = values.Length('I');
+        var (length, isLine, start) = (values.Length('I'), intent.Code == NcMeaning.BoltLine, plane.Project(center));
         var places = new List<Point2>((int)number);
         for (var i = 0; i < number; i++)
         {
-            var from = Vector2.FromDirection(Angle.FromDegrees(first + (i * step))) * radius;
-            var middle = plane.Project(center);
-            places.Add(new(BlockValues.Sum(middle.X, from.X), BlockValues.Sum(middle.Y, from.Y)));
+            var direction = Vector2.FromDirection(Angle.FromDegrees(isLine ? first : first + (i * step)));
+            var from = direction * (isLine ? i * length : length);
+            places.Add(new(BlockValues.Sum(start.X, from.X), BlockValues.Sum(start.Y, from.Y)));
         }
 
         return places;

@@ -323,10 +323,10 @@ internal sealed class BlockExecutor
             return;
         }
 
-        flags |= _words.HasPolarEnd ? MotionFlags.Transformed
-            : !_words.IsPolar ? MotionFlags.None
-            : _pole.IsPlainArc() ? MotionFlags.PolarEnd
-            : MotionFlags.Transformed;
+        flags |= _words is { HasPolarEnd: false, IsPolar: false } ? MotionFlags.None
+            : _transforms.AreMoreThanShift ? MotionFlags.Transformed
+            : !_words.HasPolarEnd && _pole.IsPlainArc() ? MotionFlags.PolarEnd
+            : MotionFlags.Transformed | MotionFlags.PolarEnd;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
         var plane = state.Plane;

@@ -372,4 +372,7 @@ public enum NcMeaning : byte
 
     /// <summary>Defines a tool by its number and radius (TOOL DEF).</summary>
     ToolDefinition,
+
+    /// <summary>Runs the active cycle at holes on a line from the place of the block (G72 of Haas).</summary>
+    BoltLine,
 }

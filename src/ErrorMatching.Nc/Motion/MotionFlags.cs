@@ -76,6 +76,7 @@ public enum MotionFlags
     /// <summary>The center of the arc is stated by a block before it (CC).</summary>
     CenterBefore = 1 << 22,
 
-    /// <summary>The end of the arc is an angle about its center (CP).</summary>
+    /// <summary>The end of the arc is an angle about its center (CP). Together with <see cref="Transformed"/>: the end is polar in a form
+    /// that is not changed (LP, AP=), and nothing else transforms it.</summary>
     PolarEnd = 1 << 23,
 }

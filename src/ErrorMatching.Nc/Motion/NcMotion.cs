@@ -72,6 +72,12 @@ public readonly record struct NcMotion(
     /// <summary>Length in the plane.</summary>
     public double PlaneLength => IsArc ? Arc.Length : Segment.Length;
 
+    /// <summary>True for an arc to an angle about its center, which can be changed.</summary>
+    internal bool IsToAngle => (Flags & (MotionFlags.PolarEnd | MotionFlags.Transformed)) == MotionFlags.PolarEnd;
+
+    /// <summary>True if a transformation is active, and not only a polar end.</summary>
+    internal bool IsTransformed => (Flags & (MotionFlags.PolarEnd | MotionFlags.Transformed)) == MotionFlags.Transformed;
+
     /// <summary>True for a straight cut that ends where it begins.</summary>
     internal bool IsPoint => Kind == MotionKind.Line && Start == End;
 

@@ -73,7 +73,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
         }
 
         // Another angle of a polar end is judged by where it leads.
-        var turns = was.Has(MotionFlags.PolarEnd) && !_original.Angle.SameValue(_result.Angle);
+        var turns = was.IsToAngle && !_original.Angle.SameValue(_result.Angle);
         return _original.Without(changed, dropped, turns).SequenceEqual(_result.Without(changed, inserted, turns));
     }
 

@@ -94,7 +94,7 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
 
     private Refusal? SetCoordinates(int index, in NcMotion motion)
     {
-        if (motion.Has(MotionFlags.PolarEnd))
+        if (motion.IsToAngle)
         {
             // Its angle follows when its center is known.
             var (start, end) = (default(Point3) + change.MoveOf(index), default(Point3) + change.MoveOf(index + 1));

@@ -88,7 +88,7 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
         foreach (var arc in arcs)
         {
             var motion = _path.Motions[arc];
-            if (!motion.Has(MotionFlags.PolarEnd) || !_wanted.ContainsKey(arc))
+            if (!motion.IsToAngle || !_wanted.ContainsKey(arc))
             {
                 continue;
             }
@@ -212,7 +212,7 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
     // The end of an arc to an angle is its own affair.
     private bool IsPolar(int motion)
     {
-        if (_path.Motions[motion].Has(MotionFlags.PolarEnd))
+        if (_path.Motions[motion].IsToAngle)
         {
             return false;
         }

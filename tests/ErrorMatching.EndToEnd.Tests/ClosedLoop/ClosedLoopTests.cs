@@ -16,10 +16,10 @@ public sealed class ClosedLoopTests
     private const int Parts = 400;
 
     /// <summary>
-    /// Parts that may be refused, with the code. Of most, two features run into each other tangentially and deviate by different amounts,
-    /// so the part has a step that no contour of the same blocks can follow. Of part 215 in feedback, the straight block behind a wave cuts
-    /// its last chords off: 1.4 um are left of the last one before an inside corner of 49 degrees, where a tool with a radius of 10 um needs
-    /// 4.6 um. rs274 refuses the program that would have been written, too.
+    /// Parts that may be refused, with the code. Of most, two features run into each other tangentially and deviate by different
+    /// amounts, so the part has a step that no contour of the same blocks can follow. Of part 215 in feedback, the straight block behind
+    /// a wave cuts its last chords off: 1.4 um are left of the last one before an inside corner of 49 degrees, where a tool with a radius
+    /// of 10 um needs 4.6 um. rs274 refuses the program that would have been written, too.
     /// </summary>
     private static readonly Dictionary<int, string> Refused = new()
     {

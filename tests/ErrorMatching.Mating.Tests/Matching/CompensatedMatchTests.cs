@@ -54,7 +54,10 @@ public sealed class CompensatedMatchTests
         var program = Slot.Replace("G41 D1", on, StringComparison.Ordinal);
         var match = new MatchCase(program)
         {
-            ToolDiameterMm = 6, Dialect = dialect, Theoretical = "1 10 0; 2 30 0", Part = "1 10 0.05; 2 30 0.05",
+            ToolDiameterMm = 6,
+            Dialect = dialect,
+            Theoretical = "1 10 0; 2 30 0",
+            Part = "1 10 0.05; 2 30 0.05",
         };
         Assert.Equal(radius is null ? [] : new[] { $"N50 {radius} 3" }, Differing(match));
     }
@@ -68,7 +71,10 @@ public sealed class CompensatedMatchTests
         var match = new MatchCase($"0 BEGIN PGM A MM\n{call}\n1 L X-20 Y+4 Z+0 R0 FMAX\n2 L X-10 Y+0 RL F300\n5 L X+40\n6 L Y+8.1\n"
             + "7 L X-10\n8 L X-20 Y+4 R0\n9 END PGM A MM\n")
         {
-            ToolDiameterMm = 6, Dialect = "heidenhain-klartext", Theoretical = "1 10 0; 2 30 0", Part = "1 10 0.05; 2 30 0.05",
+            ToolDiameterMm = 6,
+            Dialect = "heidenhain-klartext",
+            Theoretical = "1 10 0; 2 30 0",
+            Part = "1 10 0.05; 2 30 0.05",
             Features = [MatchCase.Line("L1", "N5", "1", "2")],
         };
         Assert.Equal(radius is null ? [] : new[] { $"5 {radius} 3" }, Differing(match));

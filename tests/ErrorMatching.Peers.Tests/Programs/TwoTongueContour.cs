@@ -6,8 +6,8 @@ namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
 /// A random contour under radius compensation, written twice: for LinuxCNC (G41.1, G42.1), where roundings and chamfers are written out as
-/// arcs and lines, and in Klartext (RL, RR), with C, CR, CT, RND and CHF. Blocks of both are numbered alike. In the rough ones, some
-/// elements are too small for the tool.
+/// arcs and lines, and in Klartext (RL, RR), with C, CP, CR, CT, LP, RND and CHF. Blocks of both are numbered alike. In the rough ones,
+/// some elements are too small for the tool.
 /// </summary>
 internal sealed class TwoTongueContour
 {
@@ -86,7 +86,17 @@ internal sealed class TwoTongueContour
 
     private void Straight(Point2 end, string iso = "", string klartext = "")
     {
-        Write($"{iso}G1 X{Number(end.X)} Y{Number(end.Y)}", $"L X{Signed(end.X)} Y{Signed(end.Y)}{klartext}");
+        var words = $"L X{Signed(end.X)} Y{Signed(end.Y)}{klartext}";
+        if (klartext.Length == 0 && _random.Next(5) == 0)
+        {
+            // By its distance from a pole and the angle about it.
+            var (pole, ray) = (Grid(end + new Vector2(9 * Next(), 9)), default(Vector2));
+            ray = end - pole;
+            _klartext.Append(CultureInfo.InvariantCulture, $"CC X{Signed(pole.X)} Y{Signed(pole.Y)}\n");
+            words = $"LP PR{Fine(ray.Length)} PA{Fine(Math.Atan2(ray.Y, ray.X) * 180 / Math.PI)}";
+        }
+
+        Write($"{iso}G1 X{Number(end.X)} Y{Number(end.Y)}", words);
         _at = end;
     }
 
@@ -106,11 +116,20 @@ internal sealed class TwoTongueContour
         var back = _at - center;
         var sweep = 0.6 + (4.5 * _random.NextDouble() * _random.NextDouble());
         var direction = Math.Atan2(back.Y, back.X) + (left ? sweep : -sweep);
-        var end = Grid(center + (Vector2.FromDirection(Angle.FromRadians(direction)) * back.Length));
+        var end = center + (Vector2.FromDirection(Angle.FromRadians(direction)) * back.Length);
+        var isToAngle = _random.Next(3) == 0;
+        end = isToAngle ? end : Grid(end);
         _heading = direction + (left ? Math.PI / 2 : -Math.PI / 2);
         var sense = left ? "DR+" : "DR-";
         var (code, to) = (left ? "G3" : "G2", $"X{Signed(end.X)} Y{Signed(end.Y)}");
-        if (sweep < 2.8 && _random.Next(2) == 0)
+        if (isToAngle)
+        {
+            _klartext.Append(CultureInfo.InvariantCulture, $"CC X{Signed(center.X)} Y{Signed(center.Y)}\n");
+            Write(
+                $"{code} X{Number(end.X)} Y{Number(end.Y)} I{Number(center.X - _at.X)} J{Number(center.Y - _at.Y)}",
+                $"CP IPA{Fine((left ? sweep : -sweep) * 180 / Math.PI)} {sense}");
+        }
+        else if (sweep < 2.8 && _random.Next(2) == 0)
         {
             var by = Number(Math.Round(back.Length, 4));
             Write($"{code} X{Number(end.X)} Y{Number(end.Y)} R{by}", $"CR {to} R+{by} {sense}");
@@ -179,6 +198,8 @@ internal sealed class TwoTongueContour
     private static Point2 Grid(Point2 p) => new(Math.Round(p.X, 3), Math.Round(p.Y, 3));
 
     private static Point2 Fine(Point2 p) => new(Math.Round(p.X, 4), Math.Round(p.Y, 4));
+
+    private static string Fine(double value) => value.ToString("+0.########;-0.########;+0", CultureInfo.InvariantCulture);
 
     private static string Number(double value) => (value + 0.0).ToString("0.#########", CultureInfo.InvariantCulture);
 
