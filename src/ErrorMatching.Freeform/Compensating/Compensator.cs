@@ -29,13 +29,13 @@ public static class Compensator
         var all = new List<PieceErrors>();
         foreach (var measurements in input.Earlier.Append(input.Measured))
         {
-            var errors = PieceErrors.Of(measurements, job, nominal, notes, warnings);
-            if (!errors.IsUsable)
+            var piece = PieceErrors.Of(measurements, job, nominal, notes, warnings);
+            if (!piece.IsUsable)
             {
-                return errors.Refusal;
+                return piece.Refusal;
             }
 
-            all.Add(errors.Result);
+            all.Add(piece.Result);
         }
 
         var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
@@ -77,6 +77,8 @@ public static class Compensator
                     + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
+        double[] errors = [.. samples.Select(s => systematic.At(s.U, s.V))];
+        var scatter = PointScatter.Of(samples, systematic, errors, lot);
         var result = new CompensationResult
         {
             Input = input,
@@ -94,8 +96,8 @@ public static class Compensator
             ThroughPoints = surface.ThroughPoints,
             ApproximationMm = surface.ApproximationMm,
             LargestMoveMm = surface.LargestMoveMm,
-            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain, lot),
-            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain, lot),
+            Mirror = Prediction("mirror", errors),
+            ToolRadius = Prediction("tool-radius", [.. samples.Select(s => mean.At(s.U, s.V))]),
             Warnings = warnings,
             Notes = notes,
         };
@@ -119,7 +121,12 @@ public static class Compensator
                     + $"one to the next, and between them more may be left. Measure more points to know."));
         }
 
-        return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
+        return result.ThroughPoints is null
+            ? result
+            : result with { Mirror = ThroughPoints(result, scatter, errors, surface.Between, warnings) };
+
+        SurfacePrediction Prediction(string method, double[] taken) =>
+            SurfacePrediction.Of(method, scatter, [.. errors.Zip(taken, (e, t) => e - (job.Compensation.Gain * t))], []);
     }
 
     // The lot with all measured pieces; none for a single piece that a nominal program cut.
@@ -166,12 +173,16 @@ public static class Compensator
 
     // The actual residual of the surface through the points. It may miss the nominal surface and the measurement by any amount.
     private static SurfacePrediction ThroughPoints(
-        CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
+        CompensationResult result,
+        PointScatter scatter,
+        double[] errors,
+        IReadOnlyList<(double U, double V, double MovedMm)> places,
+        List<string> warnings)
     {
-        var (samples, systematic, lot) = (result.Expected, result.Systematic, result.Lot);
-        double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
+        var systematic = result.Systematic;
+        double[] left = [.. result.Expected.Zip(errors, (s, e) => e + result.MovedMmAt(s.U, s.V))];
         double[] between = [.. places.Select(p => systematic.At(p.U, p.V) + p.MovedMm)];
-        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, [], lot);
+        var atPoints = SurfacePrediction.Of("mirror", scatter, left, []);
         if (between.Length == 0)
         {
             return atPoints;
@@ -189,7 +200,7 @@ public static class Compensator
                     + $"points."));
         }
 
-        return SurfacePrediction.Of("mirror", samples, systematic, left, between, lot);
+        return SurfacePrediction.Of("mirror", scatter, left, between);
     }
 
     private static ErrorField Systematic(
