@@ -41,15 +41,12 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-
-            // A piece that follows earlier ones shows less error than the stock on the next one has.
-            var tooHighMm = Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm));
             var planned = ToolPathPlanner.Plan(
                 result.Surface,
                 job,
                 CuttingStage.Finishing,
                 dialect,
-                tooHighMm + result.LargestMoveMm,
+                MoreMm(result),
                 ToolPathProgress.Of(request.Progress));
             if (!planned.IsUsable)
             {
@@ -110,12 +107,11 @@ public static class SurfaceRun
             var displaced = SurfaceDisplacer.Displace(
                 compensation.Input.Surface,
                 compensation.Compensated,
-                job.Compensation.Gain,
-                job.Tool,
+                job,
                 bytes,
                 dialect,
-                job.Toolpath.ProgramsTip,
-                MeasuredPoints.Sha256Of(compensation.Input.Measured));
+                MeasuredPoints.Sha256Of(compensation.Input.Measured),
+                MoreMm(compensation));
             return displaced.IsUsable
                 ? new DisplacedSurface(new(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
                 {
@@ -124,6 +120,11 @@ public static class SurfaceRun
                 : displaced.Refusal.In(program.File);
         });
     }
+
+    // More than its stock that may lie on the piece, and by how much the ball goes lower. A piece that follows earlier ones shows less error
+    // than the stock on the next one has.
+    private static double MoreMm(CompensationResult result) =>
+        Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm)) + result.LargestMoveMm;
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {
