@@ -11,9 +11,6 @@ namespace ErrorMatching.Jobs;
 /// <c>errormatch surface compensate</c>, <c>surface displace</c> and other callers.</summary>
 public static class SurfaceRun
 {
-    private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a "
-        + "surface through the compensation points: the error was fitted by the best method instead.";
-
     /// <summary>Generates the finishing program of the compensated surface.</summary>
     /// <param name="files">The job's files.</param>
     /// <param name="request">The other inputs.</param>
@@ -100,7 +97,7 @@ public static class SurfaceRun
 
             if (!asked.Fit.OfError)
             {
-                compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
+                compensation = compensation with { Warnings = [.. compensation.Warnings, ReportWarning.Of(SurfaceWarningForms.FollowsTheError)] };
             }
 
             Doing(request, "displacing the program");

@@ -147,7 +147,7 @@ internal sealed class SurfaceFigures
         : Severity.Quiet;
 
     /// <summary>What the user should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => _stored.Warnings;
+    public IReadOnlyList<string> Warnings => [.. _stored.Warnings.Select(WarningText.Of)];
 
     public bool HasWarnings => Warnings.Count > 0;
 
