@@ -67,9 +67,9 @@ public sealed partial class CodeTextTests
         }
     });
 
-    // A field of the set-up, a decision, a saved job and a person have texts of their own for theirs.
+    // A field of the set-up, a decision, a saved job and a warning have texts of their own for theirs.
     private static bool HasWords(string code, Language language) =>
-        new[] { "Problem.", "Decision.", "JobEdit." }.Any(p => Texts.Of(language).ContainsKey(p + code))
+        new[] { "Problem.", "Decision.", "JobEdit.", "Warning." }.Any(p => Texts.Of(language).ContainsKey(p + code))
         || (CodeText.Of(code, null) is var text && text != Texts.Current["Meaning.Other"] && !Raw().IsMatch(text)
             && (language == Language.English || IsChinese(text)));
 

@@ -72,6 +72,44 @@ public sealed class SurfaceVerdictTextTests
     public Task In_Chinese_it_has_the_same_numbers(string name, string text) => InAsync(Language.TraditionalChinese, () => Assert.Equal(
         text, Text(new(Tolerance, Good with { Code = ProfileCode.Outside, ProfileMm = 0.0506 }, Cases[name].Judgement), true)));
 
+    // What surface evaluate says of a finished piece. With its stock on it, a piece is no finished one.
+    [Theory]
+    [InlineData("within", "符合公差：70 點的輪廓度 7.01 / 20 µm，機率 98.8 %。")]
+    [InlineData("one near", "不予接受：輪廓度 18.00 / 20 µm，但兩側公差限的保護帶 1.645 µm 不接受點 8：太接近公差限。")]
+    [InlineData("many near", "不予接受：輪廓度 18.00 / 20 µm，但兩側公差限的保護帶 1.645 µm 不接受點 8 與 9：太接近公差限。")]
+    [InlineData("one outside", "超出公差：輪廓度 25.00 / 20 µm；70 點中 1 點超出 ±10 µm：點 8，超出 2.50 µm。")]
+    public async Task A_finished_piece_is_judged_as_measured(string name, string chinese)
+    {
+        var judged = name switch
+        {
+            "one near" => Good with { Code = ProfileCode.NotAccepted, ProfileMm = 0.018, NotAccepted = [8] },
+            "many near" => Good with { Code = ProfileCode.NotAccepted, ProfileMm = 0.018, NotAccepted = [8, 9] },
+            _ => Cases[name].Judgement,
+        };
+        var verdict = new SurfaceVerdict(Tolerance, judged, Good);
+        var findings = SurfaceFindings.Of(Sample.Value, new(null, null)) with { Verdict = verdict, Stage = CuttingStage.Finishing };
+        await InAsync(Language.English, () =>
+        {
+            Assert.Equal(ProfileWords.Of(Tolerance, [("piece.csv", judged)], "µm"), Plain(SurfaceVerdictText.OfPiece(findings)));
+            Assert.Equal(
+                Cases.TryGetValue(name, out var known) ? known.Severity : Severity.Attention, SurfaceVerdictText.SeverityOfPiece(verdict));
+            Assert.Null(SurfaceVerdictText.OfPiece(findings with { Stage = CuttingStage.SemiFinishing }));
+            Assert.Null(SurfaceVerdictText.OfPiece(findings with { Verdict = null }));
+        });
+        await InAsync(Language.TraditionalChinese, () => Assert.Equal(chinese, Plain(SurfaceVerdictText.OfPiece(findings))));
+    }
+
+    [Theory]
+    [InlineData(true, true)]
+    [InlineData(false, false)]
+    public Task The_tolerance_is_said_as_in_the_report(bool isGuarded, bool isAligned) => InAsync(Language.English, () =>
+    {
+        var tolerance = new ProfileTolerance(0.02, isGuarded ? DecisionRule.GuardBand(5) : DecisionRule.Simple, isAligned);
+        Assert.Equal(
+            ProfileWords.Of(tolerance, Good.UncertaintyMm, "µm"), Plain(SurfaceVerdictText.OfTolerance(new(tolerance, Good, Good))));
+        Assert.Null(SurfaceVerdictText.OfTolerance(null));
+    });
+
     [Fact]
     public Task Without_a_tolerance_nothing_is_judged_and_nothing_asks_for_attention() => InAsync(Language.English, () =>
     {
@@ -79,6 +117,8 @@ public sealed class SurfaceVerdictTextTests
         Assert.StartsWith("Not judged: ", Text(null, true), StringComparison.Ordinal);
         Assert.Equal(Severity.Quiet, SurfaceVerdictText.SeverityOf(null));
     });
+
+    private static string? Plain(string? text) => text?.Replace('\u00a0', ' ');
 
     private static string Text(SurfaceVerdict? verdict, bool isToBeCut) => SurfaceVerdictText
         .Of(SurfaceFindings.Of(Sample.Value, new(null, null)) with { Verdict = verdict }, isToBeCut).Replace('\u00a0', ' ');

@@ -275,6 +275,19 @@ public class OwnFormatTests
         Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(OwnFormats.Bytes(description + values))), file.Sha256);
     }
 
+    // As a cell stores them. The description may end within a line, and the values begin with a mark of their encoding.
+    [Theory]
+    [InlineData("\n", "")]
+    [InlineData("", "\uFEFF")]
+    public void Values_behind_their_description_are_one_file(string end, string mark)
+    {
+        var (description, values) = Split();
+        byte[] marked = [.. Encoding.UTF8.GetBytes(mark), .. OwnFormats.Bytes(values)];
+        var joined = MeasurementBytes.Joined(OwnFormats.Bytes(description.TrimEnd('\n') + end), marked);
+        var file = MeasurementReader.Read(joined, "part.dfx", MeasurementFormat.Points);
+        Assert.Equal([new(32.012, 5.998, 0.001), new Point3(-1.5, 20.25, -3)], file.Points.Select(p => p.Position));
+    }
+
     [Fact]
     public void Values_one_by_one_are_read_as_those_of_a_line()
     {

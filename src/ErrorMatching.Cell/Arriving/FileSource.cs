@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -146,6 +147,13 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
             files = _claims.Files();
         }
 
+        // Values are moved here first and removed first: a description alone belongs to values that are stored already.
+        var here = files.Select(f => f.Name).ToHashSet(StringComparer.Ordinal);
+        foreach (var name in here.Where(n => MeasurementBytes.IsDescription(n) && !here.Contains(n[..^1] + 'x') && !here.Contains(n[..^1] + 'X')))
+        {
+            _claims.Remove(name);
+        }
+
         return [.. files.Where(f => _finished.IsOurs(f.Name))];
     }
 
@@ -163,15 +171,22 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
             return Hold(file, $"{defect}, and only plain files are taken. Remove it from {ClaimFolder.Name}.");
         }
 
+        var description = Description(file.Name);
+        if (description is null && MeasurementBytes.DescriptionsOf(file.Name).Count > 0)
+        {
+            return Hold(file, FinishedFiles.Undescribed(file.Name));
+        }
+
         for (var attempt = 0; attempt < Attempts; attempt++)
         {
             file.Refresh();
-            if (!file.Exists)
+            description?.Refresh();
+            if (!file.Exists || description?.Exists == false)
             {
                 return false;
             }
 
-            var (length, changed) = (file.Length, file.LastWriteTimeUtc.Ticks);
+            var (length, changed) = (file.Length + (description?.Length ?? 0), file.LastWriteTimeUtc.Ticks);
             if (length > gauge.MostBytes)
             {
                 if (length > MostHashed)
@@ -195,19 +210,40 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
                     }
 
                     Guarded(() => _claims.LayAside(file, hash));
+                    if (description is not null && FileReading.Hash(description, cancellation) is { } described)
+                    {
+                        Guarded(() => _claims.LayAside(description, described));
+                    }
+
                     return true;
                 }
             }
-            else if (FileReading.Whole(file) is { } bytes)
+            else if (Whole(file, description) is { } bytes)
             {
                 var sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes));
                 archive(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, sha256), bytes));
-                return RemoveMarker(file.Name) && _claims.Remove(file.Name) ? true : Hold(file, NotRemoved);
+                return RemoveMarker(file.Name) && _claims.Remove(file.Name) && RemoveDescription(description)
+                    ? true
+                    : Hold(file, NotRemoved);
             }
         }
 
         return Hold(file, "it changes while it is read, or cannot be opened. It is read as soon as it can be.");
     }
+
+    // The description of values, moved aside; null if there is none.
+    private FileInfo? Description(string name) => MeasurementBytes.DescriptionsOf(name)
+        .Select(d => _claims.Has(d) ? _claims.Files().First(f => f.Name == d)
+            : File.Exists(Path.Combine(_folder, d)) ? _claims.Claim(d)
+            : null)
+        .FirstOrDefault(f => f is not null && PlainFile.Defect(f) is null);
+
+    private static byte[]? Whole(FileInfo file, FileInfo? description) => FileReading.Whole(file) is not { } bytes ? null
+        : description is null ? bytes
+        : FileReading.Whole(description) is { } described ? MeasurementBytes.Joined(described, bytes)
+        : null;
+
+    private bool RemoveDescription(FileInfo? description) => description is null || _claims.Remove(description.Name);
 
     // Before the file: a marker that outlived it would make the next file of this name look finished.
     private bool RemoveMarker(string name) => gauge.Finished is not FinishedByMarker marker || _claims.Remove(name + marker.Suffix);

@@ -1,3 +1,5 @@
+using ErrorMatching.Measurement;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Determines which files in a gauge's folder are finished.</summary>
@@ -22,7 +24,7 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
         FileSystemInfo[] items = [
             .. folder.EnumerateFileSystemInfos(
                 "*", new EnumerationOptions { AttributesToSkip = FileAttributes.None, IgnoreInaccessible = false })];
-        var names = gauge.Finished is FinishedByMarker ? items.Select(i => i.Name).ToHashSet(StringComparer.Ordinal) : [];
+        var names = items.ToDictionary(i => i.Name, StringComparer.Ordinal);
         IsWaiting = false;
         foreach (var item in items.Where(i => IsOurs(i.Name)))
         {
@@ -39,9 +41,22 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
                 left.Add(new(
                     ShownName.Of(item.Name), $"{defect}, and only plain files are taken. Remove it, or put the file itself there."));
             }
-            else if (item is FileInfo file && IsFinished(file, names, seen))
+            else if (item is FileInfo file)
             {
-                finished.Add(file);
+                // Asked first: the rest of a description is counted from when it is first seen.
+                var isDescribed = IsDescribed(file, names, seen);
+                if (IsFinished(file, names, seen))
+                {
+                    if (isDescribed)
+                    {
+                        finished.Add(file);
+                        continue;
+                    }
+
+                    left.Add(new(ShownName.Of(file.Name), Undescribed(file.Name)));
+                }
+
+                IsWaiting = true;
             }
             else
             {
@@ -58,17 +73,39 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
     public bool IsOurs(string name) =>
         FileNamePattern.Fits(gauge.Files, name)
         && (name[0] != '.' || gauge.Files[0] == '.')
+        && !MeasurementBytes.IsDescription(name)
         && !(gauge.Finished is FinishedByMarker marker && name.EndsWith(marker.Suffix, StringComparison.OrdinalIgnoreCase));
 
+    /// <summary>Why values are not taken alone.</summary>
+    public static string Undescribed(string name) =>
+        $"its description {ShownName.Of(MeasurementBytes.DescriptionsOf(name)[0])} is not there yet, or is still being written, and both are "
+            + $"taken together. Put it into the same folder, or export one file .dfq.";
+
+    // Values are taken with their description. A marker or an end of the values speaks for both; a description that is still being written
+    // is waited for.
+    private bool IsDescribed(
+        FileInfo file,
+        Dictionary<string, FileSystemInfo> names,
+        Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> seen)
+    {
+        var descriptions = MeasurementBytes.DescriptionsOf(file.Name);
+        return descriptions.Count == 0 || (
+            descriptions.Select(d => names.GetValueOrDefault(d)).OfType<FileInfo>().FirstOrDefault() is { Exists: true } description
+                && PlainFile.Defect(description) is null
+                && (gauge.Finished is not FinishedAtRest || IsFinished(description, names, seen)));
+    }
+
     private bool IsFinished(
-        FileInfo file, HashSet<string> names, Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> seen)
+        FileInfo file,
+        Dictionary<string, FileSystemInfo> names,
+        Dictionary<string, (long Length, DateTime Changed, long Since, bool HasMark)> seen)
     {
         switch (gauge.Finished)
         {
             case FinishedByRename:
                 return true;
             case FinishedByMarker marker:
-                return names.Contains(file.Name + marker.Suffix);
+                return names.ContainsKey(file.Name + marker.Suffix);
             default:
                 var (length, changed) = (file.Length, file.LastWriteTimeUtc);
                 var now = clock.GetTimestamp();

@@ -76,9 +76,7 @@ internal sealed class SurfaceCorrection
             SumMm = result.LargestMoveMm,
             ChangedBlocks = null,
             ChangedWords = null,
-            Warnings = [
-                .. finished.Report.CallsTool ? Array.Empty<Statement>() : [Recorded.NoToolCall.With()],
-                .. result.Warnings.Select(w => (Statement)w)],
+            Warnings = [.. finished.Report.Warnings.Select(SurfaceWarningForms.StatementOf)],
         });
     }
 
@@ -107,7 +105,7 @@ internal sealed class SurfaceCorrection
             SumMm = sum,
             ChangedBlocks = rewrite.ChangedBlocks.Count,
             ChangedWords = rewrite.ChangedWords,
-            Warnings = [.. compensation.Warnings.Select(w => (Statement)w)],
+            Warnings = [.. compensation.Warnings.Select(SurfaceWarningForms.StatementOf)],
         });
     }
 

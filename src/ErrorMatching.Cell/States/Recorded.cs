@@ -29,7 +29,6 @@ public static class Recorded
     internal static readonly SentenceForm OfPart = new("of-part", "{0:word} of {1}, to be compared with the part of correction {2:0}");
     internal static readonly SentenceForm Of = new("of", "{0:word} of {1}");
     internal static readonly SentenceForm DisplacedNothing = new("displaced-nothing", "nothing is to be displaced.");
-    internal static readonly SentenceForm NoToolCall = new("no-tool-call", FinishingProgram.NoToolCall);
     internal static readonly SentenceForm DisplacedInSum = new(
         "displaced-in-sum", "displaced by at most {0:0.0000} mm, {1:0.0000} mm since the original");
     internal static readonly SentenceForm Displaced = new("displaced", "displaced by at most {0:0.0000} mm");
@@ -356,7 +355,7 @@ public static class Recorded
     /// <summary>All forms.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
     [
-        Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, NoToolCall, DisplacedInSum, Displaced, Computed, AtPointOf,
+        Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf,
         AtPointAndBeside,
         AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared,
         NotComparable, PartRecorded, Approved,
@@ -383,7 +382,7 @@ public static class Recorded
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =
-        All.Concat(WarningForms.All).Concat(RefusalForms.All).ToFrozenDictionary(f => f.Name, StringComparer.Ordinal);
+        All.Concat(WarningForms.All).Concat(SurfaceWarningForms.All).Concat(RefusalForms.All).ToFrozenDictionary(f => f.Name, StringComparer.Ordinal);
 
     /// <summary>Reads a text of the store. What earlier versions wrote in English is words.</summary>
     internal static Statement Read(string text) => Statement.Read(text, Known);

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>A compensated surface, its inputs, and the expected outcome. Lengths in millimeters.</summary>
@@ -62,7 +64,7 @@ public sealed record CompensationResult
     public required SurfacePrediction ToolRadius { get; init; }
 
     /// <summary>Warnings, in sentences.</summary>
-    public required IReadOnlyList<string> Warnings { get; init; }
+    public required IReadOnlyList<ReportWarning> Warnings { get; init; }
 
     /// <summary>Notes, in sentences.</summary>
     public required IReadOnlyList<string> Notes { get; init; }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -25,17 +26,17 @@ public static class Compensator
         MeasuredPoints.ThrowIfTwice([.. input.Earlier.SelectMany(p => p), .. input.Measured]);
         var (job, nominal) = (input.Job, input.Surface);
         var notes = new List<string>();
-        List<string> warnings = [.. input.Earlier.Append(input.Measured).SelectMany(p => p).SelectMany(m => m.Warnings)];
+        List<ReportWarning> warnings = [.. input.Earlier.Append(input.Measured).SelectMany(p => p).SelectMany(m => m.Warnings)];
         var all = new List<PieceErrors>();
         foreach (var measurements in input.Earlier.Append(input.Measured))
         {
-            var errors = PieceErrors.Of(measurements, job, nominal, notes, warnings);
-            if (!errors.IsUsable)
+            var piece = PieceErrors.Of(measurements, job, nominal, notes, warnings);
+            if (!piece.IsUsable)
             {
-                return errors.Refusal;
+                return piece.Refusal;
             }
 
-            all.Add(errors.Result);
+            all.Add(piece.Result);
         }
 
         var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
@@ -50,7 +51,7 @@ public static class Compensator
         if (lot is not null)
         {
             samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
-            warnings.AddRange(LotWords.Warnings(lot).Select(w => w.Form.With([.. w.Values]).Sentence));
+            warnings.AddRange(LotWords.Warnings(lot).Select(w => ReportWarning.Of(w.Form, w.Values)));
             notes.AddRange(LotWords.Notes(lot));
         }
 
@@ -77,6 +78,8 @@ public static class Compensator
                     + $"goes further than they do: measure more points, or raise the limit if that is meant."));
         }
 
+        double[] errors = [.. samples.Select(s => systematic.At(s.U, s.V))];
+        var scatter = PointScatter.Of(samples, systematic, errors, lot);
         var result = new CompensationResult
         {
             Input = input,
@@ -94,8 +97,8 @@ public static class Compensator
             ThroughPoints = surface.ThroughPoints,
             ApproximationMm = surface.ApproximationMm,
             LargestMoveMm = surface.LargestMoveMm,
-            Mirror = SurfacePrediction.Of("mirror", samples, systematic, systematic, job.Compensation.Gain, lot),
-            ToolRadius = SurfacePrediction.Of("tool-radius", samples, systematic, mean, job.Compensation.Gain, lot),
+            Mirror = Prediction("mirror", errors),
+            ToolRadius = Prediction("tool-radius", [.. samples.Select(s => mean.At(s.U, s.V))]),
             Warnings = warnings,
             Notes = notes,
         };
@@ -119,7 +122,12 @@ public static class Compensator
                     + $"one to the next, and between them more may be left. Measure more points to know."));
         }
 
-        return result.ThroughPoints is null ? result : result with { Mirror = ThroughPoints(result, surface.Between, warnings) };
+        return result.ThroughPoints is null
+            ? result
+            : result with { Mirror = ThroughPoints(result, scatter, errors, surface.Between, warnings) };
+
+        SurfacePrediction Prediction(string method, double[] taken) =>
+            SurfacePrediction.Of(method, scatter, [.. errors.Zip(taken, (e, t) => e - (job.Compensation.Gain * t))], []);
     }
 
     // The lot with all measured pieces; none for a single piece that a nominal program cut.
@@ -166,12 +174,16 @@ public static class Compensator
 
     // The actual residual of the surface through the points. It may miss the nominal surface and the measurement by any amount.
     private static SurfacePrediction ThroughPoints(
-        CompensationResult result, IReadOnlyList<(double U, double V, double MovedMm)> places, List<string> warnings)
+        CompensationResult result,
+        PointScatter scatter,
+        double[] errors,
+        IReadOnlyList<(double U, double V, double MovedMm)> places,
+        List<ReportWarning> warnings)
     {
-        var (samples, systematic, lot) = (result.Expected, result.Systematic, result.Lot);
-        double[] left = [.. samples.Select(s => systematic.At(s.U, s.V) + result.MovedMmAt(s.U, s.V))];
+        var systematic = result.Systematic;
+        double[] left = [.. result.Expected.Zip(errors, (s, e) => e + result.MovedMmAt(s.U, s.V))];
         double[] between = [.. places.Select(p => systematic.At(p.U, p.V) + p.MovedMm)];
-        var atPoints = SurfacePrediction.Of("mirror", samples, systematic, left, [], lot);
+        var atPoints = SurfacePrediction.Of("mirror", scatter, left, []);
         if (between.Length == 0)
         {
             return atPoints;
@@ -180,16 +192,11 @@ public static class Compensator
         var (there, here) = (DeviationStatistics.Of(between), atPoints.Statistics.StandardDeviationMm);
         if (there.StandardDeviationMm > Math.Max(MuchMore * here, RidgeMm))
         {
-            warnings.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Between the points the surface that was fitted to them leaves up to {there.ProfileIsoMm * 500:0.00} um, with a "
-                    + $"standard deviation of {there.StandardDeviationMm * 1000:0.00} um; at the points {here * 1000:0.00} um are "
-                        + $"expected. "
-                    + $"It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or measure more "
-                    + $"points."));
+            warnings.Add(ReportWarning.Of(
+                SurfaceWarningForms.WorseBetween, Um(there.ProfileIsoMm / 2), Um(there.StandardDeviationMm), Um(here)));
         }
 
-        return SurfacePrediction.Of("mirror", samples, systematic, left, between, lot);
+        return SurfacePrediction.Of("mirror", scatter, left, between);
     }
 
     private static ErrorField Systematic(
@@ -198,23 +205,20 @@ public static class Compensator
         DeviationStatistics statistics,
         SpatialStructure structure,
         List<string> notes,
-        List<string> warnings)
+        List<ReportWarning> warnings)
     {
         if (structure.Verdict != SpatialVerdict.Noise)
         {
             if (structure.Verdict == SpatialVerdict.Undetermined)
             {
                 warnings.Add(
-                    $"{samples.Count} points that are too few or all alike do not tell whether they have a structure: the error was taken "
-                        + $"as systematic.");
+                    ReportWarning.Of(SurfaceWarningForms.StructureUnknown, samples.Count.ToString(CultureInfo.InvariantCulture)));
             }
 
             var field = ErrorFit.Of(job, samples);
             if (field is FittedField { Kind: FieldModelKind.Interpolant })
             {
-                warnings.Add(
-                    "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise "
-                        + "of each. Measure the piece again, or more points.");
+                warnings.Add(ReportWarning.Of(SurfaceWarningForms.FollowsEachPoint));
             }
 
             return field;
@@ -222,14 +226,15 @@ public static class Compensator
 
         var standardError = statistics.StandardDeviationMm / Math.Sqrt(samples.Count);
         var isReal = Math.Abs(statistics.MeanMm) > Significant * standardError;
-        var decided = isReal
-            ? string.Create(CultureInfo.InvariantCulture, $"The mean of {statistics.MeanMm * 1000:+0.00;-0.00} um is compensated.")
-            : "The mean is not significant either: nothing is compensated.";
-        warnings.Add(string.Create(
-            CultureInfo.InvariantCulture,
-            $"No test finds a structure in the errors (neighbors, plane, quadratic, waves; p "
-                + $"{FieldWords.Probability(structure.Tests.Min(t => t.P))} of all together): what differs from the mean looks like noise "
-                + $"and is not mirrored. {decided}"));
+        var probability = FieldWords.Probability(structure.Tests.Min(t => t.P));
+        warnings.Add(isReal
+            ? ReportWarning.Of(
+                SurfaceWarningForms.OnlyMean,
+                probability,
+                (statistics.MeanMm * 1000).ToString("+0.00;-0.00", CultureInfo.InvariantCulture))
+            : ReportWarning.Of(SurfaceWarningForms.OnlyNoise, probability));
         return isReal ? new ConstantField(statistics.MeanMm, standardError) : new ConstantField(0, standardError);
     }
+
+    private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);
 }

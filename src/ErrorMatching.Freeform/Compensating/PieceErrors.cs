@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -17,7 +18,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
     /// <param name="warnings">Gets warnings.</param>
     /// <exception cref="InputException">A point has no foot, or there are too few for the alignment.</exception>
     public static Outcome<PieceErrors> Of(
-        IReadOnlyList<MeasuredPoints> measured, FreeformJob job, PartSurface nominal, List<string> notes, List<string> warnings)
+        IReadOnlyList<MeasuredPoints> measured, FreeformJob job, PartSurface nominal, List<string> notes, List<ReportWarning> warnings)
     {
         var stock = job.Stock.Of(job.Measuring.After);
         var alignment = job.Measuring.BestFit
@@ -117,7 +118,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
                 + $"points.");
     }
 
-    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<string> warnings)
+    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<ReportWarning> warnings)
     {
         var mean = RepeatedMeasurement.Of(repeats);
         notes.Add(string.Create(
@@ -127,20 +128,21 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
                 + $"um."));
         foreach (var outlier in mean.Outliers)
         {
-            warnings.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Point {outlier.Point} was {outlier.DifferenceMm * 1000:+0.00;-0.00} um off its other measurements in measurement "
-                    + $"{outlier.Measurement + 1}. It counts all the same: measure again if that was a chip or a touch gone wrong."));
+            warnings.Add(ReportWarning.Of(
+                SurfaceWarningForms.RepeatOutlier,
+                outlier.Point.ToString(CultureInfo.InvariantCulture),
+                (outlier.DifferenceMm * 1000).ToString("+0.00;-0.00", CultureInfo.InvariantCulture),
+                (outlier.Measurement + 1).ToString(CultureInfo.InvariantCulture)));
         }
 
         // Mixed-up or reclamped pieces look like this.
         var spread = DeviationStatistics.Of([.. mean.Means.Select(m => m.ErrorMm)]).StandardDeviationMm;
         if (mean.RepeatabilityMm > spread)
         {
-            warnings.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"The measurements differ among themselves by {mean.RepeatabilityMm * 1000:0.00} um, more than the error that they show "
-                    + $"differs from place to place ({spread * 1000:0.00} um): are they of one piece in one clamping?"));
+            warnings.Add(ReportWarning.Of(
+                SurfaceWarningForms.RepeatsDiffer,
+                (mean.RepeatabilityMm * 1000).ToString("0.00", CultureInfo.InvariantCulture),
+                (spread * 1000).ToString("0.00", CultureInfo.InvariantCulture)));
         }
 
         return mean.Means;

@@ -1,5 +1,3 @@
-using ErrorMatching.Measurement;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>The expected measurement of the finished surface, if nothing changes except the compensation.</summary>
@@ -21,50 +19,15 @@ public sealed record SurfacePrediction(
     // Shift of the normal quantile expected of the largest of n points. Blom, "Statistical Estimates and Transformed Beta-Variables", 1958.
     private const double BlomShift = 0.375;
 
-    /// <summary>Predicts the error that remains of a field after another field is compensated.</summary>
-    /// <param name="method">Name of the compensation.</param>
-    /// <param name="samples">The measured errors.</param>
-    /// <param name="systematic">The systematic part of the errors.</param>
-    /// <param name="compensation">The compensated field, before the gain.</param>
-    /// <param name="gain">Compensated share.</param>
-    /// <param name="lot">The lot that the samples follow from; null for a measurement alone.</param>
-    internal static SurfacePrediction Of(
-        string method,
-        IReadOnlyList<ErrorSample> samples,
-        ErrorField systematic,
-        ErrorField compensation,
-        double gain,
-        Lot? lot = null) => Of(
-            method,
-            samples,
-            systematic,
-            [.. samples.Select(s => systematic.At(s.U, s.V) - (gain * compensation.At(s.U, s.V)))],
-            [],
-            lot);
-
     /// <summary>Predicts the remaining error.</summary>
     /// <param name="method">Name of the compensation.</param>
-    /// <param name="samples">The measured errors.</param>
-    /// <param name="systematic">The systematic part of the errors.</param>
+    /// <param name="scatter">What is uncertain about the points, whatever is compensated.</param>
     /// <param name="left">The remaining systematic error at each sample.</param>
     /// <param name="between">The remaining systematic error between the samples, if it does not follow from them. A measurement elsewhere
     /// would find it, so the larger of the two is expected.</param>
-    /// <param name="lot">The lot that the samples follow from; null for a measurement alone. Its residuals show less than the scatter of
-    /// one measured point, because they follow from many pieces, and the field does not know how sure the lot is.</param>
-    internal static SurfacePrediction Of(
-        string method,
-        IReadOnlyList<ErrorSample> samples,
-        ErrorField systematic,
-        double[] left,
-        double[] between,
-        Lot? lot = null)
+    internal static SurfacePrediction Of(string method, PointScatter scatter, double[] left, double[] between)
     {
-        var residual = systematic is FittedField { ResidualStandardDeviationMm: >= 0 } smooth
-            ? smooth.ResidualStandardDeviationMm
-            : Math.Sqrt(samples.Sum(s => Square(s.ErrorMm - systematic.At(s.U, s.V))) / Math.Max(1, samples.Count - 1));
-        var noise = Math.Max(residual, lot?.NoiseMm ?? 0);
-        var fitted = Math.Sqrt(samples.Sum(s => Square(systematic.StandardUncertaintyAt(s.U, s.V))) / samples.Count);
-        var field = Math.Max(fitted, lot is null ? 0 : Math.Sqrt(lot.UncertaintyMm.Average(Square)));
+        var (noise, field) = (scatter.NoiseMm, scatter.FieldMm);
         var spread = Hypot(noise, field);
         var statistics = DeviationStatistics.Of(left);
         var everywhere = between.Length == 0 ? statistics : DeviationStatistics.Of(between);
@@ -76,19 +39,17 @@ public sealed record SurfacePrediction(
                 StandardDeviationMm = Hypot(Math.Max(statistics.StandardDeviationMm, everywhere.StandardDeviationMm), spread),
                 // The largest absolute value of n points is the largest of 2n one-sided values.
                 ProfileIsoMm = 2 * Hypot(
-                    Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * samples.Count)),
+                    Math.Max(statistics.ProfileIsoMm, everywhere.ProfileIsoMm) / 2, spread * Outermost(2 * left.Length)),
                 ProfileRangeMm = Hypot(
-                    Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(samples.Count)),
+                    Math.Max(statistics.ProfileRangeMm, everywhere.ProfileRangeMm), 2 * spread * Outermost(left.Length)),
             },
-            Hypot(field, noise / Math.Sqrt(samples.Count)),
+            Hypot(field, noise / Math.Sqrt(left.Length)),
             spread);
     }
 
     private static double Outermost(int count) => NormalQuantile((count - BlomShift) / (count + 1 - (2 * BlomShift)));
 
     private static double Hypot(double a, double b) => Math.Sqrt((a * a) + (b * b));
-
-    private static double Square(double x) => x * x;
 
     // This approximation (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than the prediction, so this suffices.
     private static double NormalQuantile(double p)

@@ -6,9 +6,15 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Freeform;
 
 /// <summary>Follows a program over a surface, and says by how much each end of a motion moves.</summary>
-internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusMm, bool programsTip)
+/// <param name="path">The program.</param>
+/// <param name="walk">The surface under the ball.</param>
+/// <param name="material">What may lie over the surface before it is finished.</param>
+/// <param name="radiusMm">Radius of the ball.</param>
+/// <param name="programsTip">True if the program moves the lowest point of the ball.</param>
+internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, StageMaterial material, double radiusMm, bool programsTip)
 {
     private readonly List<PointWish> _points = [];
+    private readonly RapidHeights _rapids = new(walk, material);
 
     // Where the motion before ended; null where that is not known.
     private SurfaceContact? _last;
@@ -81,6 +87,20 @@ internal sealed class FollowedPath(NcPath path, SurfaceWalk walk, double radiusM
             return SurfaceDisplacer.Refuse(path, motion.Block, "program-in-surface", string.Create(
                 CultureInfo.InvariantCulture,
                 $"here the ball would cut {-deepest:0.000} mm into the surface. {Check}"));
+        }
+
+        if (motion.Kind == MotionKind.Rapid && _rapids.FirstTooLow(motion, _last, end) is var (place, overMm))
+        {
+            var gap = overMm < 0
+                ? string.Create(CultureInfo.InvariantCulture, $"{-overMm:0.000} mm inside")
+                : string.Create(CultureInfo.InvariantCulture, $"{overMm:0.000} mm over");
+            return SurfaceDisplacer.Refuse(
+                path,
+                motion.Block,
+                "rapid-too-low",
+                $"at {PlaceText.Words(place)} this rapid move would take the ball {gap} the surface, over which up to "
+                    + $"{StageMaterial.Text(material.Mm)} mm of material may lie before finishing: {material.Words}. Raise the heights of "
+                    + $"approach, retract and links in the CAM system, or approach at the feed.");
         }
 
         return motion.IsArc && (deepest <= radiusMm || _last?.OverMm <= radiusMm)

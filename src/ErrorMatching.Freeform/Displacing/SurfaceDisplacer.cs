@@ -17,22 +17,42 @@ public static class SurfaceDisplacer
     /// the program's own chordal error and rounding.</summary>
     public const double TouchMm = 0.05;
 
-    /// <summary>Displaces a program.</summary>
+    /// <summary>Displaces the finishing program of a job.</summary>
     /// <param name="surface">The nominal surface, in the program's work offset.</param>
     /// <param name="field">The systematic error along its normal.</param>
-    /// <param name="gain">Share of the error that is compensated.</param>
-    /// <param name="tool">The ball end mill.</param>
+    /// <param name="job">The job: tool, gain, stock, and which point of the ball the program moves.</param>
     /// <param name="program">The program.</param>
     /// <param name="dialect">Its control.</param>
-    /// <param name="programsTip">True if it moves the lowest point of the ball along Z, false if the center.</param>
     /// <param name="measurementSha256">SHA-256 of the measurement that the error was found by: the new program's marker names it.</param>
+    /// <param name="moreMm">By how much the piece may be higher than its stock, and the program is moved, mm.</param>
     /// <returns>
     /// The program with its proof, or a refusal with the block: it is compensated already (<see cref="Marker.AlreadyCompensated"/>),
-    /// nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), arcs or
-    /// places that are not known near the surface, what cannot be rewritten, or a proof that fails.
+    /// nothing of it cuts the surface (<c>program-off-surface</c>), it cuts deeper than the surface (<c>program-in-surface</c>), a rapid
+    /// move goes through what may lie over the surface (<c>rapid-too-low</c>), arcs or places that are not known near the surface, what
+    /// cannot be rewritten, or a proof that fails.
     /// </returns>
     /// <exception cref="InputException">The program is too large.</exception>
     public static Outcome<DisplacedProgram> Displace(
+        PartSurface surface,
+        ErrorField field,
+        FreeformJob job,
+        ReadOnlyMemory<byte> program,
+        NcDialect dialect,
+        string measurementSha256,
+        double moreMm = 0)
+    {
+        ArgumentNullException.ThrowIfNull(surface);
+        ArgumentNullException.ThrowIfNull(field);
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(dialect);
+        ArgumentOutOfRangeException.ThrowIfNegative(moreMm);
+        var material = StageMaterial.Before(job, CuttingStage.Finishing)
+            .And(moreMm, "by which the piece was too high and the program is moved");
+        return Displace(
+            surface, field, job.Compensation.Gain, job.Tool, program, dialect, job.Toolpath.ProgramsTip, measurementSha256, material);
+    }
+
+    internal static Outcome<DisplacedProgram> Displace(
         PartSurface surface,
         ErrorField field,
         double gain,
@@ -40,19 +60,17 @@ public static class SurfaceDisplacer
         ReadOnlyMemory<byte> program,
         NcDialect dialect,
         bool programsTip,
-        string measurementSha256)
+        string measurementSha256,
+        StageMaterial material)
     {
-        ArgumentNullException.ThrowIfNull(surface);
-        ArgumentNullException.ThrowIfNull(field);
-        ArgumentNullException.ThrowIfNull(tool);
-        ArgumentNullException.ThrowIfNull(dialect);
         var path = NcInterpreter.Run(NcProgram.Read(program, dialect.Syntax), dialect);
         if (BeforeAll(path) is { } refusal)
         {
             return refusal;
         }
 
-        var followed = new FollowedPath(path, new(surface, field, gain, tool.RadiusMm, programsTip), tool.RadiusMm, programsTip);
+        var walk = new SurfaceWalk(surface, field, gain, tool.RadiusMm, programsTip);
+        var followed = new FollowedPath(path, walk, material, tool.RadiusMm, programsTip);
         return followed.Follow() is { } off ? off : Proved(path, program, followed, measurementSha256);
     }
 

@@ -13,7 +13,7 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
 
     public SurfaceContact At(Point3 programmed)
     {
-        var center = programsTip ? programmed + new Vector3(0, 0, radiusMm) : programmed;
+        var center = CenterOf(programmed);
         var away = _box.DistanceTo(center);
         if (away > (2 * radiusMm) + 1)
         {
@@ -31,6 +31,15 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
             : offset.Length - radiusMm;
         return new(over, normal * (-gain * field.At(foot.U, foot.V)));
     }
+
+    /// <summary>True if the surface is not trimmed away under a ball.</summary>
+    public bool IsOverPart(Point3 programmed)
+    {
+        var foot = surface.Spline.ClosestPoint(CenterOf(programmed)).At;
+        return surface.Region.Contains(foot.U, foot.V);
+    }
+
+    private Point3 CenterOf(Point3 programmed) => programsTip ? programmed + new Vector3(0, 0, radiusMm) : programmed;
 
     // Newton's method from the previous foot finds the nearest place if the surface is not hollower than the ball and the point is near.
     private SurfacePoint Foot(Point3 center)

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>One measured piece with its errors and statistics.</summary>
@@ -18,7 +20,7 @@ public sealed record EvaluatedPiece(
     SurfaceAlignment? Alignment,
     IReadOnlyList<ErrorSample> Samples,
     DeviationStatistics Statistics,
-    IReadOnlyList<string> Warnings)
+    IReadOnlyList<ReportWarning> Warnings)
 {
     /// <summary>The piece judged by the job's profile tolerance; null if the job states none.</summary>
     public ProfileJudgement? Judgement { get; init; }

@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -32,10 +33,12 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
                 {
                     Warnings = [
                         .. evaluated[k].Warnings,
-                        $"{evaluated[k].File} was measured after {MeasuredStage.Name(evaluated[k].Stage)} and {evaluated[0].File} after "
-                            + $"{MeasuredStage.Name(evaluated[0].Stage)}: what they come to together says nothing of either. Evaluate "
-                                + $"them apart, or "
-                            + $"one as --before."],
+                        ReportWarning.Of(
+                            SurfaceWarningForms.OtherStages,
+                            evaluated[k].File,
+                            MeasuredStage.Name(evaluated[k].Stage),
+                            evaluated[0].File,
+                            MeasuredStage.Name(evaluated[0].Stage))],
                 };
             }
         }
@@ -80,14 +83,19 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
         };
 
     // A piece is judged by all its points, but a chip under the stylus is not part of the piece, so outlying points are reported.
-    private static IEnumerable<string> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
+    private static IEnumerable<ReportWarning> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
     {
         var points = OutlyingPoints.Of(samples);
-        return points.Count == 0
-            ? []
-            : [
-                $"{piece.File}: {OutlyingPoint.Words(points)}: a chip, or a touch gone wrong? It counts in all figures. Clean the place "
-                    + $"and the stylus and measure again."];
+        if (points.Count == 0)
+        {
+            return [];
+        }
+
+        var (furthest, others) = OutlyingPoint.Values(points);
+        return [
+            others.Length == 0
+                ? ReportWarning.Of(SurfaceWarningForms.OutlyingPoint, [piece.File, .. furthest])
+                : ReportWarning.Of(SurfaceWarningForms.OutlyingPoints, [piece.File, .. furthest, others])];
     }
 
     private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) =>

@@ -53,25 +53,28 @@ public sealed class FittedField : ErrorField
     public double NoiseMm => _model.Noise;
 
     /// <inheritdoc/>
-    public override double At(double u, double v) => Combine(u, v, _model.At, straight: true);
+    public override double At(double u, double v) => Combine(u, v, isUncertainty: false);
 
     /// <summary>Standard uncertainty of <see cref="At"/> in millimeters. It combines the covariance of the fit with its noise or the
     /// probe's stated uncertainty, whichever is larger. It does not cover errors of the model itself.</summary>
     /// <param name="u">First parameter of the nominal surface.</param>
     /// <param name="v">Second parameter of the nominal surface.</param>
     public override double StandardUncertaintyAt(double u, double v) =>
-        Combine(u, v, (a, b) => Math.Sqrt(_model.VarianceAt(a, b, _noise)), straight: false);
+        Combine(u, v, isUncertainty: true);
 
     /// <summary>Evaluates within the samples. Beyond them, mirrors about the edge (2 f(edge) - f(inside)), or sums these parts.</summary>
-    private double Combine(double u, double v, Func<double, double, double> value, bool straight)
+    private double Combine(double u, double v, bool isUncertainty)
     {
         var (a, b) = (_u.ToUnit(u), _v.ToUnit(v));
         var (edgeA, edgeB) = (Math.Clamp(a, -1, 1), Math.Clamp(b, -1, 1));
         var insideA = edgeA - Math.Clamp(a - edgeA, -_spaceU, _spaceU);
         var insideB = edgeB - Math.Clamp(b - edgeB, -_spaceV, _spaceV);
-        return Mirror(edgeA, insideA, x => Mirror(edgeB, insideB, y => value(x, y)));
+        return edgeA == insideA ? AlongV(edgeA) : Mirror(AlongV(edgeA), AlongV(insideA));
 
-        double Mirror(double edge, double inside, Func<double, double> along) =>
-            edge == inside ? along(edge) : straight ? (2 * along(edge)) - along(inside) : (2 * along(edge)) + along(inside);
+        double AlongV(double x) => edgeB == insideB ? Value(x, edgeB) : Mirror(Value(x, edgeB), Value(x, insideB));
+
+        double Value(double x, double y) => isUncertainty ? Math.Sqrt(_model.VarianceAt(x, y, _noise)) : _model.At(x, y);
+
+        double Mirror(double edge, double inside) => isUncertainty ? (2 * edge) + inside : (2 * edge) - inside;
     }
 }

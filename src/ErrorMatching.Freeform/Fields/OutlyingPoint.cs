@@ -16,21 +16,30 @@ internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
     /// <param name="points">At least one.</param>
     public static string Words(IReadOnlyList<OutlyingPoint> points)
     {
-        var worst = Furthest(points);
-        var (sample, at) = (worst.Sample, worst.Sample.Nominal);
-        var others = points.Where(p => p != worst).Select(p => p.Sample.Point.ToString(CultureInfo.InvariantCulture)).ToArray();
-        return string.Create(
+        var (furthest, others) = Values(points);
+        return string.Format(
             CultureInfo.InvariantCulture,
-            $"Point {sample.Point} (near {PlaceText.Words(at)}) is {sample.ErrorMm * 1000:+0.0;-0.0;0.0} um off along the normal, where "
-                + $"the points around it say {worst.SaidMm * 1000:+0.0;-0.0;0.0} um")
-            + (
-                others.Length == 0
-                    ? ""
-                    : $"; likewise off {(others.Length == 1 ? "is point" : "are points")} {string.Join(", ", others.Take(MostNamed))}"
-                        + (others.Length > MostNamed ? ", ..." : ""));
+            "Point {0} (near {1}) is {2} um off along the normal, where the points around it say {3} um",
+            [.. furthest])
+            + (others.Length == 0 ? "" : $"; likewise off {(points.Count == 2 ? "is point" : "are points")} {others}");
+    }
+
+    /// <summary>What the words state: number, place and both errors in um of the furthest point, and the numbers of the others.</summary>
+    /// <param name="points">At least one.</param>
+    public static (string[] Furthest, string Others) Values(IReadOnlyList<OutlyingPoint> points)
+    {
+        var worst = Furthest(points);
+        var others = points.Where(p => p != worst).Select(p => Number(p.Sample)).ToArray();
+        return (
+            [Number(worst.Sample), PlaceText.Words(worst.Sample.Nominal), Um(worst.Sample.ErrorMm), Um(worst.SaidMm)],
+            string.Join(", ", others.Take(MostNamed)) + (others.Length > MostNamed ? ", ..." : ""));
     }
 
     /// <summary>The point that is furthest off.</summary>
     /// <param name="points">At least one.</param>
     public static OutlyingPoint Furthest(IReadOnlyList<OutlyingPoint> points) => points.MaxBy(p => Math.Abs(p.OffMm))!;
+
+    private static string Number(ErrorSample sample) => sample.Point.ToString(CultureInfo.InvariantCulture);
+
+    private static string Um(double mm) => (mm * 1000).ToString("+0.0;-0.0;0.0", CultureInfo.InvariantCulture);
 }

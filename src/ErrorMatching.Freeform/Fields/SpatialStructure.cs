@@ -127,8 +127,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// <summary>Pairs of neighbors, each once, the smaller index first.</summary>
     internal static HashSet<(int A, int B)> Neighbors(FieldData data)
     {
-        // Along the curve; values at the same place keep the given order.
-        var curves = Array.ConvertAll(data.Curves, curve => curve.OrderBy(k => data.I[k]).ThenBy(k => k).ToArray());
+        var curves = data.Curves;
         var pairs = new HashSet<(int A, int B)>();
         for (var c = 0; c < curves.Length; c++)
         {

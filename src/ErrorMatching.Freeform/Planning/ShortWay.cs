@@ -8,7 +8,7 @@ namespace ErrorMatching.Freeform;
 /// <remarks>Sources: Or, Traveling salesman-type combinatorial problems, Northwestern University 1976; Bentley, Fast algorithms for
 /// geometric traveling salesman problems, ORSA Journal on Computing 4 (1992): only the nearest points are tried, and only where the path
 /// has changed; Dueck and Scheuer, Threshold accepting, Journal of Computational Physics 90 (1990): the search continues from a slightly
-/// longer path. Finding the nearest points takes quadratic time.</remarks>
+/// longer path.</remarks>
 internal sealed class ShortWay
 {
     /// <summary>Number of neighbors that are tried for each point.</summary>
@@ -75,34 +75,55 @@ internal sealed class ShortWay
         return [.. way._tour.AsSpan(end + 1), .. way._tour.AsSpan(0, end)];
     }
 
-    // The neighbors of each point, nearest first.
+    // The neighbors of each point, nearest first, and of equally near ones the first. Sorted along x, the nearest are soon found.
     private static int[] NearestOf(Point2[] points, int count)
     {
         var (near, distances) = (new int[points.Length * count], new double[count]);
-        for (var i = 0; i < points.Length; i++)
+        var (x, sorted) = (Array.ConvertAll(points, p => p.X), new int[points.Length]);
+        for (var k = 0; k < sorted.Length; k++)
         {
-            var found = 0;
+            sorted[k] = k;
+        }
+
+        Array.Sort(x, sorted);
+        for (var at = 0; at < sorted.Length; at++)
+        {
+            var (i, found) = (sorted[at], 0);
             var mine = near.AsSpan(i * count, count);
-            for (var k = 0; k < points.Length; k++)
+            for (var k = at - 1; k >= 0 && IsNear(k); k--)
             {
-                var distance = points[i].DistanceTo(points[k]);
-                if (k == i || (found == count && distance >= distances[^1]))
+                Take(sorted[k], mine);
+            }
+
+            for (var k = at + 1; k < sorted.Length && IsNear(k); k++)
+            {
+                Take(sorted[k], mine);
+            }
+
+            bool IsNear(int k) => found < count || Math.Abs(x[k] - x[at]) <= distances[^1];
+
+            void Take(int other, Span<int> mine)
+            {
+                var distance = points[i].DistanceTo(points[other]);
+                if (found == count && !IsBefore(distance, other, distances[^1], mine[^1]))
                 {
-                    continue;
+                    return;
                 }
 
                 found = Math.Min(found + 1, count);
                 var place = found - 1;
-                for (; place > 0 && distances[place - 1] > distance; place--)
+                for (; place > 0 && IsBefore(distance, other, distances[place - 1], mine[place - 1]); place--)
                 {
                     (distances[place], mine[place]) = (distances[place - 1], mine[place - 1]);
                 }
 
-                (distances[place], mine[place]) = (distance, k);
+                (distances[place], mine[place]) = (distance, other);
             }
         }
 
         return near;
+
+        static bool IsBefore(double distance, int point, double other, int its) => distance < other || (distance == other && point < its);
     }
 
     private double Length()

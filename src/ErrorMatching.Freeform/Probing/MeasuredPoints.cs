@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="Sha256">SHA-256 of the file's bytes as 64 lowercase hexadecimal digits.</param>
 /// <param name="Points">Each point of the plan once, in the order of the plan.</param>
 /// <param name="Warnings">Harmless irregularities, in sentences.</param>
-public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<MeasuredPoint> Points, IReadOnlyList<string> Warnings)
+public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<MeasuredPoint> Points, IReadOnlyList<ReportWarning> Warnings)
 {
     /// <summary>The SHA-256 of the measurement that the cutting program followed, or another word if it cannot be read; null if the log
     /// names none.</summary>

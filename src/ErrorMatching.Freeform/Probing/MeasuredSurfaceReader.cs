@@ -3,6 +3,7 @@ using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -48,7 +49,7 @@ public static class MeasuredSurfaceReader
             ? Log(bytes.Span, file, plan, out cutBy)
             : new MeasuredPointNames(MeasurementReader.Read(source, measuring.Format), measuring.ReportsStylusCenter).Read();
         var found = new RawPoint?[plan.Points.Count];
-        var warnings = new List<string>();
+        var warnings = new List<ReportWarning>();
         var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
         var before = 0;
         foreach (var point in raw)
@@ -67,10 +68,8 @@ public static class MeasuredSurfaceReader
 
             if (point.Number is not null && number < before && warnings.Count == 0)
             {
-                warnings.Add(string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"{file}, line {point.Line}: point {number} stands behind point {before}. Points are taken by their numbers; was "
-                        + $"another order measured?"));
+                warnings.Add(
+                    ReportWarning.Of(SurfaceWarningForms.OutOfOrder, file, Whole(point.Line), Whole(number), Whole(before)));
             }
 
             found[number - 1] = point;
@@ -82,6 +81,8 @@ public static class MeasuredSurfaceReader
         FarOff(points, plan, measuring, found, file);
         return new(file, source.Sha256, points, warnings) { CutByMeasurement = cutBy };
     }
+
+    private static string Whole(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     // Controls put lines of their own around a log, which begin with a percent sign or a semicolon.
     private static bool IsLog(ReadOnlySpan<byte> bytes, string file)

@@ -31,7 +31,7 @@ public sealed record CompensationDocument
     public required bool? CallsTool { get; init; }
 
     /// <summary>Warnings, in sentences.</summary>
-    public required IReadOnlyList<string> Warnings { get; init; }
+    public required IReadOnlyList<ReportWarning> Warnings { get; init; }
 
     /// <summary>Notes, in sentences.</summary>
     public required IReadOnlyList<string> Notes { get; init; }
@@ -74,7 +74,7 @@ public sealed record CompensationDocument
                 json.Flag("toolCall", calls);
             }
         });
-        json.Texts("warnings", Warnings);
+        json.Warnings(Warnings);
         json.Texts("notes", Notes);
         json.Object("time", () => json.Number("calculatingS", CalculatingS));
     });
@@ -101,7 +101,7 @@ public sealed record CompensationDocument
             ProgramFile = program.Text("file"),
             ProgramSha256 = program.Text("sha256"),
             CallsTool = program.OptionalFlag("toolCall"),
-            Warnings = document.Texts("warnings"),
+            Warnings = document.Warnings(),
             Notes = document.Texts("notes"),
             CalculatingS = document.OptionalObject("time")?.OptionalNumber("calculatingS"),
         };

@@ -21,7 +21,8 @@ public sealed record CompensationReport(
     public bool CallsTool { get; init; } = true;
 
     /// <summary>What everybody must know first: a missing tool call, then the warnings of the compensation.</summary>
-    public IReadOnlyList<string> Warnings => CallsTool ? Result.Warnings : [FinishingProgram.NoToolCall, .. Result.Warnings];
+    public IReadOnlyList<ReportWarning> Warnings =>
+        CallsTool ? Result.Warnings : [ReportWarning.Of(SurfaceWarningForms.NoToolCall), .. Result.Warnings];
 
     /// <summary>The verdict by the job's profile tolerance, calculated at each call; null if the job states none.</summary>
     public SurfaceVerdict? Verdict => Result.Verdict();

@@ -73,7 +73,7 @@ public static class CompensationReportHtml
                 + $"{Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteWarnings(html, report.Warnings);
+        ReportFacts.WriteWarnings(html, [.. report.Warnings.Select(w => w.Message)]);
         ReportFacts.WriteNotes(html, result.Notes);
         List<(string Name, string Value)> facts = [
             ("Measured piece", report.CutBy.Sentence),

@@ -49,7 +49,7 @@ public static class DisplacementReportHtml
                     + $"{Micrometres(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteWarnings(html, report.Compensation.Warnings);
+        ReportFacts.WriteWarnings(html, [.. report.Compensation.Warnings.Select(w => w.Message)]);
         ReportFacts.WriteNotes(html, report.Compensation.Notes);
         ReportFacts.Write(
             html,

@@ -71,7 +71,7 @@ public static class EvaluationReportHtml
                     + $"profile {Micrometres.OfMm(after.ProfileIsoMm)} µm.");
         }
 
-        ReportFacts.WriteWarnings(html, [.. report.Pieces.SelectMany(p => p.Warnings)]);
+        ReportFacts.WriteWarnings(html, [.. report.Pieces.SelectMany(p => p.Warnings).Select(w => w.Message)]);
         ReportFacts.WriteNotes(html, [.. report.Pieces.Select(p => p.StageNote).OfType<string>()]);
         List<(string Name, string Value)> facts = [
             (

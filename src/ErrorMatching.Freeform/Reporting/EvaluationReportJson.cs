@@ -89,7 +89,7 @@ public static class EvaluationReportJson
             json.Text("file", p.File);
             json.Text("sha256", p.Sha256);
             json.Text("stage", MeasuredStage.Name(p.Stage));
-            json.Texts("warnings", p.Warnings);
+            json.Warnings(p.Warnings);
             Alignment(json, p.Alignment);
             Statistics(json, p.Statistics);
             if (p.Judgement is { } judgement)

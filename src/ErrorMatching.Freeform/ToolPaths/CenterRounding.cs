@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Freeform;
@@ -53,16 +54,28 @@ internal sealed class CenterRounding
             return best;
         }
 
+        // Coordinates side by side: this is asked at every point of a path.
+        var exact = Vector256.Create(p.X, p.Y, p.Z, 0);
+        var direction = Vector256.Create(along.X, along.Y, along.Z, 0);
+        var below = Vector256.Create(0, 0, _tipBelow, 0);
         var cost = Cost(best - p, acrossMm, normal);
         for (var i = 1; i < Places && cost > _good; i++)
         {
             var shift = ((i & 1) == 0 ? i : -i) * Slide * IncrementMm;
-            var other = Nearest(p + (along * shift));
-            var across = Across(other - p, along);
-            var its = Cost(other - p, across, normal);
+            var other = (Vector256.Round((exact + (direction * shift) - below) * _scale) / _scale) + below;
+            var off = other - exact;
+            var offMm = new Vector3(off[0], off[1], off[2]);
+            // Most places are worse along the normal, which takes no root.
+            if (Outward(offMm, normal) >= cost)
+            {
+                continue;
+            }
+
+            var across = Across(offMm, along);
+            var its = Cost(offMm, across, normal);
             if (its < cost)
             {
-                (best, cost, acrossMm) = (other, its, across);
+                (best, cost, acrossMm) = (new(other[0], other[1], other[2]), its, across);
             }
         }
 
@@ -75,6 +88,8 @@ internal sealed class CenterRounding
         return Math.Sqrt(Math.Max(0, off.Dot(off) - (forward * forward)));
     }
 
+    private static double Cost(Vector3 off, double across, Vector3 normal) => Math.Max(across, Outward(off, normal));
+
     // A deviation out of the material is weighted more, because it adds to the ridge between two passes.
-    private static double Cost(Vector3 off, double across, Vector3 normal) => Math.Max(across, 1.5 * off.Dot(normal));
+    private static double Outward(Vector3 off, Vector3 normal) => 1.5 * off.Dot(normal);
 }

@@ -11,10 +11,7 @@ namespace ErrorMatching.Freeform;
 public static class FinishingProgram
 {
     /// <summary>What everybody is told first of a program that calls no tool, because the job names none.</summary>
-    public const string NoToolCall =
-        "The program has no tool call, because the job names no tool (toolpath.tool): it begins with a stop and an alarm that Cycle "
-            + "Start does not pass. "
-        + "Name the tool and its length offset in the job and write the program again before you cut.";
+    public static string NoToolCall => SurfaceWarningForms.NoToolCall.Template;
 
     /// <summary>The file name of a stage's program: <c>finishing.nc</c>, <c>semi-finishing.nc</c> or <c>roughing.nc</c>.</summary>
     public static string FileOf(CuttingStage stage) => NameOf(stage) + ".nc";

@@ -1,6 +1,7 @@
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -19,7 +20,7 @@ internal sealed record StoredSurface(
     ToolPathFigures? ToolPath,
     ReportProof? Proof,
     bool? CallsTool,
-    IReadOnlyList<string> Warnings)
+    IReadOnlyList<ReportWarning> Warnings)
 {
     /// <summary>A surface with a generated program; null if the document is too old.</summary>
     internal static StoredSurface? Of(CompensationDocument? document) => document is null ? null : new(

@@ -1,4 +1,5 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Freeform;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
@@ -12,6 +13,7 @@ internal static class RecordedText
 
     private static readonly Dictionary<string, string> Keys = Recorded.All.Select(f => (f.Name, "Recorded." + f.Name))
         .Concat(WarningForms.All.Select(f => (f.Name, "Warning." + f.Name)))
+        .Concat(SurfaceWarningForms.All.Select(f => (f.Name, "Warning." + f.Name)))
         .Concat(RefusalForms.All.Select(f => (f.Name, "Refusal." + f.Name)))
         .ToDictionary(StringComparer.Ordinal);
 

@@ -44,8 +44,59 @@ internal static class SurfaceVerdictText
             isToBeCut && verdict.Predicted.IsWithin ? texts["Pair.Cut"] : "");
     }
 
+    /// <summary>The verdict on a finished piece, as <c>surface evaluate</c> has it; null for a piece that still has its stock, or without a
+    /// tolerance.</summary>
+    /// <param name="findings">The report.</param>
+    public static string? OfPiece(SurfaceFindings findings)
+    {
+        ArgumentNullException.ThrowIfNull(findings);
+        if (findings is not { Verdict: { Tolerance: var tolerance, Before: var judged }, Stage: CuttingStage.Finishing })
+        {
+            return null;
+        }
+
+        var (texts, profile, width) = (Texts.Current, Shown.Micrometers(judged.ProfileMm), Limit(tolerance.WidthMm));
+        return judged.Code switch
+        {
+            ProfileCode.Within => texts.With(
+                "Profile.PieceWithin", profile, width, Shown.Count(judged.Points), VerdictParts.Percent(judged.Probability)),
+            ProfileCode.NotAccepted => texts.Counted(
+                "Profile.PieceNotAccepted",
+                judged.NotAccepted.Count,
+                profile,
+                width,
+                Limit(tolerance.Rule.GuardMm(judged.UncertaintyMm)),
+                VerdictParts.Names([.. judged.NotAccepted.Select(p => Shown.Id(p))])),
+            _ => Outside("Profile.PieceOutside", tolerance, judged),
+        };
+    }
+
+    /// <summary>The tolerance and how it is applied; null if the job states none.</summary>
+    /// <param name="verdict">The verdict.</param>
+    public static string? OfTolerance(SurfaceVerdict? verdict)
+    {
+        if (verdict is not { Tolerance: var tolerance, Before: var judged })
+        {
+            return null;
+        }
+
+        var texts = Texts.Current;
+        return texts.With(
+            tolerance.IsAligned ? "Profile.Aligned" : "Profile.WithDatums",
+            Limit(tolerance.WidthMm),
+            tolerance.Rule.RiskPercent is { } risk
+                ? texts.With("Profile.Guarded", Limit(tolerance.Rule.GuardMm(judged.UncertaintyMm)), ReportNumber.Short(risk) + " %")
+                : texts["Profile.Simple"]);
+    }
+
+    /// <summary>Severity of the verdict on a finished piece.</summary>
+    /// <param name="verdict">The verdict; null if the job states no tolerance.</param>
+    public static Severity SeverityOfPiece(SurfaceVerdict? verdict) => SeverityOf(verdict?.Before.Code);
+
     /// <summary>Severity of a verdict. Without a tolerance nobody but the user can judge, and nothing asks for attention.</summary>
-    public static Severity SeverityOf(SurfaceVerdict? verdict) => verdict?.Predicted.Code switch
+    public static Severity SeverityOf(SurfaceVerdict? verdict) => SeverityOf(verdict?.Predicted.Code);
+
+    private static Severity SeverityOf(ProfileCode? code) => code switch
     {
         null or ProfileCode.Within => Severity.Quiet,
         ProfileCode.Outside => Severity.Alarm,
@@ -67,19 +118,21 @@ internal static class SurfaceVerdictText
                 ReportNumber.Short(Math.Round(100 * ProfileJudgement.LeastProbability(tolerance.Rule), 2)) + " %"),
             ProfileCode.OutsideBetween => texts.With(
                 "Profile.OutsideBetween", Shown.Micrometers(Math.Abs(judged.WorstAnywhereMm ?? 0)), limit),
-            _ => texts.Counted(
-                "Profile.Outside",
-                judged.Outside.Count,
-                profile,
-                width,
-                Shown.Count(judged.Outside.Count),
-                Shown.Count(judged.Points),
-                limit,
-                VerdictParts.Names([.. judged.Outside.Select(p => Shown.Id(p))]),
-                Shown.Id(judged.WorstPoint),
-                Shown.Micrometers(Math.Abs(judged.WorstMm) - tolerance.Limits.UpperMm)),
+            _ => Outside("Profile.Outside", tolerance, judged),
         };
     }
+
+    private static string Outside(string key, ProfileTolerance tolerance, ProfileJudgement judged) => Texts.Current.Counted(
+        key,
+        judged.Outside.Count,
+        Shown.Micrometers(judged.ProfileMm),
+        Limit(tolerance.WidthMm),
+        Shown.Count(judged.Outside.Count),
+        Shown.Count(judged.Points),
+        Limit(tolerance.Limits.UpperMm),
+        VerdictParts.Names([.. judged.Outside.Select(p => Shown.Id(p))]),
+        Shown.Id(judged.WorstPoint),
+        Shown.Micrometers(Math.Abs(judged.WorstMm) - tolerance.Limits.UpperMm));
 
     private static string Limit(double mm) => ReportNumber.Short(Math.Round(mm * 1000, 3));
 }

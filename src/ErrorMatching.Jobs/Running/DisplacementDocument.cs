@@ -46,7 +46,7 @@ public sealed record DisplacementDocument
     public required SurfaceFindings Findings { get; init; }
 
     /// <summary>Warnings, in sentences.</summary>
-    public required IReadOnlyList<string> Warnings { get; init; }
+    public required IReadOnlyList<ReportWarning> Warnings { get; init; }
 
     /// <summary>Notes, in sentences.</summary>
     public required IReadOnlyList<string> Notes { get; init; }
@@ -105,7 +105,7 @@ public sealed record DisplacementDocument
             ChangedWords = document.Count("changedWords"),
             Proof = ReportProof.Read(document.Object("proof")),
             Findings = findings,
-            Warnings = document.Texts("warnings"),
+            Warnings = document.Warnings(),
             Notes = document.Texts("notes"),
         };
     }
@@ -131,7 +131,7 @@ public sealed record DisplacementDocument
             json.Flag("untouchedBytesIdentical", Proof.UntouchedBytesIdentical);
         });
         Findings.Write(json);
-        json.Texts("warnings", Warnings);
+        json.Warnings(Warnings);
         json.Texts("notes", Notes);
     }
 }

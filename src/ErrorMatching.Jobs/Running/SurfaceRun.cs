@@ -11,9 +11,6 @@ namespace ErrorMatching.Jobs;
 /// <c>errormatch surface compensate</c>, <c>surface displace</c> and other callers.</summary>
 public static class SurfaceRun
 {
-    private const string FollowsTheError = "The job's fit.of is points, but an existing program follows the error place by place, not a "
-        + "surface through the compensation points: the error was fitted by the best method instead.";
-
     /// <summary>Generates the finishing program of the compensated surface.</summary>
     /// <param name="files">The job's files.</param>
     /// <param name="request">The other inputs.</param>
@@ -41,15 +38,12 @@ public static class SurfaceRun
             }
 
             cancellation.ThrowIfCancellationRequested();
-
-            // A piece that follows earlier ones shows less error than the stock on the next one has.
-            var tooHighMm = Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm));
             var planned = ToolPathPlanner.Plan(
                 result.Surface,
                 job,
                 CuttingStage.Finishing,
                 dialect,
-                tooHighMm + result.LargestMoveMm,
+                MoreMm(result),
                 ToolPathProgress.Of(request.Progress));
             if (!planned.IsUsable)
             {
@@ -103,19 +97,18 @@ public static class SurfaceRun
 
             if (!asked.Fit.OfError)
             {
-                compensation = compensation with { Warnings = [.. compensation.Warnings, FollowsTheError] };
+                compensation = compensation with { Warnings = [.. compensation.Warnings, ReportWarning.Of(SurfaceWarningForms.FollowsTheError)] };
             }
 
             Doing(request, "displacing the program");
             var displaced = SurfaceDisplacer.Displace(
                 compensation.Input.Surface,
                 compensation.Compensated,
-                job.Compensation.Gain,
-                job.Tool,
+                job,
                 bytes,
                 dialect,
-                job.Toolpath.ProgramsTip,
-                MeasuredPoints.Sha256Of(compensation.Input.Measured));
+                MeasuredPoints.Sha256Of(compensation.Input.Measured),
+                MoreMm(compensation));
             return displaced.IsUsable
                 ? new DisplacedSurface(new(files.Named, files.Inputs, program.File, displaced.Result, compensation, request.Folder)
                 {
@@ -124,6 +117,11 @@ public static class SurfaceRun
                 : displaced.Refusal.In(program.File);
         });
     }
+
+    // More than its stock that may lie on the piece, and by how much the ball goes lower. A piece that follows earlier ones shows less error
+    // than the stock on the next one has.
+    private static double MoreMm(CompensationResult result) =>
+        Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm)) + result.LargestMoveMm;
 
     private static FreeformJob Job(FreeformFiles files, SurfaceRequest request)
     {

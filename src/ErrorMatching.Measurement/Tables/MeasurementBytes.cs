@@ -56,9 +56,37 @@ public sealed class MeasurementBytes
     /// <summary>True if the file has an extension, in any case.</summary>
     internal bool Has(string extension) => File.EndsWith(extension, StringComparison.OrdinalIgnoreCase);
 
+    /// <summary>The names that the file may have that describes values; none if a file describes itself.</summary>
+    /// <param name="file">Name or path of the file.</param>
+    public static IReadOnlyList<string> DescriptionsOf(string file)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return file.EndsWith(".dfx", StringComparison.OrdinalIgnoreCase) ? [file[..^1] + 'd', file[..^1] + 'D'] : [];
+    }
+
+    /// <summary>True for the name of a file that only describes values.</summary>
+    /// <param name="file">Name or path of the file.</param>
+    public static bool IsDescription(string file)
+    {
+        ArgumentNullException.ThrowIfNull(file);
+        return file.EndsWith(".dfd", StringComparison.OrdinalIgnoreCase);
+    }
+
+    /// <summary>Values behind their description, as one file that describes itself.</summary>
+    /// <remarks>A mark of the encoding at the start of the values is left out, and a description that ends within a line gets its
+    /// end.</remarks>
+    /// <param name="description">The bytes of the description.</param>
+    /// <param name="values">The bytes of the values.</param>
+    public static byte[] Joined(ReadOnlySpan<byte> description, ReadOnlySpan<byte> values)
+    {
+        if (values.StartsWith("\uFEFF"u8))
+        {
+            values = values["\uFEFF"u8.Length..];
+        }
+
+        return description is [.., (byte)'\n' or (byte)'\r'] or [] ? [.. description, .. values] : [.. description, (byte)'\n', .. values];
+    }
+
     private static string? DescriptionOf(string path) =>
-        path.EndsWith(".dfx", StringComparison.OrdinalIgnoreCase)
-            ? "dD".Select(last => path[..^1] + last)
-                .FirstOrDefault(p => new FileInfo(p) is { Exists: true, LinkTarget: null })
-            : null;
+        DescriptionsOf(path).FirstOrDefault(p => new FileInfo(p) is { Exists: true, LinkTarget: null });
 }

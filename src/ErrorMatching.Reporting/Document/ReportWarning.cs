@@ -6,6 +6,15 @@ namespace ErrorMatching.Reporting;
 /// <param name="Values">The values in the sentence, in order: names, and numbers as formatted in the sentence.</param>
 public sealed record ReportWarning(string Code, string Message, params IReadOnlyList<string> Values)
 {
+    /// <summary>The warning of a form.</summary>
+    /// <param name="form">The form, which is named by the code.</param>
+    /// <param name="values">Its values, as formatted in the sentence.</param>
+    public static ReportWarning Of(SentenceForm form, params string[] values)
+    {
+        ArgumentNullException.ThrowIfNull(form);
+        return new(form.Name, form.With([.. values]).Sentence, values);
+    }
+
     /// <inheritdoc/>
     public override string ToString() => Message;
 }

@@ -66,6 +66,66 @@ public sealed class FileSourceTests
     }
 
     [Fact]
+    public void Values_wait_for_their_description_and_both_are_one_arrival()
+    {
+        using var incoming = new Incoming(files: "*.dfx");
+        incoming.Write("part-1.dfx", "1.5\n", 2);
+        Assert.Equal(0, incoming.Take());
+        var left = Assert.Single(incoming.Source.Left);
+        Assert.Equal("part-1.dfx", left.Name);
+        Assert.Contains("part-1.dfd is not there yet", left.Reason, StringComparison.Ordinal);
+        incoming.Write("part-1.dfd", "K0100 1", 1);
+        Assert.Equal(1, incoming.Take());
+        Assert.Equal(["part-1.dfx:K0100 1\n1.5\n"], incoming.Texts);
+        Assert.Empty(incoming.Files());
+        Assert.Empty(incoming.Source.Left);
+    }
+
+    [Fact]
+    public void A_description_alone_is_left_and_one_that_is_still_written_is_waited_for()
+    {
+        using var incoming = new Incoming(new FinishedAtRest(TimeSpan.FromSeconds(2)), "*");
+        incoming.Write("a.DFX", "1.5\n", 1);
+        incoming.Write("b.dfd", "K0100 1\n", 1);
+        Assert.Equal(0, incoming.Take());
+        incoming.Clock.Advance(TimeSpan.FromSeconds(1));
+        incoming.Write("a.DFD", "K0100 ", 2);
+        Assert.Equal(0, incoming.Take());
+        incoming.Clock.Advance(TimeSpan.FromSeconds(1.5));
+        Assert.Equal(0, incoming.Take());
+        incoming.Clock.Advance(TimeSpan.FromSeconds(0.5));
+        Assert.Equal(1, incoming.Take());
+        Assert.Equal(["a.DFX:K0100 \n1.5\n"], incoming.Texts);
+        Assert.Equal(["b.dfd"], incoming.Files());
+    }
+
+    [Fact]
+    public void Values_and_description_survive_a_kill_at_any_step()
+    {
+        // Moved aside: the values only.
+        using var incoming = new Incoming(files: "*.dfx");
+        Directory.CreateDirectory(Path.GetDirectoryName(incoming.Claimed("a.dfx"))!);
+        File.WriteAllText(incoming.Claimed("a.dfx"), "1.5\n");
+        incoming.Write("a.dfd", "K0100 1\n", 1);
+        Assert.Equal(1, incoming.Take());
+        Assert.Equal(["a.dfx:K0100 1\n1.5\n"], incoming.Texts);
+
+        // Archived, and nothing removed yet: the same arrival once more.
+        incoming.Write("b.dfx", "2.5\n", 2);
+        incoming.Write("b.dfd", "K0100 1\n", 1);
+        Assert.Throws<InvalidOperationException>(() => incoming.Take(behind: _ => throw new InvalidOperationException("killed")));
+        incoming.Restart();
+        Assert.Equal(1, incoming.Take());
+        Assert.Equal((2, 3), (incoming.Archived.Count, incoming.Handed));
+
+        // The values are removed, their description is not.
+        File.WriteAllText(incoming.Claimed("c.dfd"), "K0100 1\n");
+        incoming.Restart();
+        Assert.Equal(0, incoming.Take());
+        Assert.Empty(incoming.Files());
+    }
+
+    [Fact]
     public void A_file_at_rest_is_finished_when_size_and_time_have_stayed_the_same_for_long_enough()
     {
         using var incoming = new Incoming(new FinishedAtRest(TimeSpan.FromSeconds(2)));

@@ -1,3 +1,4 @@
+using ErrorMatching.Reporting;
 using static ErrorMatching.Freeform.Tests.MeasuredDesign;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -23,7 +24,7 @@ public sealed class CompensationNoiseTests
     {
         var piece = new MeasuredDesign(PaperDesign.One);
         var result = piece.Compensate(piece.With(Tilted), piece.With((u, v) => Tilted(u, v) + 0.1, "again.csv")).Result!;
-        Assert.Contains("in one clamping?", Assert.Single(result.Warnings), StringComparison.Ordinal);
+        Assert.Equal("repeats-differ", Assert.Single(result.Warnings).Code);
         Assert.Empty(piece.Compensate(piece.With(Tilted), piece.With((u, v) => Tilted(u, v) + 0.0001, "again.csv")).Result!.Warnings);
     }
 
@@ -31,9 +32,10 @@ public sealed class CompensationNoiseTests
     public void What_is_strange_in_a_file_is_said_in_every_report()
     {
         var piece = new MeasuredDesign(PaperDesign.One);
-        var strange = piece.With(Tilted) with { Warnings = ["out of order"] };
-        Assert.Equal(["out of order"], piece.Compensate(strange).Result!.Warnings);
-        Assert.Equal(["out of order"], Assert.Single(SurfaceEvaluation.Of(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
+        var warning = ReportWarning.Of(SurfaceWarningForms.OutOfOrder, "measured.csv", "7", "5", "6");
+        var strange = piece.With(Tilted) with { Warnings = [warning] };
+        Assert.Equal([warning], piece.Compensate(strange).Result!.Warnings);
+        Assert.Equal([warning], Assert.Single(SurfaceEvaluation.Of(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
     }
 
     // Measured without noise, so that nothing is left at the points: the lines that were left out tell that it is little to go by.
@@ -60,7 +62,7 @@ public sealed class CompensationNoiseTests
         var result = piece.Compensate(piece.With((u, v) => 0.012 + (0.002 * (random.NextDouble() - 0.5)))).Result!;
 
         Assert.Equal(SpatialVerdict.Noise, result.Structure.Verdict);
-        Assert.Contains("looks like noise", Assert.Single(result.Warnings), StringComparison.Ordinal);
+        Assert.Equal("noise-but-mean", Assert.Single(result.Warnings).Code);
         Assert.True(piece.Off(result.Surface.Spline, (u, v) => result.Before.MeanMm) < 3e-5);
     }
 
@@ -95,7 +97,7 @@ public sealed class CompensationNoiseTests
 
         Assert.Equal(0, result.LargestMoveMm);
         Assert.Same(piece.Surface.Spline, result.Surface.Spline);
-        Assert.Contains("nothing is compensated", result.Warnings[0], StringComparison.Ordinal);
+        Assert.Equal("noise-only", result.Warnings[0].Code);
         Assert.All(
             new[] { result.Mirror, result.ToolRadius },
             p => Assert.Equal((0, result.Predicted.Statistics), (p.Statistics.MeanMm, p.Statistics)));

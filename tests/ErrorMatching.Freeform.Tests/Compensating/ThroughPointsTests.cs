@@ -27,7 +27,7 @@ public sealed class ThroughPointsTests
         if (method == "tensor")
         {
             Assert.All(result.Mirror.Errors, e => Assert.Equal(0, e, 5e-5));
-            Assert.Contains("Between the points", Assert.Single(result.Warnings), StringComparison.Ordinal);
+            Assert.Equal("worse-between-points", Assert.Single(result.Warnings).Code);
         }
 
         var ofError = new MeasuredDesign(Broken);

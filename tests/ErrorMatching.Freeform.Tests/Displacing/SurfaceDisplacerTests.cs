@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -81,7 +82,7 @@ public sealed class SurfaceDisplacerTests
     {
         var (program, dialect) = (Encoding.ASCII.GetBytes(text), NcDialects.Named(control));
         var result = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement).Result!;
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, dialect, programsTip: false, Measurement, Nothing).Result!;
         var marker =
             $"{opens}ERRORMATCH MEASUREMENT={Measurement.ToUpperInvariant()} BASE={Convert.ToHexString(SHA256.HashData(program))}{closes}";
         Assert.Equal(marker, Lines(result.Program.Bytes)[line]);
@@ -96,7 +97,7 @@ public sealed class SurfaceDisplacerTests
         })
         {
             var refusal = SurfaceDisplacer.Displace(
-                Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64)).Refusal!;
+                Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), again, dialect, programsTip: false, new('b', 64), Nothing).Refusal!;
             Assert.Equal((Marker.AlreadyCompensated, line + 1), (refusal.Code, refusal.Place.Line));
             Assert.Contains("Begin from the original program", refusal.Message, StringComparison.Ordinal);
         }
@@ -116,7 +117,7 @@ public sealed class SurfaceDisplacerTests
     {
         var program = "; FINISHING\nG17 G90 G710\nG54\nS10000 M3\nG0 Z20\nX0 Y10\nG1 Z3 F500\nX75\nG0 Z20\nM30\n"u8.ToArray();
         var refusal = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement).Refusal!;
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement, Nothing).Refusal!;
         Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Place.Line));
         Assert.Contains("G710", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("fanuc", refusal.Message, StringComparison.Ordinal);
@@ -162,7 +163,7 @@ public sealed class SurfaceDisplacerTests
     public void What_cannot_follow_is_refused(string program, string code)
     {
         var result = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement);
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement, Nothing);
 
         Assert.Equal(code, result.Refusal?.Code);
     }
@@ -178,12 +179,62 @@ public sealed class SurfaceDisplacerTests
         Assert.Equal(3 - Wave.Error(75, 10), after.Motions[4].End.Z, 0.00005);
     }
 
+    // On a plane at Z 0, the ball of 6 mm touches with its center at Z 3. Two millimeters lie on the plane.
+    [Theory]
+    // Down to the material, into it, and through it to the other side.
+    [InlineData("G0 X0 Y10 Z20\nG0 Z5\nG1 Z3 F500\nX20\nG0 Z20", null)]
+    [InlineData("G0 X0 Y10 Z20\nG0 Z4.9\nG1 Z3 F500\nX20\nG0 Z20", 3)]
+    [InlineData("G0 X0 Y10 Z4.9\nG1 Z3 F500\nX20\nG0 Z20", 2)]
+    // Over the surface in it, and at its height.
+    [InlineData("G0 X0 Y10 Z20\nG1 Z3 F500\nX20\nZ4.9\nG0 X40\nG0 Z20", 6)]
+    [InlineData("G0 X0 Y10 Z20\nG1 Z3 F500\nX20\nG0 X40\nG0 Z20", 5)]
+    [InlineData("G0 X0 Y10 Z20\nG1 Z3 F500\nX20\nZ5\nG0 X40\nG0 Z20", null)]
+    // Out of it aslant, so steeply that the gap grows and not, and from end to end between two places that are free.
+    [InlineData("G0 X0 Y10 Z20\nG1 Z3 F500\nX20\nG0 X40 Z20", null)]
+    [InlineData("G0 X0 Y10 Z20\nG1 Z3 F500\nX20\nG0 X60 Z4.5\nG0 Z20", 5)]
+    [InlineData("G0 X-10 Y10 Z20\nG1 X0 Z3 F500\nX20\nG0 Z20\nG0 X-20 Z9\nG0 X95 Z1\nG0 Z20", 7)]
+    // Beside the piece there is nothing.
+    [InlineData("G0 X-10 Y10 Z20\nG0 Z-5\nG0 Z20\nX0\nG1 Z3 F500\nX20\nG0 Z20", null)]
+    public void A_rapid_move_through_what_lies_on_the_surface_is_refused(string moves, int? line)
+    {
+        var result = SurfaceDisplacer.Displace(
+            Shapes.Plane(75, 63),
+            new ConstantField(0.01, 0),
+            1,
+            Plans.Ball(6),
+            Encoding.ASCII.GetBytes($"G21 G90 G17\n{moves}\nM2\n"),
+            Dialect,
+            programsTip: false,
+            Measurement,
+            new(2, "stock"));
+
+        Assert.Equal(line is null ? [] : ["rapid-too-low"], result.Refusals.Select(r => r.Code));
+        Assert.Equal(line, result.IsUsable ? null : result.Refusal.Place.Line);
+    }
+
+    [Fact]
+    public void Before_finishing_the_stock_of_the_job_lies_on_the_surface()
+    {
+        // A stock of 0.2 mm, as much again, and what the caller adds.
+        var job = Plans.Job(Plans.Passes(0.5, 0.01), "linuxcnc") with { Stock = new(0.4, 0.2) };
+        var program = "G21 G90 G17\nG0 X0 Y10 Z20\nG0 Z3.45\nG1 Z3 F500\nX20\nG0 Z20\nM2\n"u8.ToArray();
+        Assert.True(Run(0).IsUsable);
+        var refusal = Run(0.1).Refusal!;
+        Assert.Equal(("rapid-too-low", 3), (refusal.Code, refusal.Place.Line));
+        Assert.Contains("0.450 mm over the surface, over which up to 0.5 mm of material", refusal.Message, StringComparison.Ordinal);
+
+        Outcome<DisplacedProgram> Run(double moreMm) => SurfaceDisplacer.Displace(
+            Shapes.Plane(75, 63), new ConstantField(0.01, 0), job, program, Dialect, Measurement, moreMm);
+    }
+
+    private static StageMaterial Nothing { get; } = new(0, "nothing");
+
     private static byte[] Program(PartSurface surface, JobToolpath toolpath) =>
         FinishingProgram.Write(Plans.Path(surface, toolpath), Plans.Job(toolpath, "linuxcnc"), Dialect);
 
     private static DisplacedProgram Displace(PartSurface surface, ErrorField field, byte[] program, double gain, bool tip)
     {
-        var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip, Measurement);
+        var result = SurfaceDisplacer.Displace(surface, field, gain, Plans.Ball(6), program, Dialect, tip, Measurement, Nothing);
         Assert.True(result.IsUsable, result.Refusal?.Message);
         return result.Result;
     }

@@ -52,8 +52,9 @@ public sealed class SurfaceEvaluationTests
 
         Assert.Empty(e.Pieces[0].Warnings);
         var warning = Assert.Single(e.Pieces[1].Warnings);
-        Assert.StartsWith($"bad.csv: Point {bad.Number} (near ", warning, StringComparison.Ordinal);
-        Assert.Contains("is +480.0 um off", warning, StringComparison.Ordinal);
+        Assert.Equal("outlying-point-measured", warning.Code);
+        Assert.StartsWith($"bad.csv: Point {bad.Number} (near ", warning.Message, StringComparison.Ordinal);
+        Assert.Contains("is +480.0 um off", warning.Message, StringComparison.Ordinal);
         Assert.Equal(0.96, e.Together.ProfileIsoMm, 9);
     }
 }

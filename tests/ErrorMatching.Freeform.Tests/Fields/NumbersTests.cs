@@ -24,6 +24,40 @@ public sealed class NumbersTests
     }
 
     [Fact]
+    public void Four_columns_of_a_factor_at_once_are_those_of_one_after_the_other()
+    {
+        // A band matrix, full and narrower than a vector, so that every remainder of four occurs.
+        foreach (var (n, width) in new[] { (23, 23), (23, 9), (12, 3) })
+        {
+            var random = new Random(n + width);
+            var rows = new double[n][];
+            for (var r = 0; r < n; r++)
+            {
+                rows[r] = new double[Math.Min(r, width) + 1];
+                for (var c = 0; c < rows[r].Length; c++)
+                {
+                    rows[r][c] = c + 1 == rows[r].Length ? 10 + random.NextDouble() : random.NextDouble() - 0.5;
+                }
+            }
+
+            var expected = Array.ConvertAll(rows, row => (double[])row.Clone());
+            for (var r = 0; r < n; r++)
+            {
+                var first = Math.Max(0, r - width);
+                for (var c = first; c <= r; c++)
+                {
+                    var other = expected[c].AsSpan(first - Math.Max(0, c - width));
+                    var left = expected[r][c - first] - Vectors.Dot(expected[r].AsSpan(0, c - first), other);
+                    expected[r][c - first] = c < r ? left / other[^1] : Math.Sqrt(left);
+                }
+            }
+
+            Assert.NotNull(Cholesky.Factor(rows, width));
+            Assert.Equal(expected, rows);
+        }
+    }
+
+    [Fact]
     public void Eigenvalues_of_a_chain_are_known()
     {
         // 2 on the diagonal, -1 beside it: 2 - 2 cos(k pi / (n + 1)).

@@ -35,7 +35,8 @@ public sealed class SurfaceLotTests
 
         Assert.True(Left(made[7], (u, v) => _bowl(u, v) + 0.008) < 0.0012);
         Assert.Equal(LotEvent.Step, made[7].Lot!.Pieces[5].Event);
-        Assert.Contains(made[5].Warnings.Concat(made[6].Warnings), w => w.Contains("moved before piece 6", StringComparison.Ordinal));
+        Assert.Contains(
+            made[5].Warnings.Concat(made[6].Warnings), w => w.Code == "lot-step" && w.Message.Contains("moved before piece 6", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -44,7 +45,7 @@ public sealed class SurfaceLotTests
         var made = Cut(6, k => k == 4 ? (u, v) => _bowl(u, v) - 0.03 : _bowl, 5);
 
         Assert.Equal(LotEvent.Outlier, made[4].Lot!.Pieces[4].Event);
-        Assert.Contains(made[4].Warnings, w => w.StartsWith("This piece does not fit the 4 before it", StringComparison.Ordinal));
+        Assert.Contains(made[4].Warnings, w => (w.Code, w.Values[0]) == ("lot-outlier", "4"));
         Assert.True(Left(made[4], _bowl) < 0.002);
 
         // While it may still be a new tool, the prediction is not sure of itself.

@@ -258,7 +258,9 @@ public sealed class MeasuredSurfaceReaderTests
         var lines = Log().Split('\n');
         (lines[5], lines[6]) = (lines[6], lines[5]);
         var measured = Read(string.Join('\n', lines));
-        Assert.Contains("line 7: point 5 stands behind point 6", Assert.Single(measured.Warnings), StringComparison.Ordinal);
+        var warning = Assert.Single(measured.Warnings);
+        Assert.Equal("points-out-of-order", warning.Code);
+        Assert.Contains("line 7: point 5 stands behind point 6", warning.Message, StringComparison.Ordinal);
         Assert.Equal(7, measured.Points[4].Line);
     }
 

@@ -93,7 +93,7 @@ public sealed class StoredSurfaceTests
         ProgramFile = "out/finishing.nc",
         ProgramSha256 = "cc",
         CallsTool = r.Next(3) switch { 0 => null, var n => n == 1 },
-        Warnings = ["w", "\"quoted\""],
+        Warnings = [new("", "w"), new("noise-only", "\"quoted\"", "> 0.05")],
         Notes = [],
         CalculatingS = r.Next(2) == 0 ? null : Mm(r),
     };

@@ -290,7 +290,7 @@ public sealed class SurfaceReportTests
         var evaluation = SurfaceEvaluation.Of(
             Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
         Assert.Empty(evaluation.Pieces[0].Warnings);
-        Assert.Contains("after finishing and", Assert.Single(evaluation.Pieces[1].Warnings), StringComparison.Ordinal);
+        Assert.Equal("stages-differ", Assert.Single(evaluation.Pieces[1].Warnings).Code);
     }
 
     private static CompensationReport Judged(CompensationReport report, ProfileTolerance tolerance, bool isMirror = true)

@@ -75,7 +75,7 @@ public sealed class SurfaceRunTests
         var byPoints = SurfaceRun.Displace(new(job), new() { Measured = [Measured] }, Cam, TestContext.Current.CancellationToken).Result!;
 
         Assert.Equal(byError.Program.ToArray(), byPoints.Program.ToArray());
-        Assert.Contains("fit.of is points", Assert.Single(byPoints.Report.Compensation.Warnings), StringComparison.Ordinal);
+        Assert.Equal("fit-follows-error", Assert.Single(byPoints.Report.Compensation.Warnings).Code);
         Assert.Empty(byError.Report.Compensation.Warnings);
 
         // What is said to be expected, and by how much points move, is of the program that was made.

@@ -3,6 +3,7 @@ using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -44,13 +45,7 @@ internal sealed class SurfaceToolpathAnswer(
         json.WriteNumber("raisedPoints", c.RaisedPoints);
         json.WriteNumber("raisedMm", c.RaisedMm);
         json.WriteEndObject();
-        json.WriteStartArray("warnings");
-        if (!callsTool)
-        {
-            json.WriteStringValue(FinishingProgram.NoToolCall);
-        }
-
-        json.WriteEndArray();
+        new ReportWriter(json).Warnings(callsTool ? [] : [ReportWarning.Of(SurfaceWarningForms.NoToolCall)]);
     }
 
     public override void WriteText(Page page)

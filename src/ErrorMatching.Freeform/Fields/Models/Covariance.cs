@@ -27,16 +27,20 @@ internal abstract class Covariance
     /// <summary>The solution x of K x = b.</summary>
     public abstract double[] Solve(double[] b);
 
+    /// <summary>Number of vectors of the basis that the kernel between a place and the values may have a part of; the first ones. The parts
+    /// of all others are below rounding.</summary>
+    public abstract int Leading { get; }
+
     /// <summary>Converts one number per value to the orthonormal basis in which systems with many places are solved fastest. Products of
     /// two converted lists are those of the lists.</summary>
     public abstract double[] ToBasis(double[] b);
 
-    /// <summary>The kernel between a place and each value, in that basis.</summary>
+    /// <summary>The kernel between a place and each value: its leading parts in that basis.</summary>
     public abstract double[] RowInBasis(double u, double v);
 
-    /// <summary>The solution x of K x = b, both in that basis.</summary>
+    /// <summary>The solution x of K x = b, both as leading parts in that basis.</summary>
     public abstract double[] SolveInBasis(double[] b);
 
-    /// <summary>The weighted sum of the kernel between a place and each value.</summary>
+    /// <summary>The sum of the kernel between a place and each value, with weights in that basis.</summary>
     public abstract double Sum(double u, double v, double[] weights);
 }

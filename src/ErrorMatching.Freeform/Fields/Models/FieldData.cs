@@ -22,8 +22,10 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
 
     public int Count => Z.Length;
 
-    /// <summary>The curves of constant j, ascending, as indices of their values.</summary>
-    public int[][] Curves { get; } = Groups(J);
+    /// <summary>The curves of constant j, ascending, as indices of their values, along each curve.</summary>
+    /// <remarks>Values come in the order of measuring, which goes to and fro. Evenly chosen values of a curve must lie on the lines of those
+    /// of other curves.</remarks>
+    public int[][] Curves { get; } = Array.ConvertAll(Groups(J), curve => Along(curve, I));
 
     /// <summary>The lines across the curves: lines of constant i if all curves have the same numbers, otherwise bands along u with one
     /// value per curve on average.</summary>
@@ -38,6 +40,9 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     /// a fit without them would have to extrapolate.</summary>
     public IReadOnlyList<(int[] Line, FieldData Stored)> LinesOut =>
         _linesOut ??= [.. Inner(Curves).Concat(Inner(Crossings)).Select(line => (line, Without(line)))];
+
+    /// <summary>True if the values are a part of many, chosen to save time. Of them, few lines are left out.</summary>
+    private bool IsThinned { get; init; }
 
     private (int[], FieldData)[]? _linesOut;
 
@@ -74,10 +79,8 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
             return this;
         }
 
-        return Only(
-            [
-                .. Chosen(Curves.Length, lines).Select(c => Curves[c]).SelectMany(
-                    curve => Chosen(curve.Length, lines).Select(k => curve[k]))]);
+        var chosen = Chosen(Curves.Length, lines).SelectMany(c => Chosen(Curves[c].Length, lines).Select(k => Curves[c][k]));
+        return Only([.. chosen]) with { IsThinned = true };
     }
 
     private static int[] Chosen(int count, int most) =>
@@ -102,10 +105,10 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
 
     private static T[] Pick<T>(T[] from, int[] kept) => Array.ConvertAll(kept, k => from[k]);
 
-    private static IEnumerable<int[]> Inner(int[][] lines)
+    private IEnumerable<int[]> Inner(int[][] lines)
     {
         var inner = lines.Length - 2;
-        var count = Math.Min(inner, lines.Sum(line => line.Length) > ManyValues ? FewLinesOut : MostLinesOut);
+        var count = Math.Min(inner, IsThinned || Count > ManyValues ? FewLinesOut : MostLinesOut);
         for (var k = 0; k < count; k++)
         {
             yield return lines[1 + (int)(((2L * k) + 1) * inner / (2 * count))];
@@ -143,6 +146,18 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
         }
 
         return best;
+    }
+
+    // Values at the same place keep the given order.
+    private static int[] Along(int[] curve, int[] i)
+    {
+        var isAlong = true;
+        for (var k = 0; k + 1 < curve.Length && isAlong; k++)
+        {
+            isAlong = i[curve[k]] <= i[curve[k + 1]];
+        }
+
+        return isAlong ? curve : [.. curve.OrderBy(k => i[k])];
     }
 
     private static int[][] Groups(int[] numbers) =>

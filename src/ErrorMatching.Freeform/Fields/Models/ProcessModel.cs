@@ -33,8 +33,9 @@ internal sealed class ProcessModel : FieldModel
         }
 
         _coefficients = [.. trend.Ordinary.Coefficients.Zip(correction, (a, b) => a + b)];
-        _weights = covariance.Solve(rest);
-        var form = Math.Max(LeastSquares.Product(_weights, rest), 1e-26);
+        var solution = covariance.Solve(rest);
+        _weights = covariance.ToBasis(solution);
+        var form = Math.Max(LeastSquares.Product(solution, rest), 1e-26);
         var free = data.Count - _trend.Length;
         _variance = form / free;
         Criterion = (data.Count * Math.Log(form / data.Count)) + covariance.LogDeterminant + (2 * _trend.Length);
@@ -131,13 +132,13 @@ internal sealed class ProcessModel : FieldModel
     /// <remarks>In the basis of the covariance, a place takes little more than one look at each value: reports ask for thousands.</remarks>
     public override double VarianceAt(double u, double v, double noise)
     {
-        var basis = _basis ??= new(Array.ConvertAll(_columns, _covariance.ToBasis), Array.ConvertAll(_solved, _covariance.ToBasis));
+        var basis = _basis ??= Basis.Of(_covariance, _columns, _solved);
         var row = _covariance.RowInBasis(u, v);
         var solved = _covariance.SolveInBasis(row);
         var missed = new double[_trend.Length];
         for (var k = 0; k < missed.Length; k++)
         {
-            missed[k] = _trend[k].At(u, v) - LeastSquares.Product(basis.Columns[k], solved);
+            missed[k] = _trend[k].At(u, v) - Vectors.Dot(solved, basis.Columns[k]);
         }
 
         var share = _factor.Solve(missed);
@@ -148,12 +149,14 @@ internal sealed class ProcessModel : FieldModel
             return variance;
         }
 
+        var square = 0.0;
         for (var k = 0; k < share.Length; k++)
         {
             Vectors.Subtract(solved, -share[k], basis.Solved[k]);
+            square += share[k] * Vectors.Dot(share, basis.Others[k]);
         }
 
-        return variance + (more * LeastSquares.Product(solved, solved));
+        return variance + (more * (square + LeastSquares.Product(solved, solved)));
     }
 
     /// <inheritdoc/>
@@ -170,6 +173,20 @@ internal sealed class ProcessModel : FieldModel
             : ProcessSearch.WithBreakMoved(this, other, covariance);
     }
 
-    /// <summary>The polynomial's columns and their solutions in the basis of the covariance, made when they are first needed.</summary>
-    private sealed record Basis(double[][] Columns, double[][] Solved);
+    /// <summary>The polynomial in the basis of the covariance, made when it is first needed.</summary>
+    /// <param name="Columns">Its columns.</param>
+    /// <param name="Solved">Their solutions.</param>
+    /// <param name="Others">The products of the solutions' parts that are not leading.</param>
+    private sealed record Basis(double[][] Columns, double[][] Solved, double[][] Others)
+    {
+        public static Basis Of(Covariance covariance, double[][] columns, double[][] solved)
+        {
+            var parts = Array.ConvertAll(solved, covariance.ToBasis);
+            var rest = covariance.Leading..;
+            return new(
+                Array.ConvertAll(columns, covariance.ToBasis),
+                parts,
+                Array.ConvertAll(parts, a => Array.ConvertAll(parts, b => Vectors.Dot(a.AsSpan(rest), b.AsSpan(rest)))));
+        }
+    }
 }

@@ -46,6 +46,8 @@ internal sealed class ScatteredCovariance : Covariance
         return Cholesky.Factor(rows, data.Count) is { } factor ? new(data, kernel, factor) : null;
     }
 
+    public override int Leading => _data.Count;
+
     public override double[] Solve(double[] b) => _factor.Solve(b);
 
     public override double[] ToBasis(double[] b) => b;

@@ -18,6 +18,9 @@ internal sealed class TermSelection
     private readonly int _mostV;
     private readonly List<Candidate> _candidates;
     private readonly List<Candidate> _taken = [];
+    private readonly HashSet<Term> _terms = [];
+    private readonly HashSet<AxisFunction> _functionsU = [];
+    private readonly HashSet<AxisFunction> _functionsV = [];
     private readonly double[] _rest;
     private readonly double[] _variance;
 
@@ -101,16 +104,15 @@ internal sealed class TermSelection
             var (best, most) = ((Candidate?)null, -1.0);
             foreach (var candidate in _candidates)
             {
-                var norm = LeastSquares.Product(candidate.Column, candidate.Column);
-                if (!Allowed(candidate.Term) || norm <= candidate.SquareNorm * LeastSquares.Dependent * LeastSquares.Dependent)
+                if (!Allowed(candidate.Term))
                 {
                     continue;
                 }
 
-                var part = LeastSquares.Product(candidate.Column, _rest);
-                if (part * part / norm > most)
+                candidate.Follow(_taken, _rest);
+                if (candidate.Norm > candidate.SquareNorm * LeastSquares.Dependent * LeastSquares.Dependent && candidate.Gain > most)
                 {
-                    (best, most) = (candidate, part * part / norm);
+                    (best, most) = (candidate, candidate.Gain);
                 }
             }
 
@@ -126,24 +128,16 @@ internal sealed class TermSelection
     private bool Allowed(Term term) =>
         Taken(term.U.Parent, term.V)
             && Taken(term.U, term.V.Parent)
-            && Fits(term.U, c => c.Term.U, _mostU)
-            && Fits(term.V, c => c.Term.V, _mostV);
+            && (_functionsU.Count < _mostU || _functionsU.Contains(term.U))
+            && (_functionsV.Count < _mostV || _functionsV.Contains(term.V));
 
-    private bool Fits(AxisFunction function, Func<Candidate, AxisFunction> of, int most)
-    {
-        var functions = _taken.Select(of).ToHashSet();
-        return functions.Contains(function) || functions.Count < most;
-    }
-
-    private bool Taken(AxisFunction? u, AxisFunction? v) =>
-        u is not { } a || v is not { } b || _taken.Exists(c => c.Term == new Term(a, b));
+    private bool Taken(AxisFunction? u, AxisFunction? v) => u is not { } a || v is not { } b || _terms.Contains(new Term(a, b));
 
     private bool Amplifies(Candidate candidate)
     {
-        var norm = LeastSquares.Product(candidate.Column, candidate.Column);
         for (var k = 0; k < _variance.Length; k++)
         {
-            if (_variance[k] + (candidate.Between[k] * candidate.Between[k] / norm) > MostAmplification)
+            if (_variance[k] + (candidate.Between[k] * candidate.Between[k] / candidate.Norm) > MostAmplification)
             {
                 return true;
             }
@@ -154,6 +148,7 @@ internal sealed class TermSelection
 
     private void Take(Candidate candidate)
     {
+        candidate.Follow(_taken, _rest);
         foreach (var taken in _taken)
         {
             candidate.Remove(taken);
@@ -164,23 +159,53 @@ internal sealed class TermSelection
         LeastSquares.Scale(candidate.Between, norm);
         _candidates.Remove(candidate);
         _taken.Add(candidate);
+        _terms.Add(candidate.Term);
+        _functionsU.Add(candidate.Term.U);
+        _functionsV.Add(candidate.Term.V);
         LeastSquares.Remove(_rest, candidate.Column);
         LeastSquares.Remove(_rest, candidate.Column);
         for (var k = 0; k < _variance.Length; k++)
         {
             _variance[k] += candidate.Between[k] * candidate.Between[k];
         }
-
-        foreach (var other in _candidates)
-        {
-            other.Remove(candidate);
-        }
     }
 
-    /// <summary>The values of a term, orthogonalized to the terms selected before.</summary>
-    private sealed record Candidate(Term Term, double[] Column, double[] Between)
+    /// <summary>The values of a term, orthogonalized to the terms selected before when it is its turn.</summary>
+    private sealed class Candidate(Term term, double[] column, double[] between)
     {
-        public double SquareNorm { get; } = LeastSquares.Product(Column, Column);
+        private int _removed;
+        private int _measured = -1;
+
+        public Term Term => term;
+
+        public double[] Column => column;
+
+        public double[] Between => between;
+
+        /// <summary>The squared length of the column as it was.</summary>
+        public double SquareNorm { get; } = LeastSquares.Product(column, column);
+
+        /// <summary>The squared length of what is left of the column.</summary>
+        public double Norm { get; private set; }
+
+        /// <summary>What the term would take of the sum of squares.</summary>
+        public double Gain { get; private set; }
+
+        /// <summary>Orthogonalizes it to the terms selected since it was last looked at.</summary>
+        public void Follow(List<Candidate> taken, double[] rest)
+        {
+            for (; _removed < taken.Count; _removed++)
+            {
+                Remove(taken[_removed]);
+            }
+
+            if (_measured < _removed)
+            {
+                _measured = _removed;
+                (Norm, var part) = Vectors.Dots(column, column, rest);
+                Gain = part * part / Norm;
+            }
+        }
 
         public void Remove(Candidate unit)
         {

@@ -32,26 +32,28 @@ internal sealed class Cholesky
         {
             var row = rows[i];
             var first = Math.Max(0, i - width);
-            for (var j = first; j <= i; j++)
+            var j = first;
+            for (; j + Vectors.Width <= i; j += Vectors.Width)
             {
-                var other = rows[j];
-                var start = Math.Max(first, j - width);
-                var a = row.AsSpan(start - first, j - start);
-                var b = other.AsSpan(start - Math.Max(0, j - width), j - start);
-                var value = row[j - first] - Vectors.Dot(a, b);
-                if (j < i)
-                {
-                    row[j - first] = value / other[^1];
-                }
-                else if (value > 0 && double.IsFinite(value))
-                {
-                    row[j - first] = Math.Sqrt(value);
-                }
-                else
-                {
-                    return null;
-                }
+                Vectors.Substitute(row.AsSpan(0, j - first + Vectors.Width), Part(j), Part(j + 1), Part(j + 2), Part(j + 3));
             }
+
+            for (; j < i; j++)
+            {
+                var other = Part(j);
+                row[j - first] = (row[j - first] - Vectors.Dot(row.AsSpan(0, j - first), other)) / other[^1];
+            }
+
+            var value = row[^1] - Vectors.Dot(row.AsSpan(0, i - first), row);
+            if (!(value > 0 && double.IsFinite(value)))
+            {
+                return null;
+            }
+
+            row[^1] = Math.Sqrt(value);
+
+            // Row k from the first column of row i on.
+            ReadOnlySpan<double> Part(int k) => rows[k].AsSpan(first - Math.Max(0, k - width));
         }
 
         return new(rows, width);

@@ -15,12 +15,26 @@ internal sealed class SymmetricEigen
     public SymmetricEigen(double[][] a)
     {
         var beside = new double[a.Length];
-        Vectors = Tridiagonal(a, beside);
-        Values = [.. Enumerable.Range(0, a.Length).Select(i => a[i][i])];
-        Diagonalize(Values, beside, Vectors);
+        var (values, vectors) = (new double[a.Length], Tridiagonal(a, beside));
+        for (var i = 0; i < values.Length; i++)
+        {
+            values[i] = a[i][i];
+        }
+
+        Diagonalize(values, beside, vectors);
+        // Sorted by insertion, so that equal ones keep their order.
+        for (var i = 1; i < values.Length; i++)
+        {
+            for (var k = i; k > 0 && values[k - 1] < values[k]; k--)
+            {
+                (values[k - 1], values[k], vectors[k - 1], vectors[k]) = (values[k], values[k - 1], vectors[k], vectors[k - 1]);
+            }
+        }
+
+        (Values, Vectors) = (values, vectors);
     }
 
-    /// <summary>The eigenvalues, unordered.</summary>
+    /// <summary>The eigenvalues, the largest first.</summary>
     public double[] Values { get; }
 
     /// <summary>Row k is the unit eigenvector of eigenvalue k.</summary>

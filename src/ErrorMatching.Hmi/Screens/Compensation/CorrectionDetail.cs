@@ -202,7 +202,7 @@ internal sealed class CorrectionDetail
     // The recorded step also contains the warnings. They are shown elsewhere, so here they are only counted.
     private string BasisOf(CorrectionStep step)
     {
-        string[] recorded = [.. Stored.Report?.Warnings.Select(w => w.Message) ?? Stored.Surface?.Warnings ?? []];
+        string[] recorded = [.. Stored.Report?.Warnings.Select(w => w.Message) ?? Stored.Surface?.Warnings.Select(w => w.Message) ?? []];
         var parts = step.Basis.Parts.ToLookup(p => recorded.Contains(p.Sentence, StringComparer.Ordinal));
         var (basis, warnings) = (RecordedText.Of(Statement.InARow(parts[false]), Stored.Correction), parts[true].Count());
         return warnings == 0 ? basis : Sentence.Joined(basis, Texts.Current.With("Head.Warnings", warnings));

@@ -41,6 +41,17 @@ internal sealed class SurfaceFigures
     /// <summary>The verdict by the job's profile tolerance: what a user decides by.</summary>
     public string Verdict { get; }
 
+    /// <summary>The verdict on the piece as it was measured; null if it still had its stock, or the job states no tolerance.</summary>
+    public string? Piece => SurfaceVerdictText.OfPiece(_findings);
+
+    public Severity PieceSeverity => SurfaceVerdictText.SeverityOfPiece(_findings.Verdict);
+
+    /// <summary>True if the finished piece is in tolerance.</summary>
+    public bool IsPieceWithin => _findings.Verdict?.Before.IsWithin == true;
+
+    /// <summary>The tolerance and how it is applied; null if the job states none.</summary>
+    public string? Tolerance => SurfaceVerdictText.OfTolerance(_findings.Verdict);
+
     /// <summary>True if the job states a tolerance.</summary>
     public bool IsJudged => _findings.Verdict is not null;
 
@@ -147,7 +158,7 @@ internal sealed class SurfaceFigures
         : Severity.Quiet;
 
     /// <summary>What the user should know before using the program.</summary>
-    public IReadOnlyList<string> Warnings => _stored.Warnings;
+    public IReadOnlyList<string> Warnings => [.. _stored.Warnings.Select(WarningText.Of)];
 
     public bool HasWarnings => Warnings.Count > 0;
 
