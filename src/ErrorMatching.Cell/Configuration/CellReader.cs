@@ -39,7 +39,10 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             (int)(item.Find("port")?.Number ?? 5432),
             item["database"].Text,
             item["user"].Text,
-            item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null);
+            item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null)
+        {
+            Schema = item.Find("schema")?.Text,
+        };
 
     private PolicySettings ReadPolicy(JsonItem item, PolicySettings outer)
     {
