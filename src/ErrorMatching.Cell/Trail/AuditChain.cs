@@ -37,7 +37,7 @@ internal static class AuditChain
     private static (long Seq, string Hash, bool Ends) Walk(IEnumerable<AuditEntry> entries, Action<AuditEntry>? each)
     {
         var (seq, hash) = (0L, AuditEntry.NoHash);
-        foreach (var (entry, isAsWritten) in ReadAhead.Of(entries.Select(e => (e, e.IsWrittenAs(e.Seq)))))
+        foreach (var (entry, isAsWritten) in ReadAhead.Of(entries.Select(Looked)))
         {
             if (entry.Seq != seq + 1 || entry.Previous != hash || !isAsWritten) return (seq, hash, false);
             (seq, hash) = (entry.Seq, entry.Hash);
@@ -45,6 +45,13 @@ internal static class AuditChain
         }
 
         return (seq, hash, true);
+    }
+
+    // On the second core: whether an entry is as written, and what it is about.
+    private static (AuditEntry Entry, bool IsAsWritten) Looked(AuditEntry entry)
+    {
+        _ = entry.Subject?.Code;
+        return (entry, entry.IsWrittenAs(entry.Seq));
     }
 
     // Everything before "at" is linked correctly; the entry at "at" is not the next one.

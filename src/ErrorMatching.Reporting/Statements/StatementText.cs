@@ -147,7 +147,8 @@ public static class StatementText
 
             Expect('[', "\"[\"");
             var code = Text();
-            if (code.Length > 0 && !IsCode(code))
+            var form = forms.GetValueOrDefault(code);
+            if (code.Length > 0 && form is null && !IsCode(code))
             {
                 throw Unexpected("a code", from + 1);
             }
@@ -161,7 +162,7 @@ public static class StatementText
 
             Expect(']', "\",\" or \"]\"");
             IsAsRecorded &= code.Length > 0;
-            return code.Length == 0 ? Statement.InARow(values) : Statement.Of(code, values, forms.GetValueOrDefault(code));
+            return code.Length == 0 ? Statement.InARow(values) : Statement.Of(code, values, form);
         }
 
         private string Text()
