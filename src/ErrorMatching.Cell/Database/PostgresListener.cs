@@ -49,7 +49,8 @@ internal sealed class PostgresListener : IDisposable
                     if (news.Payload != _own) Interlocked.Increment(ref _heard);
                 };
                 await connection.OpenAsync(_stop.Token);
-                await using (var listen = new NpgsqlCommand($"LISTEN \"{_channel}\"", connection)) await listen.ExecuteNonQueryAsync(_stop.Token);
+                await using (var listen = new NpgsqlCommand($"LISTEN \"{_channel}\"", connection))
+                    await listen.ExecuteNonQueryAsync(_stop.Token);
 
                 // What happened before is not told.
                 Interlocked.Increment(ref _heard);
@@ -60,7 +61,7 @@ internal sealed class PostgresListener : IDisposable
             {
                 return;
             }
-            catch (Exception failure) when (failure is NpgsqlException or OperationCanceledException or IOException or ObjectDisposedException)
+            catch (Exception e) when (e is NpgsqlException or OperationCanceledException or IOException or ObjectDisposedException)
             {
                 // A server that is away, or a standby, which tells nothing: whoever wants to know asks meanwhile, and is told why.
                 _isLive = false;

@@ -4,8 +4,8 @@ using Npgsql;
 namespace ErrorMatching.Cell;
 
 /// <summary>The rights of this process, as advisory locks of the server, all on one connection of their own.</summary>
-/// <remarks>They are a lease. The server ends this connection, and with it all rights, if it hears nothing for <see cref="Lease"/>: also from
-/// a process that is frozen, or whose computer is off. A living process is heard often enough, without a transaction
+/// <remarks>They are a lease. The server ends this connection, and with it all rights, if it hears nothing for <see cref="Lease"/>: also
+/// from a process that is frozen, or whose computer is off. A living process is heard often enough, without a transaction
 /// (<see cref="SignOfLife"/>).</remarks>
 /// <param name="connectionString">Of a connection that is not shared.</param>
 /// <param name="part">The part of the database that the rights are about.</param>
@@ -82,7 +82,8 @@ internal sealed class PostgresLocks(string connectionString, string part) : IDis
             if (_connection != on || !_held.Remove(name)) return;
             try
             {
-                on.Execute("SELECT pg_advisory_unlock(hashtextextended(@Name, 0))", new { Name = part + name }, commandTimeout: AnswerSeconds);
+                on.Execute(
+                    "SELECT pg_advisory_unlock(hashtextextended(@Name, 0))", new { Name = part + name }, commandTimeout: AnswerSeconds);
             }
             catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
             {
