@@ -1,11 +1,17 @@
 -- Roles with the least rights that work, for a store on PostgreSQL. Run it as the tables' owner (the cell's user) or a superuser, in the
 -- cell's database, after the cell has made its tables, and again after an update: psql --dbname=errormatch --file=postgres-roles.sql
+-- For a cell with a schema of its own: PGOPTIONS='--search_path=line_1' psql --dbname=errormatch --file=postgres-roles.sql
 -- Then, for each person or station: CREATE ROLE station1 LOGIN PASSWORD '...' IN ROLE errormatch_station;
 
 DO $$
 BEGIN
     IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = 'errormatch_reader') THEN CREATE ROLE errormatch_reader NOLOGIN; END IF;
     IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = 'errormatch_station') THEN CREATE ROLE errormatch_station NOLOGIN; END IF;
+END $$;
+
+DO $$
+BEGIN
+    EXECUTE format('GRANT USAGE ON SCHEMA %I TO errormatch_reader', current_schema());
 END $$;
 
 -- Sees corrections, programs, reports and the audit trail; no password of people or machines, not even encrypted.

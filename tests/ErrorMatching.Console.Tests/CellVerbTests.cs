@@ -101,6 +101,12 @@ public sealed class CellVerbTests
         using var cell = CellFolder.WithPeople();
         using var running = await BackgroundCell.Start(cell.Config);
         Assert.Equal("cell-runs-already", Shell.Error(3, "cell", "run", cell.Config).Text("code"));
+
+        // Nor does another one with its store, and no process stands by at a file.
+        var other = Path.Combine(Path.GetDirectoryName(cell.Config)!, "other.json");
+        File.WriteAllText(other, File.ReadAllText(cell.Config).Replace("\"Cell 1\"", "\"Cell 2\"", StringComparison.Ordinal));
+        Assert.Equal("store-of-one-cell", Shell.Error(3, "cell", "run", other).Text("code"));
+        Assert.Equal("standby-needs-server", Shell.Error(1, "cell", "run", cell.Config, "--standby").Text("code"));
     }
 
     [Theory]
@@ -192,7 +198,7 @@ public sealed class CellVerbTests
             typeof(DecisionException)
         }.SelectMany(t => t.GetFields()).Where(f => f.IsLiteral).Select(f => (string)f.GetRawConstantValue()!)
             .Concat(Enum.GetValues<TransportError>().Select(CellCodes.Of)).Concat(Enum.GetValues<StoreError>().Select(CellCodes.Of))
-                .Concat(["cell-runs-already", "cell-not-running"])
+                .Concat(["cell-runs-already", "cell-taken-over", "store-of-one-cell", "standby-needs-server", "cell-not-running"])
                 .ToArray();
         Assert.True(codes.Length > 35);
         Assert.All(codes, c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));

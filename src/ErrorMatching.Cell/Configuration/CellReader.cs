@@ -41,7 +41,10 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
                 (int)(item.Find("port")?.Number ?? 5432),
                 item["database"].Text,
                 item["user"].Text,
-                item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null);
+                item.Find("passwordFile") is { } secret ? _paths.Of(secret) : null)
+            {
+                Schema = item.Find("schema")?.Text,
+            };
         return store with { Archives = item.Find("archives") is { } archives ? _paths.Of(archives) : null };
     }
 

@@ -49,8 +49,12 @@ internal abstract class CellDatabase : IDisposable
     {
         for (var tries = 0; tries < MostTries; tries++)
         {
-            var (agree, result) = Snapshot((one, first) => Snapshot((two, second) =>
-                AuditRow.Head(one, first, "") == AuditRow.Head(two, second, "") ? (true, read(one, first, second)) : (false, default(T))));
+            var (agree, result) = Snapshot((one, first) => Named(() => OnSecondReader(two =>
+            {
+                using var second = BeginSnapshot(two);
+                return AuditRow.Head(one, first, "") == AuditRow.Head(two, second, "") ? (true, read(one, first, second))
+                    : (false, default(T));
+            })));
             if (agree) return result!;
         }
 
@@ -60,13 +64,15 @@ internal abstract class CellDatabase : IDisposable
     /// <summary>Runs a change that includes audit entries.</summary>
     public T Write<T>(TimeProvider clock, byte[]? auditKey, Func<StoreTransaction, T> write)
     {
-        var (result, head) = Change((connection, transaction) =>
+        var (result, head, isNew) = Change((connection, transaction) =>
         {
             var open = StoreTransaction.Begin(connection, transaction, ForUpdate, clock, auditKey);
-            var written = write(open);
-            return (written, open.Finish());
+            var (before, written) = (open.Head, write(open));
+            var after = open.Finish();
+            return (written, after, after != before);
         });
         Saw(head);
+        if (isNew) Announce(head);
         return result;
     }
 
@@ -80,6 +86,18 @@ internal abstract class CellDatabase : IDisposable
         {
             _seen = _seen is { } before && before.Seq >= head.Seq ? before : head;
         }
+    }
+
+    /// <summary>True if the database tells this process of the changes of others, so that nobody needs to look for them.</summary>
+    public virtual bool IsPushed => false;
+
+    /// <summary>Number of the last audit entry as far as this process has heard of it; a change by another process may show some seconds
+    /// later.</summary>
+    public virtual long HeardOf() => Read(connection => AuditRow.Head(connection, null, "")).Seq;
+
+    /// <summary>Tells other processes of a change that was stored.</summary>
+    protected virtual void Announce(AuditHead head)
+    {
     }
 
     /// <summary>Checks the database's integrity; throws a <see cref="StoreException"/> if it is damaged.</summary>
@@ -108,6 +126,9 @@ internal abstract class CellDatabase : IDisposable
     protected abstract T InTransaction<T>(Func<DbConnection, DbTransaction, T> change);
 
     protected abstract T OnReader<T>(Func<DbConnection, T> read);
+
+    /// <summary>Reads with a second connection, while another read of the same caller is in progress.</summary>
+    protected virtual T OnSecondReader<T>(Func<DbConnection, T> read) => OnReader(read);
 
     protected abstract DbTransaction BeginSnapshot(DbConnection connection);
 

@@ -1,5 +1,6 @@
 using System.Data;
 using System.Data.Common;
+using System.Diagnostics;
 using System.Globalization;
 using System.Net.Sockets;
 using Dapper;
@@ -13,21 +14,48 @@ internal sealed class PostgresDatabase : CellDatabase
     private const long MigrationLock = 0x45724D4300000001;
     private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.OtherRead | UnixFileMode.GroupWrite
         | UnixFileMode.OtherWrite;
+
+    // A change is over before the rights of a process that was frozen in it go to another one.
+    private static readonly TimeSpan MostInChange = (PostgresLocks.Lease - PostgresLocks.SignOfLife) * 0.75;
+
+    // With one for rights and one for news, a cell has four connections.
+    private const int MostPooled = 2;
+
+    private static readonly TimeSpan MostUnasked = TimeSpan.FromSeconds(5);
     private readonly PostgresSettings _settings;
     private readonly NpgsqlDataSource _source;
-    private readonly string _lockConnection;
+    private readonly string _single;
+    private readonly PostgresLocks _locks;
+    private readonly string _own = Guid.NewGuid().ToString("N");
+    private readonly Lock _listening = new();
+    private PostgresListener? _listener;
+    private (long Seq, long Heard, long At) _heardOf;
 
     private PostgresDatabase(PostgresSettings settings)
     {
         _settings = settings;
         var connection = Connection(settings);
+        connection.MaxPoolSize = MostPooled;
+
+        // Nothing is set on a connection beyond its transaction.
+        connection.NoResetOnClose = true;
         _source = NpgsqlDataSource.Create(connection);
         connection.Pooling = false;
-        _lockConnection = connection.ConnectionString;
+        _single = connection.ConnectionString;
+        connection.KeepAlive = (int)PostgresLocks.SignOfLife.TotalSeconds;
+        connection.Options += string.Create(
+            CultureInfo.InvariantCulture, $" -c idle_session_timeout={(long)PostgresLocks.Lease.TotalMilliseconds}");
+        _locks = new(connection.ConnectionString, settings.Schema is { } schema ? $"schema {schema} " : "");
     }
 
-    public override string Place =>
-        string.Create(CultureInfo.InvariantCulture, $"The store {_settings.Database} on {_settings.Host}:{_settings.Port}");
+    public override string Place => string.Create(
+        CultureInfo.InvariantCulture,
+        $"The store {_settings.Database}{(_settings.Schema is { } schema ? $" (schema {schema})" : "")} on "
+            + $"{_settings.Host}:{_settings.Port}");
+
+    public override bool IsPushed => _listener?.IsLive == true;
+
+    private string Channel => "errormatch " + (_settings.Schema ?? "");
 
     protected override string ForUpdate => " FOR UPDATE";
 
@@ -35,7 +63,23 @@ internal sealed class PostgresDatabase : CellDatabase
     /// <param name="settings">Where it is.</param>
     /// <param name="prepare">Checks its integrity and migrates it to the current schema.</param>
     public static PostgresDatabase Open(PostgresSettings settings, Action<CellDatabase> prepare) =>
-        Prepared<PostgresDatabase>(new(settings), prepare);
+        Prepared<PostgresDatabase>(new(settings), database =>
+        {
+            if (settings.Schema is { } schema) database.Make(schema);
+            prepare(database);
+        });
+
+    public override long HeardOf()
+    {
+        lock (_listening)
+        {
+            _listener ??= new(_single, Channel, _own);
+            if (_listener.IsLive && _listener.Heard == _heardOf.Heard && Stopwatch.GetElapsedTime(_heardOf.At) < MostUnasked)
+                return _heardOf.Seq;
+            var heard = _listener.Heard;
+            return (_heardOf = (base.HeardOf(), heard, Stopwatch.GetTimestamp())).Seq;
+        }
+    }
 
     public override string Like => "ILIKE";
 
@@ -83,7 +127,7 @@ internal sealed class PostgresDatabase : CellDatabase
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
         connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
 
-    public override ISlotLock? TryLock(string name) => Named(() => PostgresLock.TryTake(_lockConnection, name));
+    public override ISlotLock? TryLock(string name) => Named(() => _locks.TryTake(name));
 
     public override void Backup(string file, IProgress<CellProgress>? progress, CancellationToken cancellation) => throw new StoreException(
         StoreError.NotSupported,
@@ -92,7 +136,30 @@ internal sealed class PostgresDatabase : CellDatabase
             $"A store on PostgreSQL is backed up by its own tools: pg_dump --format=custom --host={_settings.Host} "
                 + $"--port={_settings.Port} --username={_settings.User} --file={file} {_settings.Database}"));
 
-    public override void Dispose() => _source.Dispose();
+    public override void Dispose()
+    {
+        _listener?.Dispose();
+        _locks.Dispose();
+        _source.Dispose();
+    }
+
+    // After the change, not within it: the server lets only one change that tells something finish at a time, in the whole cluster.
+    protected override void Announce(AuditHead head)
+    {
+        lock (_listening)
+        {
+            if (head.Seq > _heardOf.Seq) _heardOf.Seq = head.Seq;
+        }
+
+        try
+        {
+            OnReader(connection => connection.Execute("SELECT pg_notify(@Channel, @_own)", new { Channel, _own }));
+        }
+        catch (DbException)
+        {
+            // The change is stored, and others find it when they look the next time.
+        }
+    }
 
     protected override T InTransaction<T>(Func<DbConnection, DbTransaction, T> change)
     {
@@ -109,7 +176,29 @@ internal sealed class PostgresDatabase : CellDatabase
         return read(connection);
     }
 
-    protected override DbTransaction BeginSnapshot(DbConnection connection) => connection.BeginTransaction(IsolationLevel.RepeatableRead);
+    protected override T OnSecondReader<T>(Func<DbConnection, T> read)
+    {
+        using var connection = new NpgsqlConnection(_single);
+        connection.Open();
+        return read(connection);
+    }
+
+    // A view may be looked at for long, and keeps nobody waiting.
+    protected override DbTransaction BeginSnapshot(DbConnection connection) => Prepared(
+        connection.BeginTransaction(IsolationLevel.RepeatableRead),
+        transaction => connection.Execute("SET LOCAL idle_in_transaction_session_timeout = 0", transaction: transaction));
+
+    // Whoever uses a schema that is there needs no right to make one.
+    private void Make(string schema)
+    {
+        if (Read(connection => connection.QuerySingle<long>(
+            "SELECT count(*) FROM pg_namespace WHERE nspname = @schema", new { schema })) > 0) return;
+        Change((connection, transaction) =>
+        {
+            WaitForMigration(connection, transaction);
+            return connection.Execute($"CREATE SCHEMA IF NOT EXISTS \"{schema}\"", transaction: transaction);
+        });
+    }
 
     protected override StoreException Name(DbException failure)
     {
@@ -132,7 +221,7 @@ internal sealed class PostgresDatabase : CellDatabase
                 "23503" => (StoreError.Missing, "does not have a content that is named. Nothing was changed."),
                 _ when state.StartsWith("08", StringComparison.Ordinal)
                     || state.StartsWith("57P", StringComparison.Ordinal)
-                    || state == "53300" =>
+                    || state is "53300" or "25P03" =>
                     (StoreError.Away, $"does not answer: {failure.Message}"),
                 _ => (StoreError.Unknown, $"says: {failure.Message}"),
             },
@@ -171,10 +260,12 @@ internal sealed class PostgresDatabase : CellDatabase
             MaxAutoPrepare = 50,
             AutoPrepareMinUsages = 2,
             KeepAlive = 10,
+            SearchPath = settings.Schema,
             Options = string.Create(
                 CultureInfo.InvariantCulture,
                 $"-c lock_timeout={(long)Patience.TotalMilliseconds} -c synchronous_commit=on -c tcp_keepalives_idle=10 -c "
-                    + $"tcp_keepalives_interval=5 -c tcp_keepalives_count=3"),
+                    + $"tcp_keepalives_interval=5 -c tcp_keepalives_count=3 -c idle_in_transaction_session_timeout="
+                    + $"{(long)MostInChange.TotalMilliseconds}"),
         };
     }
 }

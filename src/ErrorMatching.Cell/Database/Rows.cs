@@ -29,12 +29,19 @@ internal static class Rows
         DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
     {
         using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
-        while (reader.Read()) yield return row(reader);
+        var rows = (reader as IWrappedDataReader)?.Reader as DbDataReader ?? reader;
+        while (rows.Read()) yield return row(rows);
     }
 
     /// <summary>A statement in a column; null for none.</summary>
     public static Statement? StatementOrNull(this DbDataReader reader, int column) =>
         reader.TextOrNull(column) is { } text ? Recorded.Read(text) : null;
 
-    public static string? TextOrNull(this DbDataReader reader, int column) => reader.IsDBNull(column) ? null : reader.GetString(column);
+    // A column that has no text, which somebody else wrote, is read or refused as the database does it.
+    public static string? TextOrNull(this DbDataReader reader, int column) => reader.GetValue(column) switch
+    {
+        string text => text,
+        DBNull => null,
+        _ => reader.GetString(column),
+    };
 }

@@ -27,7 +27,7 @@ internal sealed class StepFeed(CellStore store, CellSettings settings)
             : null;
 
     // Cells that share a store have gauges of their own.
-    private bool IsOwn(Correction correction) => settings.Store is SqliteSettings || _gauges.Contains(correction.Gauge);
+    private bool IsOwn(Correction correction) => !settings.Store.IsShared || _gauges.Contains(correction.Gauge);
 
     private CorrectionState? From(AuditEntry entry, long id) => store.Read(
         "SELECT from_state FROM step WHERE correction = @id AND at = @At AND to_state = @What ORDER BY id LIMIT 1",

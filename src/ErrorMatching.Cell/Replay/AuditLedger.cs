@@ -15,15 +15,17 @@ internal sealed class AuditLedger(byte[]? key)
     private string _hash = AuditEntry.NoHash;
 
     /// <summary>Why a correction must not go to its machine; null if there is no objection.</summary>
-    public AuditFault? Fault(CellDatabase database, DbConnection connection, DbTransaction transaction, Correction correction)
+    public AuditFault? Fault(CellDatabase database, Correction correction)
     {
         if (key is null) return null;
+
+        // One after another, each with a connection only in its turn: a store has few.
         lock (_gate)
         {
-            return CatchUp(connection, transaction)
+            return database.Snapshot((connection, transaction) => CatchUp(connection, transaction)
                 ?? database.FormFault(connection, transaction)
                 ?? Rows(connection, transaction, correction)
-                ?? _replay.Corrections[correction.Id].Fault;
+                ?? _replay.Corrections[correction.Id].Fault);
         }
     }
 
@@ -33,7 +35,7 @@ internal sealed class AuditLedger(byte[]? key)
         foreach (var entry in Cell.Rows.Stream(connection, AuditRow.Select + " WHERE seq > @_seq ORDER BY seq", AuditRow.Read,
             new { _seq }, transaction))
         {
-            if (entry.Seq != _seq + 1 || entry.Previous != _hash || entry.Hash != entry.HashAs(entry.Seq)) return Broken();
+            if (entry.Seq != _seq + 1 || entry.Previous != _hash || !entry.IsWrittenAs(entry.Seq)) return Broken();
             _replay.Add(entry);
             (_seq, _hash) = (entry.Seq, entry.Hash);
         }

@@ -16,7 +16,7 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
     public void DemandRecorded(Correction correction)
     {
-        if (database.Snapshot((connection, transaction) => _ledger.Fault(database, connection, transaction, correction)) is { } fault)
+        if (_ledger.Fault(database, correction) is { } fault)
         {
             throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Statement));
         }

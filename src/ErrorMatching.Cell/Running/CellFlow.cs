@@ -37,6 +37,9 @@ internal sealed class CellFlow(
     /// <summary>The waiting times.</summary>
     public FlowPace Pace => pace;
 
+    /// <summary>How long to wait for work without a signal.</summary>
+    public TimeSpan Idle => store.IsPushed ? pace.Told : pace.Idle;
+
     /// <summary>Canceled some seconds after the cell was told to stop: work in progress may finish until then.</summary>
     public CancellationToken Finish => finish;
 

@@ -102,7 +102,7 @@ public sealed class CellRunner
         {
             var listing = new MachineListing(folder, _clock, Pace.Ready);
             var guard = ReplacementGuard.Of(machine, _clock);
-            var sender = new ProgramSender(folder, _store.Keeps, TransferTries.For(machine, _clock, ReportTry), guard);
+            var tries = TransferTries.For(machine, _clock, ReportTry);
             if (guard is not null)
             {
                 yield return new Worker(flow, $"asking {machine.Name}", new(),
@@ -115,8 +115,11 @@ public sealed class CellRunner
                 AnswerWatch.OfMachine(flow, machine, folder).WorkAsync).RunAsync;
             foreach (var slot in machine.Slots)
             {
+                var right = new SlotRight(_store, machine.Name, slot.Name);
+                var fenced = new FencedFolder(folder, right.Demand);
+                var sender = new ProgramSender(fenced, _store.Keeps, tries, guard);
                 yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
-                    new SlotWorker(flow, machine, slot, folder, sender, listing, originals,
+                    new SlotWorker(flow, machine, slot, right, fenced, sender, listing, originals,
                         new(flow, machine, slot, guard)).WorkAsync).RunAsync;
             }
         }

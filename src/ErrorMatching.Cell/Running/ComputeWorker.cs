@@ -16,7 +16,7 @@ internal sealed class ComputeWorker(CellFlow flow)
     {
         if (Take() is not { } recognized)
         {
-            return flow.Pace.Idle;
+            return flow.Idle;
         }
 
         try

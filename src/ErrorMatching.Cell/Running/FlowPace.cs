@@ -6,6 +6,9 @@ internal sealed record FlowPace
     /// <summary>How often to look for work without a signal.</summary>
     public TimeSpan Idle { get; init; } = TimeSpan.FromSeconds(5);
 
+    /// <summary>The same while the store tells of every change.</summary>
+    public TimeSpan Told { get; init; } = TimeSpan.FromMinutes(1);
+
     /// <summary>How often to check whether another process changed the store.</summary>
     public TimeSpan Store { get; init; } = TimeSpan.FromMilliseconds(200);
 

@@ -51,7 +51,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             }
         }
 
-        return Task.FromResult(next.Count < Most ? flow.Pace.Idle : TimeSpan.Zero);
+        return Task.FromResult(next.Count < Most ? flow.Idle : TimeSpan.Zero);
     }
 
     private void Propose(Correction computed)

@@ -26,7 +26,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
             flow.Guarded(archived, () => Recognize(archived));
         }
 
-        return Task.FromResult(next.Count < Most ? flow.Pace.Idle : TimeSpan.Zero);
+        return Task.FromResult(next.Count < Most ? flow.Idle : TimeSpan.Zero);
     }
 
     private void Recognize(Correction archived)

@@ -48,7 +48,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         // The correction's row names the program to restore.
         store.DemandRecorded(correction);
-        using var slotLock = await LockAsync(machine.Name, slot.Name, cancellation)
+        var right = new SlotRight(store, machine.Name, slot.Name);
+        using var taken = await LockAsync(right, cancellation)
             ?? throw new DecisionException(
                 DecisionException.SlotTaken,
                 FormattableString.Invariant(
@@ -73,7 +74,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         try
         {
             using var folder = open(machine);
-            await BringBackAsync(folder, machine, slot, correction, previous, by, reason, cancellation);
+            await BringBackAsync(new FencedFolder(folder, right.Demand), machine, slot, correction, previous, by, reason, cancellation);
         }
         catch (ChangedAtMachineException e)
         {
@@ -88,7 +89,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     }
 
     private async Task BringBackAsync(
-        IMachineFolder folder,
+        FencedFolder folder,
         MachineSettings machine,
         SlotSettings slot,
         Correction correction,
@@ -143,11 +144,11 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     }
 
     // A worker that has just sent a program holds the slot a moment longer than the store shows.
-    private async Task<ISlotLock?> LockAsync(string machine, string slot, CancellationToken cancellation)
+    private async Task<IDisposable?> LockAsync(SlotRight right, CancellationToken cancellation)
     {
         for (var tries = Tries; ; tries--)
         {
-            if (store.TryLockSlot(machine, slot) is { } held)
+            if (right.TryTake() is { } held)
             {
                 return held;
             }

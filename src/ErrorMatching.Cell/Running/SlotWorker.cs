@@ -9,15 +9,17 @@ namespace ErrorMatching.Cell;
 /// <param name="flow">State shared by the workers.</param>
 /// <param name="machine">The machine.</param>
 /// <param name="slot">The slot.</param>
-/// <param name="folder">The machine's program folder.</param>
+/// <param name="right">The right to change what the machine has.</param>
+/// <param name="folder">The machine's program folder, which is changed with the right only.</param>
 /// <param name="sender">Sends programs to the folder, and reads them.</param>
 /// <param name="listing">The folder's listing, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
 /// <param name="delivery">Lets programs wait for the machine.</param>
 internal sealed class SlotWorker(
-    CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, ProgramSender sender, MachineListing listing,
-    OriginalPrograms originals, DeliveryWait delivery)
+    CellFlow flow, MachineSettings machine, SlotSettings slot, SlotRight right, IMachineFolder folder, ProgramSender sender,
+    MachineListing listing, OriginalPrograms originals, DeliveryWait delivery)
 {
+    private readonly SlotView _view = new(flow, machine, slot);
     private readonly HeldProgram _held = new(flow, machine, slot, sender);
     private readonly KnownPrograms _known = new(flow, machine, slot, originals);
     private (long Id, CorrectionState State) _seen;
@@ -29,35 +31,31 @@ internal sealed class SlotWorker(
     /// <returns>How long to wait before looking again.</returns>
     public async Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
-        var holding = flow.Store.Slot(machine.Name, slot.Name);
-        if (holding.Correction is { } id)
+        _view.Look();
+        if (_view.Held is { } held)
         {
-            var held = flow.Store.Find(id)!;
             if (held.State == CorrectionState.Uploading)
                 return await UploadLockedAsync(held, stop);
             delivery.End();
-            return await WatchAsync(held, holding, stop);
+            return await WatchAsync(held, _view.Holding, stop);
         }
 
         _held.End();
 
-        var first = SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial);
-        if (first is not { State: CorrectionState.Approved })
+        if (_view.First is not { State: CorrectionState.Approved } first)
         {
             delivery.End();
-            return flow.Pace.Idle;
+            return flow.Idle;
         }
 
         // Before the slot is taken: a program that waits can still be rejected or replaced by a newer one.
         return await delivery.MustWaitAsync(first, stop) ? flow.Pace.Busy : await UploadLockedAsync(first, stop);
     }
 
-    private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
-
     private async Task<TimeSpan> UploadLockedAsync(Correction correction, CancellationToken stop)
     {
-        using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
-        if (slotLock is null)
+        using var taken = right.TryTake();
+        if (taken is null)
         {
             return flow.Pace.Locked;
         }
@@ -81,11 +79,11 @@ internal sealed class SlotWorker(
             if (correction.State == CorrectionState.Uploading)
             {
                 _isInOrder = false;
-                await SendAsync(correction, slotLock);
+                await SendAsync(correction);
             }
             else if (await TakeAsync(correction) is { } uploading)
             {
-                await SendAsync(uploading, slotLock);
+                await SendAsync(uploading);
             }
         }
         catch (MachineBusyException e)
@@ -103,7 +101,7 @@ internal sealed class SlotWorker(
     {
         if (RevertedBase.Of(flow, approved) is { } reverted)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CellCodes.BaseReverted, reverted.Reason);
+            Fail(Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CellCodes.BaseReverted, reverted.Reason);
             return null;
         }
 
@@ -114,19 +112,19 @@ internal sealed class SlotWorker(
         }
         catch (ChangedAtMachineException e)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Statement,
+            Fail(Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Statement,
                 e.Found);
             return null;
         }
         catch (TransportException e) when (!e.IsWorthAnotherTry)
         {
-            Fail(flow.Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.Of(e.Error), e.Message);
+            Fail(Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.Of(e.Error), e.Message);
             return null;
         }
 
         var hash = HashOf(found);
         var unknown = _known.WhyNot(hash, approved);
-        var uploading = flow.Step(
+        var uploading = Step(
             approved,
             CorrectionState.Uploading,
             hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
@@ -154,11 +152,11 @@ internal sealed class SlotWorker(
     }
 
     // The slot is taken. The machine may hold the old program, the new one, or what an interruption left of both.
-    private async Task SendAsync(Correction uploading, ISlotLock slotLock)
+    private async Task SendAsync(Correction uploading)
     {
         try
         {
-            Verify(uploading, await SendOrFindAsync(uploading, slotLock));
+            Verify(uploading, await SendOrFindAsync(uploading));
         }
         catch (ChangedAtMachineException e)
         {
@@ -189,7 +187,7 @@ internal sealed class SlotWorker(
         }
     }
 
-    private async Task<Statement> SendOrFindAsync(Correction uploading, ISlotLock slotLock)
+    private async Task<Statement> SendOrFindAsync(Correction uploading)
     {
         if (!_isInOrder)
         {
@@ -207,11 +205,7 @@ internal sealed class SlotWorker(
             }
         }
 
-        if (!slotLock.IsHeld)
-        {
-            throw new StoreException(
-                StoreError.Away, $"The right to send to slot {slot.Name} of {machine.Name} was lost with the connection to the store.");
-        }
+        right.Demand();
 
         // Again, for changes to the store since the slot was taken.
         flow.DemandRecorded(uploading);
@@ -233,7 +227,7 @@ internal sealed class SlotWorker(
 
     private void Verify(Correction uploading, Statement basis)
     {
-        var verified = flow.Step(uploading, CorrectionState.Verified, basis);
+        var verified = Step(uploading, CorrectionState.Verified, basis);
         CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
         _held.IsAsVerified(verified.Id, verified.ProgramSha256);
         _nextReady = 0;
@@ -282,7 +276,7 @@ internal sealed class SlotWorker(
         }
         else if (cause is null or { Error: TransportError.Away or TransportError.Slow })
         {
-            flow.Step(uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
+            Step(uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
         }
         else if (cause is not null)
         {
@@ -290,8 +284,17 @@ internal sealed class SlotWorker(
         }
     }
 
+    // What was seen at the machine is recorded only while no other process may have changed it.
+    private Correction Step(
+        Correction from, CorrectionState to, Statement basis, Func<Correction, Correction>? with = null,
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+    {
+        right.Demand();
+        return flow.Step(from, to, basis, with, contents);
+    }
+
     private void Fail(Correction uploading, string code, Statement reason, byte[]? found = null) =>
-        flow.Step(
+        Step(
             uploading,
             CorrectionState.Failed,
             reason,
@@ -306,8 +309,8 @@ internal sealed class SlotWorker(
         if (wait == TimeSpan.Zero)
         {
             // With the slot's lock: a revert in progress changes the program too, and must not be reported as a foreign change.
-            using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
-            if (slotLock is null)
+            using var taken = right.TryTake();
+            if (taken is null)
             {
                 return flow.Pace.Locked;
             }
@@ -321,7 +324,7 @@ internal sealed class SlotWorker(
             wait = flow.Pace.Held;
         }
 
-        return Shorter(wait, _held.IsChanged ? flow.Pace.Idle : await LookForReadyAsync(held, program, stop));
+        return Shorter(wait, _held.IsChanged ? flow.Idle : await LookForReadyAsync(held, program, stop));
     }
 
     private static TimeSpan Shorter(TimeSpan one, TimeSpan other) => one < other ? one : other;
@@ -331,7 +334,7 @@ internal sealed class SlotWorker(
     {
         if (slot.ReadyFile is not { } ready)
         {
-            return flow.Pace.Idle;
+            return flow.Idle;
         }
 
         var now = flow.Clock.GetTimestamp();
@@ -355,8 +358,8 @@ internal sealed class SlotWorker(
 
         // With the slot's lock: if another cell sent the next program before the file is removed, this would delete the ready file of the
         // next piece, and the slot would never become free.
-        using var slotLock = flow.Store.TryLockSlot(machine.Name, slot.Name);
-        if (slotLock is null)
+        using var taken = right.TryTake();
+        if (taken is null)
         {
             return flow.Pace.Locked;
         }
@@ -374,17 +377,14 @@ internal sealed class SlotWorker(
         var basis = Recorded.MachineWrote.With(ready);
         if (held.State == CorrectionState.Verified)
         {
-            flow.Step(held, CorrectionState.Released, basis);
+            Step(held, CorrectionState.Released, basis);
         }
         else
         {
             flow.Store.FreeSlot(machine.Name, slot.Name, held.Id, CellFlow.ByCell, basis);
         }
 
-        if (slotLock.IsHeld)
-        {
-            await folder.DeleteAsync(ready, flow.Finish);
-        }
+        if (right.IsHeld) await folder.DeleteAsync(ready, flow.Finish);
 
         return TimeSpan.Zero;
     }

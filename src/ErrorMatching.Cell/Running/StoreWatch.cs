@@ -9,7 +9,7 @@ internal sealed class StoreWatch(CellFlow flow)
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        var now = flow.Store.ChangeCount();
+        var now = flow.Store.HeardOf();
         if (now != _seen)
         {
             _seen = now;

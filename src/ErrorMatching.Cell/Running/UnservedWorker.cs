@@ -25,7 +25,7 @@ internal sealed class UnservedWorker(CellFlow flow)
             flow.Log.Warning("{Where}: {Message}", Where, sentence);
         }
 
-        return Task.FromResult(flow.Pace.Idle);
+        return Task.FromResult(flow.Idle);
     }
 
     // What is missing for a waiting correction; null if nothing is. In a store of several cells it may belong to another cell: then neither
@@ -33,7 +33,7 @@ internal sealed class UnservedWorker(CellFlow flow)
     private string? Lacks(WaitingCorrections waiting)
     {
         var (hasGauge, hasMachine) = (flow.Gauges.Contains(waiting.Gauge), flow.Settings.Machines.Any(m => m.Name == waiting.Machine));
-        if (flow.Settings.Store is PostgresSettings && !hasGauge && !hasMachine)
+        if (flow.Settings.Store.IsShared && !hasGauge && !hasMachine)
         {
             return null;
         }

@@ -239,6 +239,10 @@ public sealed class CellStore : IDisposable
     /// <returns>The right; null if another process has it.</returns>
     public ISlotLock? TryLockCell(string cell) => Database.TryLock($"cell {cell}");
 
+    /// <summary>Takes the right to be the one cell that runs with a store that is not shared.</summary>
+    /// <returns>The right; null if another cell has it.</returns>
+    public ISlotLock? TryLockStore() => Database.TryLock("store");
+
     /// <summary>Records an act that is not a step of a correction.</summary>
     /// <param name="who">The user's name, or <c>cell</c>.</param>
     /// <param name="what">What was done, in one word.</param>
@@ -281,6 +285,13 @@ public sealed class CellStore : IDisposable
 
     /// <summary>A number that differs after any change: the number of the last audit entry.</summary>
     public long ChangeCount() => AuditHead().Seq;
+
+    /// <summary>The same as far as this process has heard of it. On a server, that asks nobody: the server tells of changes, and is asked
+    /// only every few seconds in case that it could not.</summary>
+    public long HeardOf() => Database.HeardOf();
+
+    /// <summary>True if the store tells this process of the changes of others.</summary>
+    internal bool IsPushed => Database.IsPushed;
 
     /// <summary>Writes a copy of the whole store as of one moment, while others continue to work.</summary>
     /// <param name="file">The copy, which appears complete or not at all.</param>

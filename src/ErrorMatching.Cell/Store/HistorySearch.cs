@@ -6,10 +6,6 @@ internal static class HistorySearch
     private const int FewestDigits = 8;
     private const int Recent = 20_000;
 
-    // Few people take many steps: each name is looked up by the index from the one before.
-    private const string Users = "WITH RECURSIVE known (who) AS (SELECT min(who) FROM step UNION ALL SELECT (SELECT min(who) FROM step "
-        + "WHERE step.who > known.who) FROM known WHERE known.who IS NOT NULL)";
-
     /// <summary>The corrections that match, last arrival first.</summary>
     public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
     {
@@ -51,22 +47,31 @@ internal static class HistorySearch
         {
             var conditions = new List<string>();
             if (query.Serial is not null) conditions.Add(Has("serial", "@Serial", isAll));
-            if (query.WorkOrder is not null) conditions.Add(
-                $"({Has("work_order", "@WorkOrder", isAll)} OR (work_order IS NULL AND {Has("job_work_order", "@WorkOrder", isAll)}))");
+            if (query.WorkOrder is not null) conditions.Add(WorkOrders(isAll));
             if (query.From is not null) conditions.Add("arrived_at >= @From");
             if (query.To is not null) conditions.Add("arrived_at < @To");
             if (query.From is not null || query.To is not null) conditions.Add("id BETWEEN @First AND @Last");
             if (query.Program is not null)
                 conditions.Add(
                     Hash(query.Program) is null
-                        ? Has("program", "@Program", isAll)
-                        : $"({Has("program", "@Program", isAll)} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
+                        ? Known("program", "@Program", isAll)
+                        : $"({Known("program", "@Program", isAll)} OR program_sha256 BETWEEN @Hash AND @HashEnd)");
             if (query.State is not null) conditions.Add("state = @State");
             if (query.Machine is not null) conditions.Add("machine = @Machine");
             return conditions;
         }
 
-        string User() => query.IsLoose ? $"who IN ({Users} SELECT who FROM known WHERE {Is("who", "@User")})" : Is("who", "@User");
+        string User() => query.IsLoose ? Among("step", "who", "@User") : Is("who", "@User");
+
+        // Among all, each of the two columns by its own index: with both in one condition, every row would be read, and by the index of
+        // those without a work order, all of those.
+        string WorkOrders(bool isAll)
+        {
+            var (own, ofJob) = (Known("work_order", "@WorkOrder", isAll),
+                $"CASE WHEN work_order IS NULL THEN 1 ELSE 0 END = 1 AND {Known("job_work_order", "@WorkOrder", isAll)}");
+            return isAll ? $"id IN (SELECT id FROM correction WHERE {own} UNION ALL SELECT id FROM correction WHERE {ofJob})"
+                : $"({own} OR ({ofJob}))";
+        }
 
         string Is(string column, string parameter) =>
             query.IsLoose ? $"{column} {database.Like} {parameter} ESCAPE '!'" : $"{column} = {parameter}";
@@ -76,6 +81,16 @@ internal static class HistorySearch
             query.IsLoose && isAll
                 ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})"
                 : Is(column, parameter);
+
+        // The same for a column of few names.
+        string Known(string column, string parameter, bool isAll) =>
+            query.IsLoose && isAll ? Among("correction", column, parameter) : Is(column, parameter);
+
+        // Few names are in many rows: each is found by the index from the one before.
+        string Among(string table, string column, string parameter) =>
+            $"{column} IN (WITH RECURSIVE known (name) AS (SELECT min({column}) FROM {table} UNION ALL SELECT (SELECT min({column}) FROM "
+                + $"{table} WHERE {column} > known.name) FROM known WHERE known.name IS NOT NULL) SELECT name FROM known WHERE "
+                + $"{Is("name", parameter)})";
 
         string? Looked(string? name) => StoredText.NameOrNull(name) is { } text && query.IsLoose
             ? "%"

@@ -47,10 +47,25 @@ public sealed record AuditEntry(
     /// another format name, and the codes follow the basis.</summary>
     internal string HashAs(long seq)
     {
+        Span<byte> hash = stackalloc byte[SHA256.HashSizeInBytes];
+        WriteHash(seq, hash);
+        return Convert.ToHexStringLower(hash);
+    }
+
+    /// <summary>True if the hash of this entry is the correct one for a number.</summary>
+    internal bool IsWrittenAs(long seq)
+    {
+        Span<byte> hash = stackalloc byte[SHA256.HashSizeInBytes];
+        WriteHash(seq, hash);
+        Span<char> digits = stackalloc char[2 * SHA256.HashSizeInBytes];
+        return Convert.TryToHexStringLower(hash, digits, out _) && digits.SequenceEqual(Hash);
+    }
+
+    private void WriteHash(long seq, Span<byte> hash)
+    {
         var form = RowCodes is null ? Form : FormWithRows;
-        string?[] texts = RowCodes is null
-            ? [Previous, Who, What, Subject?.Text, Basis.Text]
-            : [Previous, Who, What, Subject?.Text, Basis.Text, RowCodes];
+        ReadOnlySpan<string?> texts = [Previous, Who, What, Subject?.Text, Basis.Text, RowCodes];
+        if (RowCodes is null) texts = texts[..^1];
         var most = form.Length + 16;
         foreach (var text in texts) most += 4 + Encoding.UTF8.GetMaxByteCount(text?.Length ?? 0);
         var bytes = ArrayPool<byte>.Shared.Rent(most);
@@ -65,9 +80,7 @@ public sealed record AuditEntry(
             at += 4 + length;
         }
 
-        Span<byte> hash = stackalloc byte[SHA256.HashSizeInBytes];
         SHA256.HashData(bytes.AsSpan(0, at), hash);
         ArrayPool<byte>.Shared.Return(bytes);
-        return Convert.ToHexStringLower(hash);
     }
 }

@@ -39,7 +39,7 @@ internal sealed class StationWatch(Station station)
     {
         try
         {
-            var count = station.Store.ChangeCount();
+            var count = station.Store.HeardOf();
             if (count == _seen && !isDue)
             {
                 return null;

@@ -10,22 +10,29 @@ public sealed class Statement : IEquatable<Statement>
     public const int MostDepth = 8;
 
     private const int FewestCut = 16;
+    private string? _code;
+    private IReadOnlyList<Statement> _values;
+    private string? _words;
+    private SentenceForm? _form;
     private string? _text;
 
+    // The forms to read the text with, as long as nobody has asked what is in it: most entries of a long trail are only compared.
+    private IReadOnlyDictionary<string, SentenceForm>? _unread;
+
     private Statement(string? code, IReadOnlyList<Statement> values, string? words, SentenceForm? form) =>
-        (Code, Values, Words, Form) = (code, values, words, form);
+        (_code, _values, _words, _form) = (code, values, words, form);
 
     /// <summary>The code; empty for several statements in a row, null for words.</summary>
-    public string? Code { get; }
+    public string? Code => Read()._code;
 
     /// <summary>The values of the code, or the statements in a row; none for words.</summary>
-    public IReadOnlyList<Statement> Values { get; }
+    public IReadOnlyList<Statement> Values => Read()._values;
 
     /// <summary>The words; null for a code or several statements.</summary>
-    public string? Words { get; }
+    public string? Words => Read()._words;
 
     /// <summary>The form of the code; null if it is not known here, or the statement has another number of values.</summary>
-    public SentenceForm? Form { get; }
+    public SentenceForm? Form => Read()._form;
 
     /// <summary>True if it has a code, or one of several in a row has.</summary>
     public bool IsCoded => Code is { Length: > 0 } || (Code is not null && Values.Any(v => v.IsCoded));
@@ -74,20 +81,10 @@ public sealed class Statement : IEquatable<Statement>
     public static Statement Read(string text, IReadOnlyDictionary<string, SentenceForm> forms)
     {
         ArgumentNullException.ThrowIfNull(text);
-        if (!StatementText.IsMarked(text))
-        {
-            return text;
-        }
-
-        try
-        {
-            return StatementText.Read(text, forms);
-        }
-        catch (FormatException)
-        {
-            // It stays what it is, to the last character: hashes cover it.
-            return new(null, [], text, null) { _text = text };
-        }
+        ArgumentNullException.ThrowIfNull(forms);
+        return StatementText.IsMarked(text)
+            ? new Statement(null, [], null, null) { _text = text, _unread = forms }
+            : text;
     }
 
     /// <summary>The statement with all its texts cut so that its recorded text has at most so many characters.</summary>
@@ -131,6 +128,25 @@ public sealed class Statement : IEquatable<Statement>
 
     internal static Statement Of(string code, IReadOnlyList<Statement> values, SentenceForm? form) =>
         new(code, values, null, form?.Kinds.Count == values.Count ? form : null);
+
+    // Several threads may do this at once, with the same result.
+    private Statement Read()
+    {
+        if (Volatile.Read(ref _unread) is not { } forms) return this;
+        try
+        {
+            var read = StatementText.Read(_text!, forms);
+            (_code, _values, _words, _form) = (read._code, read._values, read._words, read._form);
+        }
+        catch (FormatException)
+        {
+            // It stays what it is, to the last character: hashes cover it.
+            _words = _text;
+        }
+
+        Volatile.Write(ref _unread, null);
+        return this;
+    }
 
     /// <summary>The statement, or its sentence as words if it is deeper.</summary>
     internal Statement Within(int depth) => Depth <= depth ? this : Sentence;

@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Globalization;
 using System.Text;
 
@@ -17,6 +18,10 @@ public static class StatementText
     public const int MostOfCode = 64;
 
     private const char Marker = '\u001e';
+
+    // What is written otherwise than it is: quotes and backslashes, control characters, and halves of a character without the other.
+    private static readonly SearchValues<char> Special = SearchValues.Create(
+        [.. Enumerable.Range(0, ' ').Concat(['"', '\\']).Concat(Enumerable.Range('\ud800', 0x800)).Select(c => (char)c)]);
 
     /// <summary>True if a text begins like a statement with a code.</summary>
     /// <param name="text">A recorded text.</param>
@@ -44,7 +49,8 @@ public static class StatementText
 
         var reader = new Reader(text, forms);
         var statement = reader.Whole();
-        return statement.Text == text ? statement : throw reader.Unexpected("a statement as it is recorded", 0);
+        return reader.IsAsRecorded || statement.Text == text ? statement
+            : throw reader.Unexpected("a statement as it is recorded", 0);
     }
 
     /// <summary>The recorded text of a statement.</summary>
@@ -93,8 +99,7 @@ public static class StatementText
     private static void Append(StringBuilder text, string words)
     {
         text.Append('"');
-        if (!words.AsSpan().ContainsAnyInRange('\0', '\u001f') && !words.AsSpan().ContainsAny('"', '\\')
-            && !words.AsSpan().ContainsAnyInRange('\ud800', '\udfff'))
+        if (!words.AsSpan().ContainsAny(Special))
         {
             text.Append(words).Append('"');
             return;
@@ -118,6 +123,9 @@ public static class StatementText
     {
         private int _at;
 
+        /// <summary>True if nothing was read that can be recorded in another way.</summary>
+        public bool IsAsRecorded { get; private set; } = true;
+
         public Statement Whole()
         {
             Expect(Marker, "the character U+001E");
@@ -139,7 +147,8 @@ public static class StatementText
 
             Expect('[', "\"[\"");
             var code = Text();
-            if (code.Length > 0 && !IsCode(code))
+            var form = forms.GetValueOrDefault(code);
+            if (code.Length > 0 && form is null && !IsCode(code))
             {
                 throw Unexpected("a code", from + 1);
             }
@@ -152,12 +161,21 @@ public static class StatementText
             }
 
             Expect(']', "\",\" or \"]\"");
-            return code.Length == 0 ? Statement.InARow(values) : Statement.Of(code, values, forms.GetValueOrDefault(code));
+            IsAsRecorded &= code.Length > 0;
+            return code.Length == 0 ? Statement.InARow(values) : Statement.Of(code, values, form);
         }
 
         private string Text()
         {
             Expect('"', "a text");
+            var length = text.AsSpan(_at).IndexOfAny(Special);
+            if (length >= 0 && text[_at + length] == '"')
+            {
+                (var from, _at) = (_at, _at + length + 1);
+                return text[from..(from + length)];
+            }
+
+            IsAsRecorded = false;
             var words = new StringBuilder();
             for (; _at < text.Length && text[_at] != '"'; _at++)
             {

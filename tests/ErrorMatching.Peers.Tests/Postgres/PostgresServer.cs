@@ -44,6 +44,9 @@ public sealed class PostgresServer : IDisposable
             Assert.True(tries < 20, "PostgreSQL does not start at any port.");
     }
 
+    /// <summary>Called with each line of the server's log.</summary>
+    public event Action<string>? Said;
+
     private int Port { get; set; }
 
     private string PasswordFile { get; } = "";
@@ -74,12 +77,27 @@ public sealed class PostgresServer : IDisposable
         return new PostgresSettings("127.0.0.1", Port, name, User, PasswordFile);
     }
 
+    /// <summary>The store's part of a cell's configuration.</summary>
+    /// <param name="settings">The database.</param>
+    /// <param name="schema">The cell's own schema; null for none.</param>
+    public string StoreOf(PostgresSettings settings, string? schema = null) => string.Create(
+        CultureInfo.InvariantCulture,
+        $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}"{{(schema is null ? "" : $", \"schema\": \"{schema}\"")}} }""");
+
     /// <summary>Runs a statement as the owner of the server, beside any store.</summary>
     public void Execute(string database, string sql)
     {
         using var connection = Connect(database);
         using var command = new NpgsqlCommand(sql, connection);
         command.ExecuteNonQuery();
+    }
+
+    /// <summary>The number that a statement finds.</summary>
+    public long Value(string database, string sql)
+    {
+        using var connection = Connect(database);
+        using var command = new NpgsqlCommand(sql, connection);
+        return (long)command.ExecuteScalar()!;
     }
 
     /// <summary>Runs one of PostgreSQL's own programs with the server's address and password, and fails the test if it fails.</summary>
@@ -126,7 +144,7 @@ public sealed class PostgresServer : IDisposable
         start.RedirectStandardError = true;
         start.RedirectStandardOutput = true;
         _server = Process.Start(start)!;
-        _server.ErrorDataReceived += (_, _) => { };
+        _server.ErrorDataReceived += (_, line) => Said?.Invoke(line.Data ?? "");
         _server.OutputDataReceived += (_, _) => { };
         _server.BeginErrorReadLine();
         _server.BeginOutputReadLine();

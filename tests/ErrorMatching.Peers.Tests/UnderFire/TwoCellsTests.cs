@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.EndToEnd.Tests;
 
 namespace ErrorMatching.Peers.Tests;
@@ -13,9 +12,7 @@ public sealed class TwoCellsTests(PostgresServer server)
         PostgresServer.IsNeeded();
         var token = TestContext.Current.CancellationToken;
         var settings = server.NewDatabase();
-        var store = string.Create(
-            CultureInfo.InvariantCulture,
-            $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}" }""");
+        var store = server.StoreOf(settings);
         using var first = new FireCell(slots: 3, store, name: "First");
         using var second = new FireCell(
             slots: 3,

@@ -10,20 +10,40 @@ using Serilog.Core;
 namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch cell run</c>.</summary>
-internal sealed class CellRun() : CellVerb(
-    "run",
-    "Runs a cell until Ctrl+C or SIGTERM: takes files from its gauges and brings programs to its machines.",
-    "errormatch cell run samples/cell/cell.json")
+internal sealed class CellRun : CellVerb
 {
     private static readonly TimeSpan Reconnect = TimeSpan.FromSeconds(5);
+
+    private readonly Option<bool> _standby = new("--standby")
+    {
+        Description = "Wait while another process runs the cell, and take over when that one ends or falls silent.",
+    };
+
+    public CellRun()
+        : base(
+            "run",
+            "Runs a cell until Ctrl+C or SIGTERM: takes files from its gauges and brings programs to its machines.",
+            "errormatch cell run samples/cell/cell.json") => Options.Add(_standby);
 
     protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
+        var isStandby = arguments.GetValue(_standby);
+        if (isStandby && settings.Store is SqliteSettings { File: var file })
+        {
+            return new Failure(
+                ExitCode.WrongInput,
+                new Refusal(
+                    "standby-needs-server",
+                    $"{file} is a store in a file, which is for one process on one computer: a second one there could not tell whether the "
+                        + "first is dead or slow. Run the cell without --standby, or keep its store on PostgreSQL.",
+                    new() { File = settings.File, Path = "$.store.kind" }));
+        }
+
         var log = CellLog.Open(settings.LogFolder);
         try
         {
-            return Run(settings, log, cancellation);
+            return Run(settings, log, isStandby, cancellation);
         }
         finally
         {
@@ -44,7 +64,7 @@ internal sealed class CellRun() : CellVerb(
         }
     }
 
-    private static VerbResult Run(CellSettings settings, Logger log, CancellationToken cancellation)
+    private static VerbResult Run(CellSettings settings, Logger log, bool isStandby, CancellationToken cancellation)
     {
         foreach (var warning in settings.Warnings)
         {
@@ -54,8 +74,8 @@ internal sealed class CellRun() : CellVerb(
         try
         {
             return CellService.IsOne
-                ? CellService.Run(stop => RunAsync(settings, log, stop), cancellation)
-                : RunAsync(settings, log, cancellation).GetAwaiter().GetResult();
+                ? CellService.Run(stop => RunAsync(settings, log, isStandby, stop), cancellation)
+                : RunAsync(settings, log, isStandby, cancellation).GetAwaiter().GetResult();
         }
         catch (Exception e)
         {
@@ -64,21 +84,15 @@ internal sealed class CellRun() : CellVerb(
         }
     }
 
-    private static async Task<VerbResult> RunAsync(CellSettings settings, ILogger log, CancellationToken cancellation)
+    private static async Task<VerbResult> RunAsync(
+        CellSettings settings, ILogger log, bool isStandby, CancellationToken cancellation)
     {
         var clock = TimeProvider.System;
         var since = clock.GetUtcNow();
         log.Information("{Cell} looks through its store", settings.Name);
         using var store = await OpenAsync(settings, log, clock, cancellation);
-        using var only = store.TryLockCell(settings.Name);
-        if (only is null)
-        {
-            return new Failure(
-                ExitCode.Outside,
-                new Refusal(
-                    "cell-runs-already",
-                    $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
-        }
+        using var right = new CellRight(settings, store, clock);
+        if (await TakeAsync(right, settings, log, isStandby, clock, cancellation) is { } refused) return refused;
 
         // A store that was rolled back does not know what was sent since, and would send it again.
         if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
@@ -97,7 +111,30 @@ internal sealed class CellRun() : CellVerb(
         using var stopping = cancellation.Register(notice.Stopping);
         store.Audit("cell", "started", InForce(settings), settings.Name);
         notice.Ready();
-        await runner.RunAsync(cancellation);
+        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        var lost = right.UntilLostAsync(stop.Token);
+        var isLost = false;
+        _ = lost.ContinueWith(
+            _ =>
+            {
+                isLost = true;
+                stop.Cancel();
+            },
+            CancellationToken.None,
+            TaskContinuationOptions.OnlyOnRanToCompletion,
+            TaskScheduler.Default);
+        await runner.RunAsync(stop.Token);
+        if (isLost)
+        {
+            return new Failure(
+                ExitCode.Outside,
+                new Refusal(
+                    "cell-taken-over",
+                    $"{settings.Name}: this process was silent for so long that another one took the cell over. It has stopped and sent "
+                        + "nothing more."));
+        }
+
+        await stop.CancelAsync();
         store.Audit("cell", "stopped", Recorded.Stopped.With(), settings.Name);
         new AuditTrail(store, settings.KeysFolder).Remember();
         return new CellRunAnswer(settings, since, clock.GetUtcNow());
@@ -119,6 +156,46 @@ internal sealed class CellRun() : CellVerb(
     ];
 
     private static string Mm(double mm) => string.Create(CultureInfo.InvariantCulture, $"{mm} mm");
+
+    // Null once this process has the right to run the cell.
+    private static async Task<Failure?> TakeAsync(
+        CellRight right, CellSettings settings, ILogger log, bool isStandby, TimeProvider clock, CancellationToken cancellation)
+    {
+        var isTold = false;
+        while (true)
+        {
+            try
+            {
+                switch (right.TryTake())
+                {
+                    case RightToRun.Taken:
+                        return null;
+                    case RightToRun.OfOtherCell:
+                        return new Failure(
+                            ExitCode.Outside,
+                            new Refusal(
+                                "store-of-one-cell",
+                                $"Another cell runs with the store of {settings.File}, which is for one cell. Give each cell a file, or a "
+                                    + "schema of the database, of its own."));
+                    case RightToRun.OfOtherProcess when !isStandby:
+                        return new Failure(
+                            ExitCode.Outside,
+                            new Refusal(
+                                "cell-runs-already",
+                                $"{settings.Name} runs already: another process has it. See errormatch cell status {settings.File}."));
+                }
+
+                if (!isTold) log.Information("{Cell} stands by: another process runs it", settings.Name);
+                isTold = true;
+            }
+            catch (StoreException e) when (isStandby && e.IsWorthAnotherTry)
+            {
+                log.Warning("store: {Message}", e.Message);
+            }
+
+            await Task.Delay(CellRight.StandbyEvery, clock, cancellation);
+        }
+    }
 
     // Waits for a server that starts after the cell; an error that waiting does not resolve ends the run.
     private static async Task<CellStore> OpenAsync(CellSettings settings, ILogger log, TimeProvider clock, CancellationToken cancellation)

@@ -1,0 +1,42 @@
+namespace ErrorMatching.Cell;
+
+/// <summary>A machine's folder that nothing is changed in without the right to its slot. Each operation that changes something asks for the
+/// right first, immediately before it.</summary>
+/// <remarks>A process can be frozen between the question and the operation, and its right go to another one. What it does when it goes on
+/// takes no program's name: the other process has first removed every temporary file, so there is nothing to rename
+/// (<see cref="ProgramSender.RecoverAsync"/>), and the next operation asks again.</remarks>
+/// <param name="folder">The folder.</param>
+/// <param name="demand">Throws if the right is lost.</param>
+internal sealed class FencedFolder(IMachineFolder folder, Action demand) : IMachineFolder
+{
+    public string Machine => folder.Machine;
+
+    public Task<IReadOnlyList<string>> ListAsync(CancellationToken cancellation) => folder.ListAsync(cancellation);
+
+    public Task<byte[]?> ReadAsync(string name, long mostBytes, CancellationToken cancellation) =>
+        folder.ReadAsync(name, mostBytes, cancellation);
+
+    public Task<byte[]> WriteAsync(string name, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        demand();
+        return folder.WriteAsync(name, bytes, cancellation);
+    }
+
+    public Task<byte[]> RenameAsync(string from, string to, long mostBytes, CancellationToken cancellation)
+    {
+        demand();
+        return folder.RenameAsync(from, to, mostBytes, cancellation);
+    }
+
+    public Task<ReplacedProgram?> ReplaceAsync(string from, string to, string aside, long mostBytes, CancellationToken cancellation)
+    {
+        demand();
+        return folder.ReplaceAsync(from, to, aside, mostBytes, cancellation);
+    }
+
+    public Task DeleteAsync(string name, CancellationToken cancellation)
+    {
+        demand();
+        return folder.DeleteAsync(name, cancellation);
+    }
+}
