@@ -95,6 +95,18 @@ internal static class OffsetCell
     /// <summary>A piece that is shifted.</summary>
     public static string Shifted(double x, double y) => Measured((_, _) => (x, y));
 
+    /// <summary>A piece that is turned about the middle of the rectangle, counterclockwise.</summary>
+    public static string Turned(double degrees)
+    {
+        var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
+        return "point,x_mm,y_mm\n" + string.Concat(Points.Select(p =>
+        {
+            var (x, y) = (p.X - 20, p.Y - 15);
+            return string.Create(
+                CultureInfo.InvariantCulture, $"{p.Name},{20 + (cos * x) - (sin * y):0.000000},{15 + (sin * x) + (cos * y):0.000000}\n");
+        }));
+    }
+
     /// <summary>A piece that no offset of the control brings: two opposite sides alone are off.</summary>
     public static string Wider(double mm) => Measured((x, _) => (x * mm, 0));
 

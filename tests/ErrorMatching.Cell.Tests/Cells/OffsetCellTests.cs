@@ -58,6 +58,20 @@ public sealed class OffsetCellTests
         Assert.Equal(Math.Sqrt((0.01 * 0.01) + (0.02 * 0.02)), next.LargestMm!.Value, 6);
     }
 
+    // A turn moves the places most that are far from its middle, whatever the key points show: here the beginning of N20, 26 mm before the
+    // middle of the rectangle and 15 mm beside it.
+    [Fact]
+    public async Task A_turn_counts_by_the_place_that_it_moves_most()
+    {
+        await using var cell = OffsetCell.Of(allow: "\"work-offset\"");
+        cell.Start();
+        cell.Drop("part_S1.csv", OffsetCell.Turned(0.015));
+        var sent = await cell.Until(1, CorrectionState.Verified);
+        Assert.True(sent.Offset!.Parts[0].Is(RecordedOffset.WorkTurned));
+        Assert.Equal(0.015, double.Parse(sent.Offset.Parts[0].Values[3].Words!, System.Globalization.CultureInfo.InvariantCulture), 0.0001);
+        Assert.Equal(Math.Sqrt((26 * 26) + (15 * 15)) * 0.015 * Math.PI / 180, sent.LargestMm!.Value, 0.0001);
+    }
+
     // What an earlier piece left in the control must go.
     [Fact]
     public async Task A_piece_that_needs_no_correction_gets_a_program_that_takes_earlier_ones_out()
