@@ -134,7 +134,7 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
 
     // The motion of the word's own block: a rounding that waited for it comes first.
     private int MotionOf(in CompensationSwitch word) =>
-        word.Joint < path.Motions.Length && path.Motions[word.Joint].Has(MotionFlags.CornerWord) ? word.Joint + 1 : word.Joint;
+        path.IsInsertedCorner(word.Joint) ? word.Joint + 1 : word.Joint;
 
     private Refusal Unfollowed(in CompensationSwitch word) => At(
         word.Block,

@@ -118,7 +118,7 @@ internal sealed class CompensationRun
             }
         }
 
-        if (motion.Has(MotionFlags.CornerWord) || (_waitsForNext && _path.IsLead(_path.Motions[_last.Motion]))
+        if (_path.IsInsertedCorner(index) || (_waitsForNext && _path.IsLead(_path.Motions[_last.Motion]))
             || (_rule.EndsInPlane && !motion.MovesInPlane))
         {
             return _leads.NotFollowed(motion);
@@ -291,7 +291,7 @@ internal sealed class CompensationRun
         if (_waitsForNext)
         {
             _waitsForNext = false;
-            if (motion.Has(MotionFlags.CornerWord))
+            if (_path.IsInsertedCorner(next.Motion))
             {
                 return _leads.NotFollowed(motion);
             }

@@ -95,6 +95,10 @@ public sealed class NcPath
     /// (APPR, DEP).</summary>
     internal bool IsLead(in NcMotion motion) => Dialect.BlocksNameMotions && motion.Kind == MotionKind.Spline;
 
+    /// <summary>True for a rounding or chamfer that the control inserts behind a motion of the same block.</summary>
+    internal bool IsInsertedCorner(int motion) => motion > 0 && motion < Motions.Length && Motions[motion].Has(MotionFlags.CornerWord)
+        && Motions.BlockOf(motion) == Motions.BlockOf(motion - 1);
+
     /// <summary>The block that states the pole of a motion; -1 if none does.</summary>
     internal int PoleOf(int motion)
     {
