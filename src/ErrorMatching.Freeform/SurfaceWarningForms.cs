@@ -18,13 +18,13 @@ public static class SurfaceWarningForms
         "{0}, line {1}: point {2} stands behind point {3}. Points are taken by their numbers; was another order measured?");
 
     /// <summary>File, point, its place, its error and what the points around it say in um.</summary>
-    public static SentenceForm OutlyingPoint { get; } = new(
+    public static SentenceForm PointOff { get; } = new(
         "outlying-point-measured",
         "{0}: Point {1} (near {2}) is {3} um off along the normal, where the points around it say {4} um: a chip, or a touch gone wrong? "
             + "It counts in all figures. Clean the place and the stylus and measure again.");
 
     /// <summary>The same of the furthest of several points, and the numbers of the others.</summary>
-    public static SentenceForm OutlyingPoints { get; } = new(
+    public static SentenceForm PointsOff { get; } = new(
         "outlying-points-measured",
         "{0}: Point {1} (near {2}) is {3} um off along the normal, where the points around it say {4} um; likewise off: {5}: chips, or "
             + "touches gone wrong? They count in all figures. Clean the places and the stylus and measure again.");
@@ -86,7 +86,7 @@ public static class SurfaceWarningForms
     /// <summary>All but those of lots (<see cref="LotWords"/>), which other kinds of pieces have too.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
-            NoToolCall, OutOfOrder, OutlyingPoint, OutlyingPoints, OtherStages, RepeatOutlier, RepeatsDiffer, StructureUnknown,
+            NoToolCall, OutOfOrder, PointOff, PointsOff, OtherStages, RepeatOutlier, RepeatsDiffer, StructureUnknown,
             FollowsEachPoint, OnlyMean, OnlyNoise, WorseBetween, FollowsTheError,
         ];
 

@@ -87,16 +87,21 @@ public sealed class SurfaceVerdictTextTests
             _ => Cases[name].Judgement,
         };
         var verdict = new SurfaceVerdict(Tolerance, judged, Good);
-        var findings = SurfaceFindings.Of(Sample.Value, new(null, null)) with { Verdict = verdict, Stage = CuttingStage.Finishing };
         await InAsync(Language.English, () =>
         {
-            Assert.Equal(ProfileWords.Of(Tolerance, [("piece.csv", judged)], "µm"), Plain(SurfaceVerdictText.OfPiece(findings)));
+            Assert.Equal(ProfileWords.Of(Tolerance, [("piece.csv", judged)], "µm"), Plain(SurfaceVerdictText.OfPiece(verdict)));
             Assert.Equal(
                 Cases.TryGetValue(name, out var known) ? known.Severity : Severity.Attention, SurfaceVerdictText.SeverityOfPiece(verdict));
-            Assert.Null(SurfaceVerdictText.OfPiece(findings with { Stage = CuttingStage.SemiFinishing }));
-            Assert.Null(SurfaceVerdictText.OfPiece(findings with { Verdict = null }));
+            Assert.Equal(("piece", null), (Piece(CuttingStage.Finishing) is null ? "" : "piece", Piece(CuttingStage.SemiFinishing)));
+            Assert.Null(SurfaceVerdictText.OfPiece(null));
         });
-        await InAsync(Language.TraditionalChinese, () => Assert.Equal(chinese, Plain(SurfaceVerdictText.OfPiece(findings))));
+        await InAsync(Language.TraditionalChinese, () => Assert.Equal(chinese, Plain(SurfaceVerdictText.OfPiece(verdict))));
+
+        string? Piece(CuttingStage stage)
+        {
+            var findings = SurfaceFindings.Of(Sample.Value, new(null, null)) with { Verdict = verdict, Stage = stage };
+            return new SurfaceFigures(new("", findings, null, null, true, []), true).Piece;
+        }
     }
 
     [Theory]

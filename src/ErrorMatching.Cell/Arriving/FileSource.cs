@@ -149,7 +149,8 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
 
         // Values are moved here first and removed first: a description alone belongs to values that are stored already.
         var here = files.Select(f => f.Name).ToHashSet(StringComparer.Ordinal);
-        foreach (var name in here.Where(n => MeasurementBytes.IsDescription(n) && !here.Contains(n[..^1] + 'x') && !here.Contains(n[..^1] + 'X')))
+        foreach (var name in here.Where(
+            n => MeasurementBytes.IsDescription(n) && !here.Contains(n[..^1] + 'x') && !here.Contains(n[..^1] + 'X')))
         {
             _claims.Remove(name);
         }

@@ -78,8 +78,8 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
 
     /// <summary>Why values are not taken alone.</summary>
     public static string Undescribed(string name) =>
-        $"its description {ShownName.Of(MeasurementBytes.DescriptionsOf(name)[0])} is not there yet, or is still being written, and both are "
-            + $"taken together. Put it into the same folder, or export one file .dfq.";
+        $"its description {ShownName.Of(MeasurementBytes.DescriptionsOf(name)[0])} is not there yet, or is still being written, "
+            + $"and both are taken together. Put it into the same folder, or export one file .dfq.";
 
     // Values are taken with their description. A marker or an end of the values speaks for both; a description that is still being written
     // is waited for.

@@ -382,7 +382,10 @@ public static class Recorded
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =
-        All.Concat(WarningForms.All).Concat(SurfaceWarningForms.All).Concat(RefusalForms.All).ToFrozenDictionary(f => f.Name, StringComparer.Ordinal);
+        All.Concat(WarningForms.All)
+            .Concat(SurfaceWarningForms.All)
+            .Concat(RefusalForms.All)
+            .ToFrozenDictionary(f => f.Name, StringComparer.Ordinal);
 
     /// <summary>Reads a text of the store. What earlier versions wrote in English is words.</summary>
     internal static Statement Read(string text) => Statement.Read(text, Known);

@@ -226,7 +226,7 @@ public static class Compensator
 
         var standardError = statistics.StandardDeviationMm / Math.Sqrt(samples.Count);
         var isReal = Math.Abs(statistics.MeanMm) > Significant * standardError;
-        var probability = FieldWords.Probability(structure.Tests.Min(t => t.P));
+        var probability = StructureTest.Words(structure.Tests.Min(t => t.P));
         warnings.Add(isReal
             ? ReportWarning.Of(
                 SurfaceWarningForms.OnlyMean,

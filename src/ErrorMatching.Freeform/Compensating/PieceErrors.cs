@@ -118,7 +118,8 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
                 + $"points.");
     }
 
-    private static IReadOnlyList<ErrorSample> Average(IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<ReportWarning> warnings)
+    private static IReadOnlyList<ErrorSample> Average(
+        IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<ReportWarning> warnings)
     {
         var mean = RepeatedMeasurement.Of(repeats);
         notes.Add(string.Create(

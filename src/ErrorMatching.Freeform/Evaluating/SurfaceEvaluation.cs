@@ -94,8 +94,8 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
         var (furthest, others) = OutlyingPoint.Values(points);
         return [
             others.Length == 0
-                ? ReportWarning.Of(SurfaceWarningForms.OutlyingPoint, [piece.File, .. furthest])
-                : ReportWarning.Of(SurfaceWarningForms.OutlyingPoints, [piece.File, .. furthest, others])];
+                ? ReportWarning.Of(SurfaceWarningForms.PointOff, [piece.File, .. furthest])
+                : ReportWarning.Of(SurfaceWarningForms.PointsOff, [piece.File, .. furthest, others])];
     }
 
     private static IEnumerable<(PlanPoint Plan, Point3 Contact)> Contacts(MeasuredPoints piece) =>

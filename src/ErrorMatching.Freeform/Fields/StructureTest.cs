@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>What one of several tests of structure found.</summary>
@@ -15,6 +17,9 @@ public sealed record StructureTest(StructureKind Kind, double P)
 
     /// <summary>Of the strongest wave: the number of waves over the range of the places along u and along v.</summary>
     internal (double U, double V) Waves { get; init; } = (double.NaN, double.NaN);
+
+    /// <summary>A probability to follow the letter p, with at most four decimals; smaller values are written as "less than".</summary>
+    internal static string Words(double p) => p < 0.0001 ? "< 0.0001" : p.ToString("0.####", CultureInfo.InvariantCulture);
 }
 
 /// <summary>A kind of structure that one test looks for.</summary>

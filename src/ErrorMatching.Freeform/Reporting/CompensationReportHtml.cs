@@ -218,7 +218,7 @@ public static class CompensationReportHtml
                     + (result.Structure is { Verdict: not SpatialVerdict.Undetermined } s
                         ? string.Create(
                             CultureInfo.InvariantCulture,
-                            $" Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {FieldWords.Probability(s.P)}.")
+                            $" Moran's I {s.I:0.###} (no structure: {s.Expectation:0.###}), z {s.Z:0.0}, p {StructureTest.Words(s.P)}.")
                         : "")),
             (
                 "Fit",

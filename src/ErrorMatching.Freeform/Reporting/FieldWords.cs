@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace ErrorMatching.Freeform;
 
 /// <summary>The names of error field models in reports.</summary>
@@ -13,9 +11,6 @@ internal static class FieldWords
         FieldModelKind.Interpolant => "interpolating-spline",
         _ => "cubic-spline",
     };
-
-    /// <summary>A probability to follow the letter p, with at most four decimals; smaller values are written as "less than".</summary>
-    public static string Probability(double p) => p < 0.0001 ? "< 0.0001" : p.ToString("0.####", CultureInfo.InvariantCulture);
 
     /// <summary>A sentence for HTML reports.</summary>
     public static string Sentence(FieldModelKind kind) => kind switch

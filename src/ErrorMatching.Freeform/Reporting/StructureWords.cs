@@ -9,7 +9,7 @@ public static class StructureWords
     public static string Of(SpatialStructure structure)
     {
         ArgumentNullException.ThrowIfNull(structure);
-        var least = structure.Tests.Count > 0 ? $" (all tests together: p = {FieldWords.Probability(structure.Tests.Min(t => t.P))})" : "";
+        var least = structure.Tests.Count > 0 ? $" (all tests together: p = {StructureTest.Words(structure.Tests.Min(t => t.P))})" : "";
         return structure.Verdict switch
         {
             SpatialVerdict.Undetermined => "Too few points to tell, or all errors are the same.",

@@ -44,13 +44,11 @@ internal static class SurfaceVerdictText
             isToBeCut && verdict.Predicted.IsWithin ? texts["Pair.Cut"] : "");
     }
 
-    /// <summary>The verdict on a finished piece, as <c>surface evaluate</c> has it; null for a piece that still has its stock, or without a
-    /// tolerance.</summary>
-    /// <param name="findings">The report.</param>
-    public static string? OfPiece(SurfaceFindings findings)
+    /// <summary>The verdict on a finished piece, as <c>surface evaluate</c> has it; null without a tolerance.</summary>
+    /// <param name="verdict">The verdict.</param>
+    public static string? OfPiece(SurfaceVerdict? verdict)
     {
-        ArgumentNullException.ThrowIfNull(findings);
-        if (findings is not { Verdict: { Tolerance: var tolerance, Before: var judged }, Stage: CuttingStage.Finishing })
+        if (verdict is not { Tolerance: var tolerance, Before: var judged })
         {
             return null;
         }

@@ -97,7 +97,10 @@ public static class SurfaceRun
 
             if (!asked.Fit.OfError)
             {
-                compensation = compensation with { Warnings = [.. compensation.Warnings, ReportWarning.Of(SurfaceWarningForms.FollowsTheError)] };
+                compensation = compensation with
+                {
+                    Warnings = [.. compensation.Warnings, ReportWarning.Of(SurfaceWarningForms.FollowsTheError)],
+                };
             }
 
             Doing(request, "displacing the program");
@@ -118,8 +121,8 @@ public static class SurfaceRun
         });
     }
 
-    // More than its stock that may lie on the piece, and by how much the ball goes lower. A piece that follows earlier ones shows less error
-    // than the stock on the next one has.
+    // What may lie on the piece besides its stock, and by how much the ball goes lower. A piece that follows earlier ones shows less
+    // error than the stock on the next one has.
     private static double MoreMm(CompensationResult result) =>
         Math.Max(result.LargestMoveMm, result.Samples.Max(s => s.ErrorMm)) + result.LargestMoveMm;
 

@@ -31,7 +31,7 @@ public sealed partial class FolderTests
         ],
         ["Freeform"] =
         [
-            "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
+            "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
             "Judging", "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
         ],
         ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],

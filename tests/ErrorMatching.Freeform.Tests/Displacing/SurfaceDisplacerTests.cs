@@ -117,7 +117,8 @@ public sealed class SurfaceDisplacerTests
     {
         var program = "; FINISHING\nG17 G90 G710\nG54\nS10000 M3\nG0 Z20\nX0 Y10\nG1 Z3 F500\nX75\nG0 Z20\nM30\n"u8.ToArray();
         var refusal = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement, Nothing).Refusal!;
+            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), program, NcDialects.FanucMill, programsTip: false, Measurement, Nothing)
+            .Refusal!;
         Assert.Equal((NcRefusalCodes.UnknownState, 2), (refusal.Code, refusal.Place.Line));
         Assert.Contains("G710", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("fanuc", refusal.Message, StringComparison.Ordinal);
@@ -163,7 +164,15 @@ public sealed class SurfaceDisplacerTests
     public void What_cannot_follow_is_refused(string program, string code)
     {
         var result = SurfaceDisplacer.Displace(
-            Shapes.Plane(75, 63), new Wave(), 1, Plans.Ball(6), Encoding.ASCII.GetBytes(program), Dialect, programsTip: false, Measurement, Nothing);
+            Shapes.Plane(75, 63),
+            new Wave(),
+            1,
+            Plans.Ball(6),
+            Encoding.ASCII.GetBytes(program),
+            Dialect,
+            programsTip: false,
+            Measurement,
+            Nothing);
 
         Assert.Equal(code, result.Refusal?.Code);
     }

@@ -36,7 +36,8 @@ public sealed class SurfaceLotTests
         Assert.True(Left(made[7], (u, v) => _bowl(u, v) + 0.008) < 0.0012);
         Assert.Equal(LotEvent.Step, made[7].Lot!.Pieces[5].Event);
         Assert.Contains(
-            made[5].Warnings.Concat(made[6].Warnings), w => w.Code == "lot-step" && w.Message.Contains("moved before piece 6", StringComparison.Ordinal));
+            made[5].Warnings.Concat(made[6].Warnings),
+            w => w.Code == "lot-step" && w.Message.Contains("moved before piece 6", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -81,7 +81,7 @@ public sealed class SurfaceReportTests
     [InlineData(0.00009, "< 0.0001")]
     [InlineData(0.0321, "0.0321")]
     [InlineData(1, "1")]
-    public void A_probability_is_never_said_to_be_none(double p, string said) => Assert.Equal(said, FieldWords.Probability(p));
+    public void A_probability_is_never_said_to_be_none(double p, string said) => Assert.Equal(said, StructureTest.Words(p));
 
     // The chord of 20 um that the job allows is no small one.
     [Fact]

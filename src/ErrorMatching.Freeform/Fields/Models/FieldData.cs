@@ -23,8 +23,8 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
     public int Count => Z.Length;
 
     /// <summary>The curves of constant j, ascending, as indices of their values, along each curve.</summary>
-    /// <remarks>Values come in the order of measuring, which goes to and fro. Evenly chosen values of a curve must lie on the lines of those
-    /// of other curves.</remarks>
+    /// <remarks>Values come in the order of measuring, which goes to and fro. Evenly chosen values of a curve must lie on the lines of
+    /// those of other curves.</remarks>
     public int[][] Curves { get; } = Array.ConvertAll(Groups(J), curve => Along(curve, I));
 
     /// <summary>The lines across the curves: lines of constant i if all curves have the same numbers, otherwise bands along u with one

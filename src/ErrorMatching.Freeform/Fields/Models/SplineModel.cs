@@ -104,7 +104,7 @@ internal sealed class SplineModel : FieldModel
     private static SplineModel? Fit(FieldData data, SplineEquations equations, double weight)
     {
         var (rows, right) = equations.Of(data, weight);
-        return Cholesky.Factor(rows, equations.Width) is { } cholesky ? new(data, equations, weight, cholesky, cholesky.Solve(right)) : null;
+        return Cholesky.Factor(rows, equations.Width) is { } factor ? new(data, equations, weight, factor, factor.Solve(right)) : null;
     }
 
     private static SplineEquations? Over(FieldData data)

@@ -26,7 +26,8 @@ internal static class Vectors
 
     /// <summary>The dot products of one vector with two others, each summed as by <see cref="Dot"/>. Two sums at once do not wait for each
     /// other.</summary>
-    public static (double WithFirst, double WithSecond) Dots(ReadOnlySpan<double> a, ReadOnlySpan<double> first, ReadOnlySpan<double> second)
+    public static (double WithFirst, double WithSecond) Dots(
+        ReadOnlySpan<double> a, ReadOnlySpan<double> first, ReadOnlySpan<double> second)
     {
         ref var x = ref MemoryMarshal.GetReference(a);
         ref var p = ref MemoryMarshal.GetReference(first[..a.Length]);

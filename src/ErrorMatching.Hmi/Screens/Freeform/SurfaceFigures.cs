@@ -42,7 +42,7 @@ internal sealed class SurfaceFigures
     public string Verdict { get; }
 
     /// <summary>The verdict on the piece as it was measured; null if it still had its stock, or the job states no tolerance.</summary>
-    public string? Piece => SurfaceVerdictText.OfPiece(_findings);
+    public string? Piece => _findings.Stage == CuttingStage.Finishing ? SurfaceVerdictText.OfPiece(_findings.Verdict) : null;
 
     public Severity PieceSeverity => SurfaceVerdictText.SeverityOfPiece(_findings.Verdict);
 
