@@ -45,7 +45,7 @@ public sealed class PostgresServer : IDisposable
     }
 
     /// <summary>Called with each line of the server's log.</summary>
-    public event Action<string>? Said;
+    public Action<string>? Said { get; set; }
 
     private int Port { get; set; }
 

@@ -95,10 +95,12 @@ public sealed class StandbyTests(PostgresServer server)
         process.ErrorDataReceived += (_, line) => Hear(line.Data);
         process.BeginOutputReadLine();
         process.BeginErrorReadLine();
-        return (process, () =>
+        return (process, Output);
+
+        string Output()
         {
             lock (said) return string.Join('\n', said);
-        });
+        }
 
         void Hear(string? line)
         {
