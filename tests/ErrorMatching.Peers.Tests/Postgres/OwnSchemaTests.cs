@@ -1,7 +1,6 @@
 using System.Text;
 using ErrorMatching.Cell;
 using ErrorMatching.Testing;
-using Npgsql;
 
 namespace ErrorMatching.Peers.Tests;
 

@@ -95,10 +95,12 @@ public sealed class StandbyTests(PostgresServer server)
         process.ErrorDataReceived += (_, line) => Hear(line.Data);
         process.BeginOutputReadLine();
         process.BeginErrorReadLine();
-        return (process, () =>
+        return (process, Said);
+
+        string Said()
         {
             lock (said) return string.Join('\n', said);
-        });
+        }
 
         void Hear(string? line)
         {
