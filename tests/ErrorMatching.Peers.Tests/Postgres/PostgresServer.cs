@@ -44,7 +44,7 @@ public sealed class PostgresServer : IDisposable
             Assert.True(tries < 20, "PostgreSQL does not start at any port.");
     }
 
-    /// <summary>Called with each line of the server's log.</summary>
+    /// <summary>Takes each line of the server's log.</summary>
     public Action<string>? Said { get; set; }
 
     private int Port { get; set; }

@@ -95,9 +95,9 @@ public sealed class StandbyTests(PostgresServer server)
         process.ErrorDataReceived += (_, line) => Hear(line.Data);
         process.BeginOutputReadLine();
         process.BeginErrorReadLine();
-        return (process, Output);
+        return (process, Said);
 
-        string Output()
+        string Said()
         {
             lock (said) return string.Join('\n', said);
         }
