@@ -5,7 +5,7 @@ using Avalonia;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;

@@ -1,7 +1,7 @@
 using System.Text;
 using Avalonia.Input;
 using Avalonia.Input.Platform;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
 

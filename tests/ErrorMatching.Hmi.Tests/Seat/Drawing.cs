@@ -1,5 +1,5 @@
 using Avalonia;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;

@@ -1,0 +1,47 @@
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Platform;
+
+namespace ErrorMatching.Hmi.Platform;
+
+/// <summary>Avalonia on Linux without Skia: drawing with Cairo, text with HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows on
+/// X11.</summary>
+public static class LinuxPlatform
+{
+    /// <summary>The font shipped with the station. Characters that it lacks, such as Chinese, come from the system's fonts.</summary>
+    public const string FontFamily = "fonts:Inter#Inter";
+
+    /// <summary>Windows on the X server that <c>DISPLAY</c> names, with the same drawing.</summary>
+    /// <param name="builder">The application.</param>
+    /// <param name="scaling">Pixels per device-independent unit, 1 to 4.</param>
+    /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The scaling is not from 1 to 4.</exception>
+    public static AppBuilder UseX11(this AppBuilder builder, double scaling = 1)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(scaling, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(scaling, 4);
+        NativeLibraries.Demand(NativeLibraries.ForWindows);
+        return builder.UseCairo()
+            .UseWindowingSubsystem(
+                () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
+    }
+
+    /// <summary>Draws with Cairo; windows come from another subsystem.</summary>
+    internal static AppBuilder UseCairo(this AppBuilder builder)
+    {
+        ArgumentNullException.ThrowIfNull(builder);
+        NativeLibraries.Demand(NativeLibraries.ForDrawing);
+        var fonts = new FontconfigFontManager();
+        return builder
+            .UseStandardRuntimePlatformSubsystem()
+            .With(new FontManagerOptions { DefaultFamilyName = FontFamily, FontFallbacks = fonts.HanFallbacks })
+            .WithInterFont()
+            .UseTextShapingSubsystem(
+                () => AvaloniaLocator.CurrentMutable.Bind<ITextShaperImpl>().ToConstant(new HarfBuzzShaper()), "HarfBuzz")
+            .UseRenderingSubsystem(
+                () => AvaloniaLocator.CurrentMutable
+                    .Bind<IPlatformRenderInterface>().ToConstant(new CairoRenderInterface())
+                    .Bind<IFontManagerImpl>().ToConstant(fonts),
+                "Cairo");
+    }
+}
