@@ -86,7 +86,7 @@ public sealed class StoredPieceTests
         // The part may lie far in and not out: an overlap may be large, a gap not.
         var piece = StoredPiece.Predicted(
             Part, SampleReport.Of(j => j.Replace("[-0.05, 0.05]", "[-0.5, 0.001]", StringComparison.Ordinal)));
-        var band = piece.Result.BandOf("9")!.Value;
+        var band = piece.Result.BandOf("9")!;
         Assert.Equal((-0.001, 0.5), (band.LowerMm, band.UpperMm));
         Assert.Equal("C1", piece.Result.BoundaryOf("9")!.Name);
         Assert.Null(piece.Result.BandOf("nobody"));
