@@ -4,8 +4,7 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Avalonia on Linux without Skia: drawing with Cairo, text with HarfBuzz, FreeType and fontconfig, all by P/Invoke; windows on
-/// X11.</summary>
+/// <summary>Avalonia on Linux: drawing with Skia, text with HarfBuzz, windows on X11 by P/Invoke.</summary>
 public static class LinuxPlatform
 {
     /// <summary>The font shipped with the station. Characters that it lacks, such as Chinese, come from the system's fonts.</summary>
@@ -21,17 +20,16 @@ public static class LinuxPlatform
         ArgumentOutOfRangeException.ThrowIfLessThan(scaling, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(scaling, 4);
         NativeLibraries.Demand(NativeLibraries.ForWindows);
-        return builder.UseCairo()
+        return builder.UseSkia()
             .UseWindowingSubsystem(
                 () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
     }
 
-    /// <summary>Draws with Cairo; windows come from another subsystem.</summary>
-    internal static AppBuilder UseCairo(this AppBuilder builder)
+    /// <summary>Draws with Skia; windows come from another subsystem.</summary>
+    internal static AppBuilder UseSkia(this AppBuilder builder)
     {
         ArgumentNullException.ThrowIfNull(builder);
-        NativeLibraries.Demand(NativeLibraries.ForDrawing);
-        var fonts = new FontconfigFontManager();
+        var fonts = new InstalledFonts(FontFolders.Usual);
         return builder
             .UseStandardRuntimePlatformSubsystem()
             .With(new FontManagerOptions { DefaultFamilyName = FontFamily, FontFallbacks = fonts.HanFallbacks })
@@ -40,8 +38,8 @@ public static class LinuxPlatform
                 () => AvaloniaLocator.CurrentMutable.Bind<ITextShaperImpl>().ToConstant(new HarfBuzzShaper()), "HarfBuzz")
             .UseRenderingSubsystem(
                 () => AvaloniaLocator.CurrentMutable
-                    .Bind<IPlatformRenderInterface>().ToConstant(new CairoRenderInterface())
+                    .Bind<IPlatformRenderInterface>().ToConstant(new SkiaRenderInterface())
                     .Bind<IFontManagerImpl>().ToConstant(fonts),
-                "Cairo");
+                "Skia");
     }
 }

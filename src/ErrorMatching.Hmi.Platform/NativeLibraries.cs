@@ -2,38 +2,23 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The native libraries for drawing and windows, and the Debian packages that contain them.</summary>
-public static class NativeLibraries
+/// <summary>The native libraries that the system must have, and the Debian packages that contain them.</summary>
+internal static class NativeLibraries
 {
-    private static readonly (string Library, string Package)[] Drawing =
-    [
-        (LibCairo.Library, "libcairo2"), (HarfBuzz.Library, "libharfbuzz0b"), (FreeType.Library, "libfreetype6"),
-        (FontConfig.Library, "libfontconfig1"),
-    ];
-
-    /// <summary>The libraries for drawing off screen.</summary>
-    internal static IReadOnlyList<(string Library, string Package)> ForDrawing => Drawing;
-
-    /// <summary>The libraries for a window on X11.</summary>
-    internal static IReadOnlyList<(string Library, string Package)> ForWindows { get; } = [.. Drawing, (Xlib.Library, "libx11-6")];
-
-    /// <summary>The missing Debian packages without which nothing can be drawn on this computer; empty if none is missing.</summary>
-    public static IReadOnlyList<string> MissingForDrawing => Missing(ForDrawing);
+    /// <summary>The libraries for a window on X11. What draws comes with the station.</summary>
+    public static IReadOnlyList<(string Library, string Package)> ForWindows { get; } = [(Xlib.Library, "libx11-6")];
 
     /// <summary>Ensures that libraries can be loaded.</summary>
     /// <exception cref="PlatformNotSupportedException">One cannot; the message names the packages to install.</exception>
-    internal static void Demand(IReadOnlyList<(string Library, string Package)> libraries)
+    public static void Demand(IReadOnlyList<(string Library, string Package)> libraries)
     {
-        if (Missing(libraries) is { Length: > 0 } missing)
+        if (libraries.Where(l => !IsThere(l.Library)).Select(l => l.Package).ToArray() is { Length: > 0 } missing)
         {
             throw new PlatformNotSupportedException(
-                $"The operator station draws with libraries of the system, and some are missing here. Install them: apt-get install "
+                $"The operator station needs libraries of the system, and some are missing here. Install them: apt-get install "
                     + $"{string.Join(" ", missing)} fonts-noto-cjk");
         }
     }
-
-    private static string[] Missing(IReadOnlyList<(string Library, string Package)> libraries) =>
-        [.. libraries.Where(l => !IsThere(l.Library)).Select(l => l.Package)];
 
     private static bool IsThere(string library)
     {

@@ -14,11 +14,16 @@ internal sealed class FrameRenderTarget(FrameSurface surface) : IRenderTarget
         if (!keep)
         {
             surface.Frame?.Dispose();
-            surface.Frame = new CairoBitmap(sceneInfo.Size, new Vector(96, 96) * sceneInfo.Scaling);
+            surface.Frame = new SkiaBitmap(sceneInfo.Size, new Vector(96, 96) * sceneInfo.Scaling);
         }
+
         properties = new RenderTargetDrawingContextProperties { PreviousFrameIsRetained = keep };
-        return new CairoContext(surface.Frame!, 1) { Finished = surface.Drawn };
+        var damage = new Damage(sceneInfo.Size);
+        return surface.Frame!.Draw(1, damage, () => surface.Drawn?.Invoke(damage.Rects));
     }
 
-    public void Dispose() { }
+    public void Dispose()
+    {
+        // The window owns its frame.
+    }
 }

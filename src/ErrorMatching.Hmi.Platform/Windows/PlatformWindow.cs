@@ -32,7 +32,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
     }
 
     /// <summary>The last frame; null before the first one.</summary>
-    public CairoBitmap? Frame => _surface.Frame;
+    public SkiaBitmap? Frame => _surface.Frame;
 
     /// <summary>Stacking order: the most recently activated window has the largest.</summary>
     public int ZOrder { get; private set; }
@@ -113,7 +113,8 @@ internal abstract partial class PlatformWindow : IWindowImpl
     }
 
     /// <summary>Called when a frame is complete in <see cref="Frame"/>.</summary>
-    protected virtual void OnFrame()
+    /// <param name="rects">What has changed in it, in pixels.</param>
+    protected virtual void OnFrame(IReadOnlyList<PixelRect> rects)
     {
         // Off screen, the frame is just kept.
     }

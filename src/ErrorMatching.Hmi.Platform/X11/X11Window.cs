@@ -113,7 +113,7 @@ internal sealed unsafe class X11Window : PlatformWindow
         switch (e.Type)
         {
             case Xlib.Expose:
-                OnFrame();
+                OnFrame(Frame is { } frame ? [new PixelRect(frame.PixelSize)] : []);
                 break;
             case Xlib.ConfigureNotify:
                 OnResized(new PixelSize(e.Width, e.Height).ToSize(RenderScaling), WindowResizeReason.User);
@@ -156,26 +156,13 @@ internal sealed unsafe class X11Window : PlatformWindow
         }
     }
 
-    protected override void OnFrame()
+    protected override void OnFrame(IReadOnlyList<PixelRect> rects)
     {
-        if (_window == 0 || Frame is not { } frame)
+        if (_window != 0 && Frame is { } frame)
         {
-            return;
+            X11Picture.Put(_window, _screen, frame, rects);
+            X11Connection.DrainLater();
         }
-
-        var surface = Xlib.cairo_xlib_surface_create(
-            X11Connection.Display,
-            _window,
-            Xlib.XDefaultVisual(X11Connection.Display, _screen),
-            frame.PixelSize.Width,
-            frame.PixelSize.Height);
-        var cr = LibCairo.cairo_create(surface);
-        LibCairo.cairo_set_operator(cr, LibCairo.OperatorSource);
-        LibCairo.cairo_set_source_surface(cr, frame.Surface, 0, 0);
-        LibCairo.cairo_paint(cr);
-        LibCairo.cairo_destroy(cr);
-        LibCairo.cairo_surface_destroy(surface);
-        X11Connection.DrainLater();
     }
 
     private static RawPointerEventType ButtonEvent(uint button, bool isDown) => (button, isDown) switch

@@ -80,6 +80,12 @@ internal static unsafe partial class Xlib
     [LibraryImport(Library)] public static partial int XLookupString(ref XEvent e, byte* buffer, int size, out nuint keysym, nint compose);
     [LibraryImport(Library)] public static partial nint XCreateFontCursor(nint display, uint shape);
     [LibraryImport(Library)] public static partial int XDefineCursor(nint display, nint window, nint cursor);
-    [LibraryImport(LibCairo.Library)]
-    public static partial nint cairo_xlib_surface_create(nint display, nint drawable, nint visual, int width, int height);
+    [LibraryImport(Library)] public static partial int XDefaultDepth(nint display, int screen);
+    [LibraryImport(Library)] public static partial nint XDefaultGC(nint display, int screen);
+    [LibraryImport(Library)]
+    public static partial XImage* XCreateImage(
+        nint display, nint visual, uint depth, int format, int offset, nint data, uint width, uint height, int pad, int bytesPerLine);
+    [LibraryImport(Library)]
+    public static partial int XPutImage(
+        nint display, nint drawable, nint gc, XImage* image, int fromX, int fromY, int toX, int toY, uint width, uint height);
 }
