@@ -11,6 +11,10 @@ internal sealed class SkiaGlyphRun : IGlyphRunImpl
 {
     // The slant of a face that has no slanted form, as of the shears that typesetters use: about 12 degrees.
     private const float Shear = -0.21f;
+
+    // Skia guesses what a color is drawn on and changes the coverage of pixels for that, which makes dark text of small sizes too thin.
+    // It leaves that out where a filter changes the coverage; this one keeps every value.
+    private static readonly SKMaskFilter AsCovered = SKMaskFilter.CreateTable([.. Enumerable.Range(0, 256).Select(i => (byte)i)]);
     private readonly SkiaTypeface _typeface;
     private readonly ushort[] _glyphs;
     private readonly SKPoint[] _places;
@@ -65,6 +69,7 @@ internal sealed class SkiaGlyphRun : IGlyphRunImpl
             _blob = builder.Build();
         }
 
+        paint.MaskFilter = AsCovered;
         canvas.DrawText(_blob, (float)BaselineOrigin.X, (float)BaselineOrigin.Y, paint);
     }
 
