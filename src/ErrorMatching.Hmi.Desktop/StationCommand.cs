@@ -71,7 +71,8 @@ internal static class StationCommand
             {
                 var builder = AppBuilder.Configure(
                     () => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
-                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
+                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling, Console.Error.WriteLine))
+                    .StartWithClassicDesktopLifetime([]);
             }
             finally
             {

@@ -70,7 +70,8 @@ internal static class BrushPaint
             case IRadialGradientBrush radial:
                 // A circle of radius 1 about the center, stretched.
                 var (center, origin) = (radial.Center.ToPixels(target), radial.GradientOrigin.ToPixels(target));
-                var (rx, ry) = (Math.Max(1e-6, radial.RadiusX.ToValue(target.Width)), Math.Max(1e-6, radial.RadiusY.ToValue(target.Height)));
+                var rx = Math.Max(1e-6, radial.RadiusX.ToValue(target.Width));
+                var ry = Math.Max(1e-6, radial.RadiusY.ToValue(target.Height));
                 return SKShader.CreateTwoPointConicalGradient(
                     new Point((origin.X - center.X) / rx, (origin.Y - center.Y) / ry).ToSkia(),
                     0,

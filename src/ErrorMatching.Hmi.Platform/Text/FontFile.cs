@@ -6,7 +6,8 @@ namespace ErrorMatching.Hmi.Platform;
 
 /// <summary>Reads names, style and characters of the faces of a font file, and nothing else of it: a file may have 20 MB, and there may be
 /// hundreds.</summary>
-/// <remarks>OpenType 1.9: the header of a collection, the table directory, and the tables <c>name</c>, <c>OS/2</c> and <c>cmap</c>.</remarks>
+/// <remarks>OpenType 1.9: the header of a collection, the table directory, and the tables <c>name</c>, <c>OS/2</c> and
+/// <c>cmap</c>.</remarks>
 internal sealed class FontFile : IDisposable
 {
     private const uint Collection = 0x74746366, Name = 0x6E616D65, Style = 0x4F532F32, Characters = 0x636D6170;
@@ -14,7 +15,8 @@ internal sealed class FontFile : IDisposable
     private readonly FileStream _file;
 
     /// <summary>Opens a file.</summary>
-    public FontFile(string path) => _file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, 4096);
+    public FontFile(string path) =>
+        _file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
 
     /// <summary>The faces of the file, in order.</summary>
     /// <exception cref="InvalidDataException">It is no font.</exception>
@@ -44,7 +46,7 @@ internal sealed class FontFile : IDisposable
         var names = Names(Table(directory, Name) ?? throw new InvalidDataException("The face has no names."));
         if (style is not { Length: >= 64 })
         {
-            return new(_file.Name, index, offset, names, 400, 5, FontStyle.Normal, IsSans: true, IsTraditional: false);
+            return new(_file.Name, index, offset, names, 400, 5, FontStyle.Normal, IsSans: false, IsTraditional: false);
         }
 
         // Panose: the family is Latin text (2), and the style of its serifs is 11 to 15, which have none.
@@ -59,7 +61,7 @@ internal sealed class FontFile : IDisposable
             BinaryPrimitives.ReadUInt16BigEndian(style.AsSpan(4)),
             BinaryPrimitives.ReadUInt16BigEndian(style.AsSpan(6)),
             (selection & 1) != 0 ? FontStyle.Italic : (selection & (1 << 9)) != 0 ? FontStyle.Oblique : FontStyle.Normal,
-            IsSans: family != 2 || serifs is 0 or 1 or (>= 11 and <= 15),
+            IsSans: family == 2 && serifs is >= 11 and <= 15,
             IsTraditional: (pages & (1 << 20)) != 0);
     }
 

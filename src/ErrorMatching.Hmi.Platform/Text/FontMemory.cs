@@ -56,7 +56,8 @@ internal sealed class FontMemory
     /// <summary>The bytes of a table, without a copy; empty if the face has no such table.</summary>
     public ReadOnlyMemory<byte> Table(Face face, uint tag)
     {
-        using var blob = face.ReferenceTable(new Tag((char)(tag >> 24), (char)(tag >> 16 & 0xFF), (char)(tag >> 8 & 0xFF), (char)(tag & 0xFF)));
+        char Letter(int shift) => (char)(tag >> shift & 0xFF);
+        using var blob = face.ReferenceTable(new Tag(Letter(24), Letter(16), Letter(8), Letter(0)));
         var table = blob.AsSpan();
         if (table.IsEmpty)
         {

@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 using System.Globalization;
 using Avalonia;
 using Avalonia.Media;
-using Avalonia.Media.Fonts;
 using Avalonia.Media.TextFormatting;
 using Avalonia.Platform;
 using HarfBuzzSharp;

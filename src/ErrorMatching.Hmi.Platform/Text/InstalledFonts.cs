@@ -9,6 +9,7 @@ namespace ErrorMatching.Hmi.Platform;
 internal sealed class InstalledFonts : IFontManagerImpl
 {
     private const int Sample = '誤';
+    private const string Usual = "DejaVu Sans";
     private readonly FontFace[] _faces;
     private readonly string[] _families;
     private readonly Dictionary<string, FontMemory> _files = [];
@@ -19,7 +20,12 @@ internal sealed class InstalledFonts : IFontManagerImpl
     public InstalledFonts(IReadOnlyList<string> folders)
     {
         _faces = [.. FontFolders.Files(folders).SelectMany(FacesOf)];
-        _families = [.. _faces.SelectMany(f => f.Families).Distinct(StringComparer.OrdinalIgnoreCase).Order(StringComparer.OrdinalIgnoreCase)];
+        _families = [
+            .. _faces
+                .SelectMany(f => f.Families)
+                .Distinct(StringComparer.OrdinalIgnoreCase)
+                .Order(StringComparer.OrdinalIgnoreCase),
+        ];
     }
 
     /// <summary>The family for Han characters, by name, in the forms of Taiwan where there is such a font; empty if no font has them. For a
@@ -35,7 +41,11 @@ internal sealed class InstalledFonts : IFontManagerImpl
                 }]
             : [];
 
-    public string GetDefaultFontFamilyName() => "DejaVu Sans";
+    /// <summary>What to install so that texts are complete; null if nothing is missing.</summary>
+    public string? Advice => HanFallbacks.Count > 0 ? null
+        : "No font with Chinese characters is installed; they are shown as empty boxes. Install one: apt-get install fonts-noto-cjk";
+
+    public string GetDefaultFontFamilyName() => Usual;
 
     public string[] GetInstalledFontFamilyNames(bool checkForUpdates = false) => [.. _families];
 
@@ -92,7 +102,9 @@ internal sealed class InstalledFonts : IFontManagerImpl
     // The characters of a face are read only if it comes first by everything else.
     private static FontFace? Best(IEnumerable<FontFace> faces, int character, FontStyle style, FontWeight weight, FontStretch stretch)
     {
-        foreach (var face in faces.OrderBy(f => (IsHan(character) ? f.FarFromTaiwan : 0, f.IsSans ? 0 : 1, f.IsMono ? 1 : 0))
+        foreach (var face in faces
+            .OrderBy(f => (
+                IsHan(character) ? f.FarFromTaiwan : f.Families.Contains(Usual) ? 0 : 1, f.IsSans ? 0 : 1, f.IsMono ? 1 : 0))
             .ThenBy(f => f.Family, StringComparer.Ordinal)
             .ThenBy(f => Distance(f, style, weight, stretch)))
         {

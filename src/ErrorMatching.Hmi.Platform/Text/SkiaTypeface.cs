@@ -15,7 +15,12 @@ internal sealed class SkiaTypeface : IPlatformTypeface
     /// <summary>Opens a face.</summary>
     /// <exception cref="InvalidDataException">It is no font.</exception>
     public SkiaTypeface(
-        FontMemory memory, int index, FontSimulations simulations, string? family = null, FontWeight? weight = null, FontStyle? style = null)
+        FontMemory memory,
+        int index,
+        FontSimulations simulations,
+        string? family = null,
+        FontWeight? weight = null,
+        FontStyle? style = null)
     {
         _memory = memory;
         _face = new Face(memory.Shaped, index);

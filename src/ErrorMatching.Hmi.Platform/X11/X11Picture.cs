@@ -10,6 +10,16 @@ internal static unsafe class X11Picture
     private const int Bits = 32;
     private const nuint Red = 0xFF0000, Green = 0xFF00, Blue = 0xFF;
 
+    /// <summary>Ensures that a screen shows pixels as frames have them.</summary>
+    /// <exception cref="PlatformNotSupportedException">It does not.</exception>
+    public static void Demand(int screen)
+    {
+        if (Xlib.XDefaultDepth(X11Connection.Display, screen) is not (24 or 32))
+        {
+            throw Unsupported();
+        }
+    }
+
     /// <summary>Copies rectangles of a frame to the same places of a window.</summary>
     /// <exception cref="PlatformNotSupportedException">The screen does not have 8 bits each for red, green and blue.</exception>
     public static void Put(nint window, int screen, SkiaBitmap frame, IReadOnlyList<PixelRect> rects)
@@ -30,9 +40,7 @@ internal static unsafe class X11Picture
         {
             if (image is null || image->BitsPerPixel != Bits || (image->RedMask, image->GreenMask, image->BlueMask) != (Red, Green, Blue))
             {
-                throw new PlatformNotSupportedException(
-                    "The X server's screen has other colors than 8 bits each for red, green and blue. The operator station needs a screen "
-                        + "with a depth of 24.");
+                throw Unsupported();
             }
 
             foreach (var rect in rects)
@@ -56,4 +64,8 @@ internal static unsafe class X11Picture
             _ = Xlib.XFree(image);
         }
     }
+
+    private static PlatformNotSupportedException Unsupported() => new(
+        "The X server's screen has other colors than 8 bits each for red, green and blue. The operator station needs a screen with a depth "
+            + "of 24.");
 }

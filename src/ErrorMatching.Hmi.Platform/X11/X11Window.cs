@@ -15,12 +15,13 @@ internal sealed unsafe class X11Window : PlatformWindow
     private PixelSize _normal;
 
     /// <summary>Creates a window that is not shown yet.</summary>
-    /// <exception cref="PlatformNotSupportedException">There is no X server.</exception>
+    /// <exception cref="PlatformNotSupportedException">There is no X server, or its screen has less than 24 bits.</exception>
     public X11Window(double scaling)
         : base(scaling)
     {
         X11Connection.Open();
         _screen = Xlib.XDefaultScreen(X11Connection.Display);
+        X11Picture.Demand(_screen);
         var size = Pixels;
         _window = Xlib.XCreateSimpleWindow(
             X11Connection.Display, Xlib.XRootWindow(X11Connection.Display, _screen), 0, 0, (uint)size.Width, (uint)size.Height, 0, 0, 0);
