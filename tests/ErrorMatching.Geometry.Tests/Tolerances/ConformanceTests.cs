@@ -43,7 +43,7 @@ public sealed class ConformanceTests
     }
 
     [Fact]
-    public void Limits_without_width_have_no_conformance() => Assert.Null(Conformance.Probability(default, 0, 0.01));
+    public void Limits_without_width_have_no_conformance() => Assert.Null(Conformance.Probability(ToleranceBand.Zero, 0, 0.01));
 
     [Fact]
     public void Before_and_after_are_the_same_question_about_part_and_mating_error()
@@ -64,14 +64,14 @@ public sealed class ConformanceTests
     public void A_guard_band_moves_both_limits_inward_as_long_as_they_do_not_meet()
     {
         var rule = DecisionRule.GuardBand(5);
-        var accepted = rule.AcceptanceLimits(new(-0.05, 0.03), 0.01)!.Value;
+        var accepted = rule.AcceptanceLimits(new(-0.05, 0.03), 0.01)!;
 
         Assert.Equal(-0.05 + 0.016448536, accepted.LowerMm, 9);
         Assert.Equal(0.03 - 0.016448536, accepted.UpperMm, 9);
         Assert.Null(rule.AcceptanceLimits(new(-0.0164, 0.0164), 0.01));
         Assert.NotNull(rule.AcceptanceLimits(new(-0.0165, 0.0165), 0.01));
-        Assert.Equal(default, rule.AcceptanceLimits(default, 0.01)!.Value);
-        Assert.Equal(new(-1, 2), DecisionRule.Simple.AcceptanceLimits(new(-1, 2), 5)!.Value);
+        Assert.Equal(ToleranceBand.Zero, rule.AcceptanceLimits(ToleranceBand.Zero, 0.01));
+        Assert.Equal(new(-1, 2), DecisionRule.Simple.AcceptanceLimits(new(-1, 2), 5));
         Assert.Equal(0, DecisionRule.GuardBand(50).GuardMm(1), 12);
     }
 
