@@ -121,8 +121,8 @@ public sealed class DrawingTests
         }
 
         Assert.True(damage.Rects.Count <= 8);
-        Assert.True(damage.Rects.Any(r => r.Contains(new PixelRect(16, 30, 1, 1))));
-        Assert.True(damage.Rects.Any(r => r.Contains(new PixelRect(90, 40, 10, 10))));
+        Assert.Contains(damage.Rects, r => r.Contains(new PixelRect(16, 30, 1, 1)));
+        Assert.Contains(damage.Rects, r => r.Contains(new PixelRect(90, 40, 10, 10)));
         damage.All();
         Assert.Equal([new PixelRect(0, 0, 100, 50)], damage.Rects);
     }
