@@ -56,6 +56,11 @@ if (args is ["station", .. var station])
     return await StationFrames.RunAsync(station.FirstOrDefault());
 }
 
+if (args is ["frames"])
+{
+    return await ScreenFrames.RunAsync();
+}
+
 if (args is ["screens", .. var screens])
 {
     return await StationScreens.RunAsync(screens);

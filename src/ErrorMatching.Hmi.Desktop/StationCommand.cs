@@ -5,7 +5,7 @@ using Avalonia;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;
@@ -71,7 +71,8 @@ internal static class StationCommand
             {
                 var builder = AppBuilder.Configure(
                     () => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
-                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling)).StartWithClassicDesktopLifetime([]);
+                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling, Console.Error.WriteLine))
+                    .StartWithClassicDesktopLifetime([]);
             }
             finally
             {

@@ -1,6 +1,6 @@
 using Avalonia.Input;
 using Avalonia.Input.Platform;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Testing;
 

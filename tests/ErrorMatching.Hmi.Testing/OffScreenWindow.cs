@@ -1,4 +1,4 @@
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Testing;
 

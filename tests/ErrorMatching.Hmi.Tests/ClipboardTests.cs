@@ -1,7 +1,7 @@
 using System.Text;
 using Avalonia.Input;
 using Avalonia.Input.Platform;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -11,15 +11,14 @@ public sealed class ClipboardTests
 {
     private const string Cells = "A1\t12.5000\t−0.0312\r\nB1\t7.2500\t測試 😀\r\n";
 
-    // One test: a connection to an X server lasts as long as the process.
     [Fact]
     public async Task Text_goes_to_other_programs_and_comes_from_them()
     {
         var session = Drawing.Needed();
-        var server = XServer.Needed();
+        XServer.Present();
         await session.RunAsync(async () =>
         {
-            X11Connection.Open(server);
+            var server = XServer.Connect();
             var foreign = new ForeignProgram(server);
             var clipboard = new X11Clipboard();
             Assert.Null(await clipboard.TryGetDataAsync());

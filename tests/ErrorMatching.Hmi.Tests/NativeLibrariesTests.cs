@@ -1,4 +1,4 @@
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -10,14 +10,12 @@ public sealed class NativeLibrariesTests
         var e = Assert.Throws<PlatformNotSupportedException>(() => NativeLibraries.Demand(
             [("libc.so.6", "libc6"), ("libnobody-has-it.so.9", "libnobody9"), ("libnor-this.so.1", "libnor1")]));
         Assert.Equal(
-            "The operator station draws with libraries of the system, and some are missing here. Install them: apt-get install "
+            "The operator station needs libraries of the system, and some are missing here. Install them: apt-get install "
                 + "libnobody9 libnor1 fonts-noto-cjk",
             e.Message);
     }
 
     [Fact]
-    public void Windows_need_what_drawing_needs_and_X() =>
-        Assert.Equal(
-            ["libcairo2", "libharfbuzz0b", "libfreetype6", "libfontconfig1", "libx11-6"],
-            NativeLibraries.ForWindows.Select(l => l.Package));
+    public void Windows_need_X_and_nothing_else() =>
+        Assert.Equal(["libx11-6"], NativeLibraries.ForWindows.Select(l => l.Package));
 }

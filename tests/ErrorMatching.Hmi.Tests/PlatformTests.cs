@@ -9,7 +9,7 @@ using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What ErrorMatching.Hmi.Cairo draws and passes on, by pixels and by what controls make of it.</summary>
+/// <summary>What ErrorMatching.Hmi.Platform draws and passes on, by pixels and by what controls make of it.</summary>
 public sealed class PlatformTests
 {
     [Theory]

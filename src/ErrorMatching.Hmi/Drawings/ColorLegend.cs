@@ -70,11 +70,10 @@ internal sealed class ColorLegend : Control, IDrawnWords
         }
 
         // The color for zero is the background's, so the bar needs a frame.
-        using (context.PushOpacity(DrawnSizes.FrameOpacity))
-        {
-            context.DrawRectangle(
-                null, new Pen(Ink), new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
-        }
+        context.DrawRectangle(
+            null,
+            new Pen(Translucent.Of(Ink, DrawnSizes.FrameOpacity)),
+            new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
 
         foreach (var tick in Ticks)
         {

@@ -175,15 +175,13 @@ internal sealed class SeriesPlot : PlotArea
         var decimals = new string('0', Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9)));
         var numbers = new List<(double Value, string Text)> { (0, "0") };
         numbers.AddRange(Drawing!.Bands.SelectMany(b => new[] { b.Low, b.High }).Distinct().Select(l => (l, Number(l, "####"))));
+
+        // The translucency is in the brush: a group with opacity would need a bitmap for each line.
+        var (zero, other) = (new Pen(Ink, DrawnSizes.Thin), new Pen(Translucent.Of(Rule, DrawnSizes.RuleOpacity), DrawnSizes.Thin));
         for (var tick = first; tick <= last; tick++)
         {
             var y = To(view, 0, tick * step).Y;
-            var isZero = tick == 0;
-            using (context.PushOpacity(isZero ? 1 : DrawnSizes.RuleOpacity))
-            {
-                context.DrawLine(new Pen(isZero ? Ink : Rule, DrawnSizes.Thin), new(inside.Left, y), new(inside.Right, y));
-            }
-
+            context.DrawLine(tick == 0 ? zero : other, new(inside.Left, y), new(inside.Right, y));
             numbers.Add((tick * step, Number(tick * step, decimals)));
         }
 

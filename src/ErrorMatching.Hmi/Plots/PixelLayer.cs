@@ -12,6 +12,7 @@ namespace ErrorMatching.Hmi;
 internal sealed class PixelLayer
 {
     private WriteableBitmap? _bitmap;
+    private PixelRect[] _taken = [];
 
     public PixelCanvas Canvas { get; } = new();
 
@@ -29,10 +30,15 @@ internal sealed class PixelLayer
             _bitmap = new(size, new(96, 96), PixelFormat.Bgra8888, AlphaFormat.Premul);
         }
 
+        _taken = [.. Canvas.Touched];
         using var locked = _bitmap.Lock();
-        for (var row = 0; row < size.Height; row++)
+        foreach (var rect in _taken)
         {
-            Marshal.Copy(Canvas.Memory, row * size.Width, locked.Address + (row * locked.RowBytes), size.Width);
+            for (var row = rect.Y; row < rect.Bottom; row++)
+            {
+                var to = locked.Address + (row * locked.RowBytes) + (rect.X * sizeof(int));
+                Marshal.Copy(Canvas.Memory, (row * size.Width) + rect.X, to, rect.Width);
+            }
         }
     }
 
@@ -41,10 +47,21 @@ internal sealed class PixelLayer
     /// <param name="place">Its position and size in screen units.</param>
     public void Show(DrawingContext context, Rect place)
     {
-        if (_bitmap is not null)
+        if (_bitmap is null)
         {
-            using var options = context.PushRenderOptions(new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None });
-            context.DrawImage(_bitmap, new Rect(_bitmap.PixelSize.ToSize(1)), place);
+            return;
+        }
+
+        // Only what was copied; the rest of the bitmap may be of an earlier drawing. Sharp edges: smooth ones would show between parts.
+        using var options = context.PushRenderOptions(
+            new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None, EdgeMode = EdgeMode.Aliased });
+        var (scaleX, scaleY) = (place.Width / _bitmap.PixelSize.Width, place.Height / _bitmap.PixelSize.Height);
+        foreach (var rect in _taken)
+        {
+            context.DrawImage(
+                _bitmap,
+                rect.ToRect(1),
+                new Rect(place.X + (rect.X * scaleX), place.Y + (rect.Y * scaleY), rect.Width * scaleX, rect.Height * scaleY));
         }
     }
 
@@ -52,6 +69,6 @@ internal sealed class PixelLayer
     public void LetGo()
     {
         _bitmap?.Dispose();
-        _bitmap = null;
+        (_bitmap, _taken) = (null, []);
     }
 }

@@ -159,36 +159,38 @@ public abstract class PlotPaper : Control
     {
         ArgumentNullException.ThrowIfNull(context);
         ArgumentNullException.ThrowIfNull(points);
-        var seen = new List<Point2>();
-        for (var i = 0; i < points.Count; i++)
+        bool IsSeen(Point2 at) =>
+            at.X >= -radius && at.X <= view.Width + radius && at.Y >= -radius && at.Y <= view.Height + radius;
+
+        var seen = 0;
+        for (var i = 0; i < points.Count && seen <= MostDots; i++)
         {
-            if (view.ToScreen(points[i]) is var at
-                && at.X >= -radius
-                && at.X <= view.Width + radius
-                && at.Y >= -radius
-                && at.Y <= view.Height + radius)
-            {
-                seen.Add(at);
-            }
+            seen += IsSeen(view.ToScreen(points[i])) ? 1 : 0;
         }
 
-        if (seen.Count > MostDots && brush is ISolidColorBrush)
+        if (seen > MostDots && brush is ISolidColorBrush)
         {
             var (scale, color) = (1 / Pixel, PixelLayer.ColorOf(brush));
             ByPixel(view, canvas =>
             {
                 var disk = PixelCanvas.Disk(radius * scale);
-                foreach (var at in seen)
+                for (var i = 0; i < points.Count; i++)
                 {
-                    canvas.Dot((int)(at.X * scale), (int)(at.Y * scale), color, disk);
+                    if (view.ToScreen(points[i]) is var at && IsSeen(at))
+                    {
+                        canvas.Dot((int)(at.X * scale), (int)(at.Y * scale), color, disk);
+                    }
                 }
             });
             return;
         }
 
-        foreach (var at in seen)
+        for (var i = 0; i < points.Count; i++)
         {
-            context.DrawEllipse(brush, null, new Point(at.X, at.Y), radius, radius);
+            if (view.ToScreen(points[i]) is var at && IsSeen(at))
+            {
+                context.DrawEllipse(brush, null, new Point(at.X, at.Y), radius, radius);
+            }
         }
     }
 

@@ -20,7 +20,7 @@ internal static class DrawnSizes
     public const double Thick = 3;
 
     /// <summary>Thickness of the stroke that closes the gap between two neighbors of a map.</summary>
-    public const double Hairline = 0.6;
+    public const double Hairline = 1;
 
     /// <summary>Half of a thin line, the offset from a border that aligns it to whole pixels.</summary>
     public const double HalfThin = 0.5;

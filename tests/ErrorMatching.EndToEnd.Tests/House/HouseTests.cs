@@ -28,9 +28,9 @@ public sealed partial class HouseTests
         ["Console"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
 
         // The station: what it shows is apart from what draws it, and neither knows the console.
-        ["Hmi.Cairo"] = [],
+        ["Hmi.Platform"] = [],
         ["Hmi"] = ["Geometry", "Json", "Refusals", "Measurement", "Nc", "Reporting", "Mating", "Freeform", "Jobs", "Cell"],
-        ["Hmi.Desktop"] = ["Hmi", "Hmi.Cairo"],
+        ["Hmi.Desktop"] = ["Hmi", "Hmi.Platform"],
     };
 
     private static readonly string[] TextEndings = [

@@ -31,6 +31,44 @@ public sealed class PixelCanvasTests
     [Fact]
     public void What_was_drawn_before_is_wiped_also_at_another_size() => Assert.Equal("...", Drawn(3, 1, c => c.Clear(3, 1)));
 
+    [Fact]
+    public void Everything_drawn_is_in_the_parts_that_are_shown_and_close_to_where_it_belongs()
+    {
+        var random = new Random(3);
+        var canvas = new PixelCanvas();
+        for (var n = 0; n < 200; n++)
+        {
+            var (width, height, thick) = (random.Next(1, 300), random.Next(1, 200), random.Next(1, 5));
+            double At(int size) => ((random.NextDouble() * 3) - 1) * size;
+            var (x1, y1, x2, y2) = (At(width), At(height), At(width), At(height));
+            canvas.Clear(width, height);
+            Assert.False(canvas.Pixels.ContainsAnyExcept(0));
+            canvas.Line(x1, y1, x2, y2, Cut, thick, isDashed: n % 5 == 0);
+            canvas.Dot((int)At(width), (int)At(height), Rapid, PixelCanvas.Disk(thick));
+            var touched = canvas.Touched.ToArray();
+            for (var i = 0; i < width * height; i++)
+            {
+                var (x, y) = (i % width, i / width);
+                if (canvas.Pixels[i] != 0)
+                {
+                    Assert.Contains(touched, r => r.ContainsExclusive(new Avalonia.PixelPoint(x, y)));
+                }
+
+                if (canvas.Pixels[i] == Cut)
+                {
+                    Assert.True(Distance(x + 0.5, y + 0.5) <= thick + 1);
+                }
+            }
+
+            double Distance(double x, double y)
+            {
+                var (dx, dy) = (x2 - x1, y2 - y1);
+                var t = Math.Clamp((((x - x1) * dx) + ((y - y1) * dy)) / Math.Max(1e-12, (dx * dx) + (dy * dy)), 0, 1);
+                return Math.Sqrt(Math.Pow(x1 + (t * dx) - x, 2) + Math.Pow(y1 + (t * dy) - y, 2));
+            }
+        }
+    }
+
     private static string Drawn(int width, int height, Action<PixelCanvas> draw)
     {
         var canvas = new PixelCanvas();

@@ -1,5 +1,5 @@
 using System.Text;
-using ErrorMatching.Hmi.Cairo;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
 

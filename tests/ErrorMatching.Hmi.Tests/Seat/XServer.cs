@@ -1,16 +1,17 @@
 using System.Diagnostics;
+using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
 
 /// <summary>An X server without a screen, of its own for the tests of this process.</summary>
 internal static class XServer
 {
-    /// <summary>Starts one, which ends with the last program that is connected to it: Xlib ends a program whose server goes first. Skips
-    /// the current test where Xvfb or another program that it needs is not installed,
+    private static string? _connected;
+
+    /// <summary>Skips the current test where Xvfb or another program that it needs is not installed,
     /// or fails it where ERRORMATCH_PEERS=required demands them.</summary>
     /// <param name="others">What the test needs beside the server.</param>
-    /// <returns>The name of its display.</returns>
-    public static string Needed(params IEnumerable<string> others)
+    public static void Present(params IEnumerable<string> others)
     {
         foreach (var program in others.Prepend("Xvfb"))
         {
@@ -19,6 +20,14 @@ internal static class XServer
             Assert.True(isThere || Environment.GetEnvironmentVariable("ERRORMATCH_PEERS") != "required", $"{program} is not installed.");
             Assert.SkipUnless(isThere, $"{program} is not installed.");
         }
+    }
+
+    /// <summary>Starts one, which ends with the last program that is connected to it: Xlib ends a program whose server goes first. Skips
+    /// as <see cref="Present"/>.</summary>
+    /// <returns>The name of its display.</returns>
+    public static string Needed(params IEnumerable<string> others)
+    {
+        Present(others);
 
         // It names the first display that is free, once it answers there.
         using var process = Process.Start(
@@ -28,5 +37,17 @@ internal static class XServer
                 UseShellExecute = false
             })!;
         return ":" + process.StandardOutput.ReadLine();
+    }
+
+    /// <summary>Connects the station's platform to a server, once, on the UI thread: the connection lasts as long as the process.</summary>
+    /// <returns>The name of the display.</returns>
+    public static string Connect()
+    {
+        if (_connected is null)
+        {
+            X11Connection.Open(_connected = Needed());
+        }
+
+        return _connected;
     }
 }

@@ -8,11 +8,14 @@ internal static class Licenses
     [
         ("Avalonia", "MIT"),
         ("Avalonia.Fonts.Inter", "MIT; Inter: OFL-1.1"),
+        ("Avalonia.Remote.Protocol", "MIT"),
         ("Avalonia.Themes.Fluent", "MIT"),
         ("BouncyCastle.Cryptography", "MIT"),
         ("CsvHelper", "MS-PL OR Apache-2.0"),
         ("Dapper", "Apache-2.0"),
+        ("HarfBuzzSharp*", "MIT; HarfBuzz: MIT (Old)"),
         ("MathNet.Numerics", "MIT"),
+        ("MicroCom.Runtime", "MIT"),
         ("Microsoft.Data.Sqlite.Core", "MIT"),
         ("Microsoft.Extensions.*", "MIT"),
         ("MQTTnet", "MIT"),
@@ -20,6 +23,7 @@ internal static class Licenses
         ("OpenTelemetry*", "Apache-2.0"),
         ("Polly.Core", "BSD-3-Clause"),
         ("Serilog*", "Apache-2.0"),
+        ("SkiaSharp*", "MIT; Skia, WebP: BSD-3-Clause; FreeType: FTL; libpng: libpng-2.0; zlib: Zlib"),
         ("SourceGear.sqlite3", "SQLite: public domain"),
         ("SQLitePCLRaw.*", "Apache-2.0"),
         ("SSH.NET", "MIT"),
@@ -29,7 +33,6 @@ internal static class Licenses
     /// <summary>System libraries for drawing on Linux; they are not part of the station.</summary>
     public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
     [
-        ("cairo", "LGPL-2.1 OR MPL-1.1"), ("fontconfig", "MIT (HPND)"), ("FreeType", "FTL OR GPL-2.0"), ("HarfBuzz", "MIT (Old)"),
         ("libX11", "MIT"),
     ];
 }

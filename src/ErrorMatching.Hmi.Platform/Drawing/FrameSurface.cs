@@ -1,0 +1,14 @@
+using Avalonia;
+using Avalonia.Platform.Surfaces;
+
+namespace ErrorMatching.Hmi.Platform;
+
+/// <summary>Receives a window's frames. The last one is kept for screenshots; an X11 window displays the same frame.</summary>
+internal sealed class FrameSurface : IPlatformRenderSurface
+{
+    /// <summary>The last frame.</summary>
+    public SkiaBitmap? Frame { get; set; }
+
+    /// <summary>Called after each frame with the rectangles that were drawn on.</summary>
+    public Action<IReadOnlyList<PixelRect>>? Drawn { get; set; }
+}

@@ -1,0 +1,21 @@
+using Avalonia.Platform;
+
+namespace ErrorMatching.Hmi.Platform;
+
+/// <summary>Window icons, which are invisible on a station that fills its screen.</summary>
+internal sealed class NoIcons : IPlatformIconLoader
+{
+    public IWindowIconImpl LoadIcon(string fileName) => new NoIcon();
+
+    public IWindowIconImpl LoadIcon(Stream stream) => new NoIcon();
+
+    public IWindowIconImpl LoadIcon(IBitmapImpl bitmap) => new NoIcon();
+
+    private sealed class NoIcon : IWindowIconImpl
+    {
+        public void Save(Stream outputStream)
+        {
+            // There is nothing to save.
+        }
+    }
+}

@@ -1,0 +1,14 @@
+using Avalonia;
+using Avalonia.Input;
+using Avalonia.Media.Imaging;
+using Avalonia.Platform;
+
+namespace ErrorMatching.Hmi.Platform;
+
+/// <summary>Cursors as names of standard shapes, which X11 has. Cursors from pictures are not needed; they become arrows.</summary>
+internal sealed class ShapeCursors : ICursorFactory
+{
+    public ICursorImpl GetCursor(StandardCursorType cursorType) => new ShapeCursor(cursorType);
+
+    public ICursorImpl CreateCursor(Bitmap cursor, PixelPoint hotSpot) => new ShapeCursor(StandardCursorType.Arrow);
+}
