@@ -7,8 +7,8 @@ using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
-/// <summary>The time of whole frames of each of the station's screens: everything is drawn again, as after a change of the background, with the
-/// demonstration's cell, off screen with software rendering.</summary>
+/// <summary>The time of whole frames of each of the station's screens: everything is drawn again, as after a change of the background, with
+/// the demonstration's cell, off screen with software rendering.</summary>
 internal static class ScreenFrames
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60), Look = TimeSpan.FromMilliseconds(800);

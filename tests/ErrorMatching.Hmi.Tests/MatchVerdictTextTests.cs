@@ -38,7 +38,10 @@ public sealed class MatchVerdictTextTests
             Sample.Leaving(("2", -0.0499), ("4", 0.0499)) with { Rule = DecisionRule.GuardBand(5) },
             VerdictCode.NotAccepted, Severity.Attention),
         ["no limits"] = (
-            Sample with { Features = [.. Sample.Features.Select(f => f with { Tolerance = new(ToleranceBand.Zero, ToleranceSource.Stated) })] },
+            Sample with
+            {
+                Features = [.. Sample.Features.Select(f => f with { Tolerance = new(ToleranceBand.Zero, ToleranceSource.Stated) })]
+            },
             VerdictCode.NoLimits, Severity.Attention),
         ["no points"] = (Sample with { KeyPoints = [], ProbabilityAfter = null }, VerdictCode.NoLimits, Severity.Attention),
         ["not proved"] = (Sample with { Proof = Sample.Proof with { Holds = false } }, VerdictCode.ProofFails, Severity.Alarm),

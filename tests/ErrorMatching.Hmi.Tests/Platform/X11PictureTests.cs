@@ -59,5 +59,6 @@ public sealed partial class X11PictureTests
     private static partial nint XCreatePixmap(nint display, nint drawable, uint width, uint height, uint depth);
 
     [LibraryImport(Xlib.Library)]
-    private static unsafe partial XImage* XGetImage(nint display, nint drawable, int x, int y, uint width, uint height, nuint planes, int format);
+    private static unsafe partial XImage* XGetImage(
+        nint display, nint drawable, int x, int y, uint width, uint height, nuint planes, int format);
 }
