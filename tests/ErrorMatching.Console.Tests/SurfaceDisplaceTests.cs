@@ -49,6 +49,20 @@ public sealed class SurfaceDisplaceTests
     }
 
     [Fact]
+    public void A_program_that_exists_follows_the_error_whatever_the_job_fits()
+    {
+        using var folder = new TemporaryFolder();
+        var job = folder.File(
+            "job.json", File.ReadAllText(Sample("job.json")).Replace("\"of\": \"error\"", "\"of\": \"points\"", StringComparison.Ordinal));
+        File.Copy(Sample("surface.igs"), folder["surface.igs"]);
+        var displaced = Shell.Json(
+            0,
+            "errormatch/surface-displace/1",
+            ["surface", "displace", job, "--measured", Sample("measured.csv"), "--program", Sample("cam.nc"), "--out", folder["out"]]);
+        Assert.Contains("fit-follows-error", displaced.GetRawText(), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void The_line_of_a_program_that_was_displaced_already_is_said_once()
     {
         using var folder = new TemporaryFolder();

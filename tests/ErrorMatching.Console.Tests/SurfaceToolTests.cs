@@ -26,6 +26,8 @@ public sealed class SurfaceToolTests
             Assert.Contains("\nM0\nSETAL(65000,", File.ReadAllText(folder["out/finishing.nc"]), StringComparison.Ordinal);
         }
 
+        Assert.Contains("no-tool-call", File.ReadAllText(folder["out/report.json"]), StringComparison.Ordinal);
+
         // Nothing in the report looks like a program to cut with.
         var report = File.ReadAllText(folder["out/report.html"]);
         Assert.DoesNotContain("class=\"verdict holds\"", report, StringComparison.Ordinal);

@@ -143,8 +143,9 @@ public sealed class CorrectionHeadTests
             LargestMm = 0.02,
         };
         var detail = new CorrectionDetail(new(correction, [], null, null), TimeProvider.System);
-        const string Offset = "offset of the control: radius D1 by 0.0200 mm, 0.0350 mm in all.";
-        Assert.Equal((Offset, Offset), (detail.Offset, detail.Changed));
+        const string Offset = "offset of the control: radius D1 by 0.0200\u00a0mm, 0.0350\u00a0mm in all.";
+        Assert.Equal(Offset, detail.Offset);
+        Assert.Equal(Offset, detail.Changed);
         Assert.Contains(new Fact(Offset, Severity.Quiet), detail.Facts);
     }
 
