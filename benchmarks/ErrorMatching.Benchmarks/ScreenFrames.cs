@@ -17,24 +17,15 @@ internal static class ScreenFrames
     /// <summary>Runs the figures.</summary>
     public static async Task<int> RunAsync()
     {
-        var folder = Directory.CreateTempSubdirectory("errormatch-station-").FullName;
-        try
+        Console.WriteLine("Whole frames of each screen, in ms");
+        Console.WriteLine("| size | screen | median | longest | processor time |");
+        Console.WriteLine("|---|---|---|---|---|");
+        await DemoScreens.MeasureAsync(cell =>
         {
-            await using var cell = DemoCell.Make(folder, TimeProvider.System);
-            cell.Run();
-            cell.Deliver(1, 0);
-            cell.DeliverSurface(1, 0);
-            var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
-            Console.WriteLine("Whole frames of each screen, in ms");
-            Console.WriteLine("| size | screen | median | longest | processor time |");
-            Console.WriteLine("|---|---|---|---|---|");
-            await session.RunAsync(() => Measure(cell));
-            return 0;
-        }
-        finally
-        {
-            Directory.Delete(folder, recursive: true);
-        }
+            Measure(cell);
+            return Task.CompletedTask;
+        });
+        return 0;
     }
 
     private static void Measure(DemoCell cell)

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using Avalonia;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
 using ErrorMatching.Hmi;
@@ -20,25 +19,12 @@ internal static class StationScreens
     /// <param name="keys">The screens; none for all.</param>
     public static async Task<int> RunAsync(string[] keys)
     {
-        var folder = Directory.CreateTempSubdirectory("errormatch-station-").FullName;
-        try
-        {
-            await using var cell = DemoCell.Make(folder, TimeProvider.System);
-            cell.Run();
-            cell.Deliver(1, 0);
-            cell.DeliverSurface(1, 0);
-            var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
-            Console.WriteLine("How long a key has to wait at most while a screen is opened, in ms");
-            Console.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"| screen | first time | again, median of {Again} | longest of {Again} |"));
-            Console.WriteLine("|---|---|---|---|");
-            await session.RunAsync(() => MeasureAsync(cell, keys));
-            return 0;
-        }
-        finally
-        {
-            Directory.Delete(folder, recursive: true);
-        }
+        Console.WriteLine("How long a key has to wait at most while a screen is opened, in ms");
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"| screen | first time | again, median of {Again} | longest of {Again} |"));
+        Console.WriteLine("|---|---|---|---|");
+        await DemoScreens.MeasureAsync(cell => MeasureAsync(cell, keys));
+        return 0;
     }
 
     private static async Task MeasureAsync(DemoCell cell, string[] keys)

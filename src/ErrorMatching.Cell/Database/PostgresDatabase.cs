@@ -188,7 +188,7 @@ internal sealed class PostgresDatabase : CellDatabase
         connection.BeginTransaction(IsolationLevel.RepeatableRead),
         transaction => connection.Execute("SET LOCAL idle_in_transaction_session_timeout = 0", transaction: transaction));
 
-    // Whoever uses a schema that is there needs no right to make one.
+    // To use a schema that is there, no right to make one is needed.
     private void Make(string schema)
     {
         if (Read(connection => connection.QuerySingle<long>(

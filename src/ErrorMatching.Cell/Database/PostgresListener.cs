@@ -63,7 +63,7 @@ internal sealed class PostgresListener : IDisposable
             }
             catch (Exception e) when (e is NpgsqlException or OperationCanceledException or IOException or ObjectDisposedException)
             {
-                // A server that is away, or a standby, which tells nothing: whoever wants to know asks meanwhile, and is told why.
+                // A server that is away, or a standby, which tells nothing: the readers ask meanwhile, and are told why.
                 _isLive = false;
             }
 

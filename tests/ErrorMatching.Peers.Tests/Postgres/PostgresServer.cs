@@ -82,7 +82,10 @@ public sealed class PostgresServer : IDisposable
     /// <param name="schema">The cell's own schema; null for none.</param>
     public string StoreOf(PostgresSettings settings, string? schema = null) => string.Create(
         CultureInfo.InvariantCulture,
-        $$"""{ "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}", "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}"{{(schema is null ? "" : $", \"schema\": \"{schema}\"")}} }""");
+        $$"""
+        { "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}",
+          "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}"{{(schema is null ? "" : $", \"schema\": \"{schema}\"")}} }
+        """);
 
     /// <summary>Runs a statement as the owner of the server, beside any store.</summary>
     public void Execute(string database, string sql)
