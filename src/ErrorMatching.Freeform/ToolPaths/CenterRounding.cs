@@ -12,6 +12,9 @@ internal sealed class CenterRounding
     private const double Slide = 0.618;
     private const int Places = 20;
 
+    // A deviation out of the material is weighted more, because it adds to the ridge between two passes.
+    private const double OutwardWeight = 1.5;
+
     private readonly double _scale;
     private readonly double _tipBelow;
     private readonly double _good;
@@ -54,32 +57,36 @@ internal sealed class CenterRounding
             return best;
         }
 
-        // Coordinates side by side: this is asked at every point of a path.
-        var exact = Vector256.Create(p.X, p.Y, p.Z, 0);
-        var direction = Vector256.Create(along.X, along.Y, along.Z, 0);
-        var below = Vector256.Create(0, 0, _tipBelow, 0);
-        var cost = Cost(best - p, acrossMm, normal);
-        for (var i = 1; i < Places && cost > _good; i++)
+        // Four places at a time: this is asked at every point of a path.
+        var exact = FourVectors.Of(new(p.X, p.Y, p.Z));
+        var (direction, outward) = (FourVectors.Of(along), FourVectors.Of(normal));
+        var cost = Math.Max(acrossMm, OutwardWeight * (best - p).Dot(normal));
+        for (var i = 1; i < Places && cost > _good; i += Vector256<double>.Count)
         {
-            var shift = ((i & 1) == 0 ? i : -i) * Slide * IncrementMm;
-            var other = (Vector256.Round((exact + (direction * shift) - below) * _scale) / _scale) + below;
-            var off = other - exact;
-            var offMm = new Vector3(off[0], off[1], off[2]);
-            // Most places are worse along the normal, which takes no root.
-            if (Outward(offMm, normal) >= cost)
+            var others = Nearest(exact + (direction * (Vector256.Create(-i, i + 1.0, -(i + 2), i + 3) * Slide * IncrementMm)));
+            var off = others - exact;
+            var forward = off.Dot(direction);
+            var across = Vector256.Sqrt(Vector256.Max(Vector256<double>.Zero, off.Dot(off) - (forward * forward)));
+            var costs = Vector256.Max(across, off.Dot(outward) * OutwardWeight);
+            for (var k = 0; k < Vector256<double>.Count && i + k < Places && cost > _good; k++)
             {
-                continue;
-            }
-
-            var across = Across(offMm, along);
-            var its = Cost(offMm, across, normal);
-            if (its < cost)
-            {
-                (best, cost, acrossMm) = (new(other[0], other[1], other[2]), its, across);
+                if (costs[k] < cost)
+                {
+                    (best, cost, acrossMm) = (new(others.X[k], others.Y[k], others.Z[k]), costs[k], across[k]);
+                }
             }
         }
 
         return best;
+    }
+
+    private FourVectors Nearest(in FourVectors p)
+    {
+        var (scale, below) = (Vector256.Create(_scale), Vector256.Create(_tipBelow));
+        return new(
+            Vector256.Round(p.X * scale) / scale,
+            Vector256.Round(p.Y * scale) / scale,
+            (Vector256.Round((p.Z - below) * scale) / scale) + below);
     }
 
     public static double Across(Vector3 off, Vector3 along)
@@ -87,9 +94,4 @@ internal sealed class CenterRounding
         var forward = off.Dot(along);
         return Math.Sqrt(Math.Max(0, off.Dot(off) - (forward * forward)));
     }
-
-    private static double Cost(Vector3 off, double across, Vector3 normal) => Math.Max(across, Outward(off, normal));
-
-    // A deviation out of the material is weighted more, because it adds to the ridge between two passes.
-    private static double Outward(Vector3 off, Vector3 normal) => 1.5 * off.Dot(normal);
 }

@@ -70,7 +70,7 @@ internal sealed class MoveWriter
         _count = 0;
     }
 
-    private long Steps(double mm) => (long)Math.Round(mm * _scale);
+    private long Steps(double mm) => double.ConvertToIntegerNative<long>(Math.Round(mm * _scale));
 
     private void Word(char letter, long steps, ref long last, int start)
     {

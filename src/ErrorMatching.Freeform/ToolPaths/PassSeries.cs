@@ -12,7 +12,7 @@ internal sealed class PassSeries
     private const double FarTooMany = 10.0 * PathTotals.MostPoints;
 
     /// <summary>So many points are kept as they are; those of a longer path are made again when they are written.</summary>
-    private const int MostKept = 100_000;
+    private const int MostKept = 400_000;
 
     private readonly PieceBuilder _pieces;
     private readonly StripHeight _strip;
@@ -53,7 +53,7 @@ internal sealed class PassSeries
             }
 
             Context.Progress.Add((next.V - v) / (lines.Last - lines.First));
-            pass.Lines.Clear();
+            _pieces.TakeBack(pass);
             (pass, v) = (next, next.V);
             Keep(passes, pass);
             if (passes.Count == FirstPasses && Totals.Points * ((last - first) / (v - first)) is > FarTooMany and var all)
@@ -127,6 +127,7 @@ internal sealed class PassSeries
                 return null;
             }
 
+            _pieces.TakeBack(candidate);
             width = (to - v) * Math.Clamp(Math.Sqrt(0.93 * scallop / height), 0.3, 0.97);
         }
     }

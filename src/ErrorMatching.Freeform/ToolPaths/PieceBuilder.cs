@@ -13,6 +13,7 @@ internal sealed class PieceBuilder(PlanningContext context, GougeTest gouges)
     private readonly PassBuilder _builder = context.Builder();
     private readonly SurfaceFaults _faults = new(context);
     private readonly BallLift _lift = new(context, gouges);
+    private readonly Stack<CenterLine> _spare = new();
 
     /// <summary>Creates a piece within the chordal error, without gouges.</summary>
     public CutPiece? Make(IReadOnlyList<Point2> guide, CenterLine line) =>
@@ -24,7 +25,7 @@ internal sealed class PieceBuilder(PlanningContext context, GougeTest gouges)
         var pass = new CutPass(v);
         foreach (var (from, to) in lines.On(v))
         {
-            var line = new CenterLine();
+            var line = _spare.TryPop(out var spare) ? spare : new();
             if (Follow([new(from, v), new(to, v)], line) is not { } piece)
             {
                 break;
@@ -35,6 +36,17 @@ internal sealed class PieceBuilder(PlanningContext context, GougeTest gouges)
         }
 
         return pass;
+    }
+
+    /// <summary>Takes back the lines of a pass that nothing is measured against any more. Other passes reuse their memory.</summary>
+    public void TakeBack(CutPass pass)
+    {
+        foreach (var line in pass.Lines)
+        {
+            _spare.Push(line);
+        }
+
+        pass.Lines.Clear();
     }
 
     /// <summary>Raises a pass where it gouges.</summary>

@@ -88,11 +88,11 @@ internal sealed partial class StripHeight(OffsetSurface offset, IReadOnlyList<Ce
 
     private static CenterLine? Covering(IReadOnlyList<CenterLine> lines, double u)
     {
-        foreach (var line in lines)
+        for (var i = 0; i < lines.Count; i++)
         {
-            if (line.Covers(u))
+            if (lines[i].Covers(u))
             {
-                return line;
+                return lines[i];
             }
         }
 

@@ -88,16 +88,16 @@ public static class SvgShapes
             ("class", cssClass),
             (
                 "d",
-                $"M{SvgNumber.Points([(x, y1)])}L{SvgNumber.Points([(x, y2)])}M{SvgNumber.Points([(x - half, y1)])}"
-                    + $"L{SvgNumber.Points([(x + half, y1)])}M{SvgNumber.Points([(x - half, y2)])}L{SvgNumber.Points([(x + half, y2)])}"));
+                $"M{SvgNumber.Point(x, y1)}L{SvgNumber.Point(x, y2)}M{SvgNumber.Point(x - half, y1)}"
+                    + $"L{SvgNumber.Point(x + half, y1)}M{SvgNumber.Point(x - half, y2)}L{SvgNumber.Point(x + half, y2)}"));
     }
 
     /// <summary>Writes a plus sign with a tooltip.</summary>
     public static void Plus(HtmlText html, string cssClass, double x, double y, string title)
     {
         ArgumentNullException.ThrowIfNull(html);
-        var (left, right) = (SvgNumber.Points([(x - 5, y)]), SvgNumber.Points([(x + 5, y)]));
-        var (above, below) = (SvgNumber.Points([(x, y - 5)]), SvgNumber.Points([(x, y + 5)]));
+        var (left, right) = (SvgNumber.Point(x - 5, y), SvgNumber.Point(x + 5, y));
+        var (above, below) = (SvgNumber.Point(x, y - 5), SvgNumber.Point(x, y + 5));
         using (html.In("path", ("class", cssClass), ("d", $"M{left}L{right}M{above}L{below}")))
         {
             html.Put("title", title);

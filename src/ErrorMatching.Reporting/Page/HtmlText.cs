@@ -39,7 +39,20 @@ public sealed class HtmlText
     public void Style(string css) => _text.Append("<style>\n").Append(css).Append("</style>\n");
 
     /// <summary>Returns UTF-8 without a byte order mark.</summary>
-    public byte[] ToBytes() => Encoding.UTF8.GetBytes(_text.ToString());
+    public byte[] ToBytes()
+    {
+        // Piece by piece: a page may have megabytes, which need not be copied once more as one text.
+        using var bytes = new MemoryStream(_text.Length + (_text.Length / 16));
+        using (var writer = new StreamWriter(bytes, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), leaveOpen: true))
+        {
+            foreach (var piece in _text.GetChunks())
+            {
+                writer.Write(piece.Span);
+            }
+        }
+
+        return bytes.ToArray();
+    }
 
     internal void End(string element)
     {

@@ -1,4 +1,4 @@
-using ErrorMatching.Reporting;
+using ErrorMatching.Geometry;
 using static ErrorMatching.Freeform.Tests.MeasuredDesign;
 
 namespace ErrorMatching.Freeform.Tests;
@@ -31,12 +31,22 @@ public sealed class CompensationWarningTests
         Assert.Contains(outcome.Result.Warnings, w => w.Code == "structure-unknown");
     }
 
-    // Which errors end there is a matter of the fit (ErrorFit); here only what is said of them.
     [Fact]
-    public void A_field_that_follows_each_point_says_that_it_follows_their_noise_too()
+    public void A_step_that_no_smooth_model_follows_is_followed_point_by_point_which_is_said()
     {
-        var warning = ReportWarning.Of(SurfaceWarningForms.FollowsEachPoint);
-        Assert.Equal("follows-each-point", warning.Code);
+        // A flat square, whose points are evenly spaced.
+        var square = KnotVector.Clamped(2, [0, 1]);
+        Point3[] poles = [.. Enumerable.Range(0, 9).Select(k => new Point3(20 * (k / 3), 20 * (k % 3), 0))];
+        var piece = new MeasuredDesign(
+            new("square", new(square, square, poles), SurfaceRegion.Whole, 1),
+            "\"curves\": 7, \"pointsPerCurve\": 10",
+            "\"curves\": 13, \"pointsPerCurve\": 15");
+        var random = new Random(3);
+        double[] noise = [.. Enumerable.Range(0, 13 * 15).Select(_ => 0.0005 * (random.NextDouble() - 0.5))];
+        var result = piece.Compensate(
+            piece.With((u, v) => (u > 0.52 ? 0.02 : 0) + noise[((int)Math.Round(12 * v) * 15) + (int)Math.Round(14 * u)])).Result!;
+
+        var warning = Assert.Single(result.Warnings, w => w.Code == "follows-each-point");
         Assert.Contains("noise", warning.Message, StringComparison.Ordinal);
     }
 

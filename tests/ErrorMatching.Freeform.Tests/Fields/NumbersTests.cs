@@ -24,6 +24,64 @@ public sealed class NumbersTests
     }
 
     [Fact]
+    public void Columns_explain_what_their_orthonormal_columns_explain()
+    {
+        var random = new Random(3);
+        double[] Column() => [.. Enumerable.Range(0, 25).Select(_ => random.NextDouble() - 0.3)];
+        var (a, b, c) = (Column(), Column(), Column());
+
+        // The third depends on the first and a constant: it must not count.
+        double[][] columns = [a, b, Array.ConvertAll(a, x => (2 * x) - 1), c];
+        double[] values = Column();
+        var mean = values.Average();
+        values = Array.ConvertAll(values, x => x - mean);
+        var orthonormal = OrthonormalColumns.Of(columns, []);
+        var factor = new CenteredFactor(columns);
+
+        Assert.Equal(3, orthonormal.Length);
+        Assert.Equal(3, factor.Rank);
+        Assert.Equal(
+            orthonormal.Sum(q => Math.Pow(Vectors.Dot(q, values), 2)),
+            factor.Share(Array.ConvertAll(columns, q => Vectors.Dot(q, values))),
+            1e-12);
+    }
+
+    [Theory]
+    [InlineData(6, 9)]
+    [InlineData(13, 7)]
+    public void Waves_on_a_grid_are_those_of_scattered_places(int curves, int each)
+    {
+        var random = new Random(curves);
+        var (i, j) = (new int[curves * each], new int[curves * each]);
+        var (u, v, moved, z) = (new double[i.Length], new double[i.Length], new double[i.Length], new double[i.Length]);
+        for (var k = 0; k < i.Length; k++)
+        {
+            // Not in the order of the grid, and not evenly spaced.
+            var at = (k * 31) % i.Length;
+            (i[k], j[k]) = (at % each, at / each);
+            u[k] = (2 * Math.Pow(i[k] / (each - 1.0), 1.2)) - 1;
+            v[k] = (2.0 * j[k] / (curves - 1)) - 1;
+            moved[k] = u[k] + ((random.NextDouble() - 0.5) * 1e-7);
+            z[k] = Math.Sin(4 * u[k]) + Math.Cos(7 * v[k]) + random.NextDouble();
+        }
+
+        var mean = z.Average();
+        var length = Math.Sqrt(z.Sum(x => (x - mean) * (x - mean)));
+        var unit = Array.ConvertAll(z, x => (x - mean) / length);
+        var (grid, scattered) = (new FieldData(i, j, u, v, z), new FieldData(i, j, moved, v, z));
+        Assert.NotNull(grid.Grid);
+        Assert.Null(scattered.Grid);
+        var (onGrid, apart) = (WaveBasis.Of(grid), WaveBasis.Of(scattered));
+        foreach (var only in new Func<double, double, bool>[] { (_, _) => true, (a, _) => a == 0, (_, b) => b == 0, (a, b) => a * b == 1 })
+        {
+            var (expected, found) = (apart.Strongest(unit, only), onGrid.Strongest(unit, only));
+
+            Assert.Equal((expected.U, expected.V), (found.U, found.V));
+            Assert.Equal(expected.Score, found.Score, 1e-4);
+        }
+    }
+
+    [Fact]
     public void Four_columns_of_a_factor_at_once_are_those_of_one_after_the_other()
     {
         // A band matrix, full and narrower than a vector, so that every remainder of four occurs.

@@ -4,7 +4,7 @@ namespace ErrorMatching.Freeform;
 internal static class OrthonormalColumns
 {
     // A column depends on the others if less than this share of its square remains.
-    private const double Dependent = 1e-6;
+    public const double Dependent = 1e-6;
 
     /// <summary>Returns the independent ones, orthonormal to a constant, to columns that are so already, and to each other.</summary>
     /// <param name="columns">The functions at the places.</param>

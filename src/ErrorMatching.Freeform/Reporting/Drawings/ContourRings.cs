@@ -41,7 +41,8 @@ internal sealed class ContourRings(
             var (place, last, count) = (start, "", 0);
             while (next[place] >= 0)
             {
-                var point = SvgNumber.Points([Crossing(place, level)]);
+                var (x, y) = Crossing(place, level);
+                var point = SvgNumber.Point(x, y);
                 if (point != last)
                 {
                     data.Append(count++ == 0 ? 'M' : 'L').Append(point);

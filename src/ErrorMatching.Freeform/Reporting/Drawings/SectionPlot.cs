@@ -87,7 +87,7 @@ internal sealed class SectionPlot(SurfaceSection section, IReadOnlyList<SectionC
     }
 
     private string Path(Func<SectionPlace, double> value) => string.Concat(Runs().Select(
-        run => "M" + string.Join('L', run.Select(p => SvgNumber.Points([(X(p.LengthMm), Y(value(p)))])))));
+        run => "M" + string.Join('L', run.Select(p => SvgNumber.Point(X(p.LengthMm), Y(value(p)))))));
 
     // The line may cross holes of a trimmed piece.
     private IEnumerable<IReadOnlyList<SectionPlace>> Runs()
