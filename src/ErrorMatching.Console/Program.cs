@@ -2,11 +2,6 @@ using System.Runtime.InteropServices;
 using System.Text;
 using ErrorMatching.Console;
 
-if (args is ["surface", "compensate", ..])
-{
-    Rehearsal.Begin();
-}
-
 using var cancellation = new CancellationTokenSource();
 
 // Not disposed of: when the process ends, the Ctrl+C thread may just be starting to wait for it.
