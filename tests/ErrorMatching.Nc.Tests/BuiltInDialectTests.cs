@@ -125,7 +125,7 @@ public sealed class BuiltInDialectTests
     [InlineData("mitsubishi-m80", "G12", NcMeaning.OpaqueMotion)]
     [InlineData("okuma-osp", "G56", NcMeaning.LengthOffset)]
     [InlineData("okuma-osp", "G15", NcMeaning.WorkOffset)]
-    [InlineData("okuma-osp", "G43", NcMeaning.Unknown)]
+    [InlineData("okuma-osp", "G43", NcMeaning.OpaqueTransformOff)]
     [InlineData("delta-nc300", "G51.1", NcMeaning.Mirroring)]
     [InlineData("siemens-840d", "G20", NcMeaning.Unknown)]
     [InlineData("siemens-840d", "G700", NcMeaning.Inch)]

@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>What sets Mazak, Mitsubishi and Okuma apart from Fanuc.</summary>
+/// <summary>What sets Mazak, Mitsubishi and the codes of Okuma apart from Fanuc.</summary>
 public sealed class FurtherDialectTests
 {
     private const string Subprogram = "\nX9.\nM30\nO10\nN1 X1.\nN2 X2.\nM99\n";
@@ -23,26 +23,9 @@ public sealed class FurtherDialectTests
     [InlineData("mazak-eia", "M98 P10 Q7" + Subprogram, "missing-label")]
     [InlineData("mitsubishi-m80", "M98 P20010" + Subprogram, "missing-program")]
     [InlineData("mazak-eia", "M96 P10", "unknown-condition")]
-    [InlineData("okuma-osp", "CALL O100 PX=1", "missing-program")]
-    [InlineData("okuma-osp", "MODIN O100", "missing-program")]
-    [InlineData("okuma-osp", "IF [V1 EQ 1] N100", "missing-program")]
-    [InlineData("okuma-osp", "GOTO N100", "missing-program")]
-    [InlineData("okuma-osp", "RTS", "missing-program")]
     public void What_is_not_followed_is_refused_by_name(string dialect, string block, string code)
     {
         var refusal = Bench.Read("G90 G17 G40 G0 X0. Y0. Z0.\n" + block, NcDialects.Named(dialect)).Refusal;
         Assert.Equal((code, 2), (refusal?.Code, refusal?.Place.Line));
-    }
-
-    [Theory]
-    [InlineData("X=V1+10")]
-    [InlineData("V1=10")]
-    [InlineData("VZOFX[1]=0.")]
-    [InlineData("NSKIP")]
-    public void Variables_of_Okuma_make_all_unknown(string block)
-    {
-        var path = Bench.Read("G90 G17 G40 G0 X0. Y0. Z0.\n" + block + "\nZ5.\n", NcDialects.Named("okuma-osp"));
-        Assert.Contains(path.Problems, p => p.Block == 1);
-        Assert.Equal(AxisSet.X | AxisSet.Y, path.Motions[^1].UnknownEnd);
     }
 }

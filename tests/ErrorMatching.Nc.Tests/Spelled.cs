@@ -42,6 +42,7 @@ internal static class Spelled
             NcTokenKind.Comment => "c " + text,
             NcTokenKind.Percent => "% " + text,
             NcTokenKind.BlockSkip => "/ " + text,
+            NcTokenKind.Label => "@ " + text,
             _ => "! " + text,
         };
     }

@@ -13,7 +13,7 @@ public sealed class ProgramFolder(string program, params IReadOnlyList<string> l
 {
     private const int MostFiles = 100_000;
 
-    private static readonly string[] Extensions = ["", ".nc", ".ngc", ".spf", ".mpf", ".cnc", ".tap", ".min", ".prg", ".h", ".txt"];
+    private static readonly string[] Extensions = ["", ".nc", ".ngc", ".spf", ".mpf", ".cnc", ".tap", ".min", ".sub", ".prg", ".h", ".txt"];
 
     private readonly ConcurrentDictionary<string, NcProgram?> _found = new(StringComparer.Ordinal);
     private readonly Lazy<ILookup<string, string>[]> _folders = new(() => Folders(program, libraries));

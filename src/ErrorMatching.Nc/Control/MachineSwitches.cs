@@ -49,7 +49,7 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     /// machine could still execute them.</summary>
     public MotionFlags ReadSemicolon()
     {
-        if (values.Dialect.Syntax != NcSyntax.Iso
+        if (values.Dialect.Syntax is not (NcSyntax.Iso or NcSyntax.Okuma)
             || !ReadableBlock.StandsBehind(run.Text.Bytes.Span, values.Words.Semicolon, values.Dialect))
         {
             return MotionFlags.None;
@@ -74,7 +74,7 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     /// <summary>The same for a block that determines how the program continues: it could continue after the words.</summary>
     public bool RefusesSemicolon(NcBlock block)
     {
-        if (values.Dialect is not { Syntax: NcSyntax.Iso, SemicolonEndsBlock: true } || !run.Text.BytesOf(block).Contains((byte)';'))
+        if (values.Dialect is not { Syntax: NcSyntax.Iso or NcSyntax.Okuma, SemicolonEndsBlock: true } || !run.Text.BytesOf(block).Contains((byte)';'))
         {
             return false;
         }

@@ -210,7 +210,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case DialectTopic.Code when Misplaced((NcMeaning)Meanings[entry["means"].Text], subject) is { } expected:
                 Problems.Add(JsonRefusal.At(entry["means"], "bad-role", $"\"{entry["means"].Text}\" for {subject.Spelling}", expected));
                 break;
-            case DialectTopic.Code when subject.Word.Length == 1 && !subject.HasNumbers && LanguageSpelling.Of(tables.Syntax) is null:
+            case DialectTopic.Code when subject.Word.Length == 1 && !subject.HasNumbers && LanguageSpelling.HasCodesIn(tables.Syntax):
                 Problems.Add(JsonRefusal.At(entry["codes"], "bad-subject", $"\"{subject.Spelling}\"", Expected(topic)));
                 break;
             case DialectTopic.Function
@@ -260,7 +260,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     {
         var isCode = subject is { HasNumbers: true, Word: "G" };
         if (Array.IndexOf(CommonMeanings, meaning) < 0
-            && Array.IndexOf(MeaningsOfLanguages, meaning) >= 0 != LanguageSpelling.Of(tables.Syntax) is not null)
+            && Array.IndexOf(MeaningsOfLanguages, meaning) >= 0 == LanguageSpelling.HasCodesIn(tables.Syntax))
         {
             return "another meaning: programs in this syntax cannot have this one";
         }
@@ -272,7 +272,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             NcMeaning.ToolCall or NcMeaning.ToolDefinition
                 when LanguageSpelling.Of(tables.Syntax)?.NamesTool(Encoding.ASCII.GetBytes(subject.Word)) == false =>
                 "another meaning: no tool can follow this word",
-            _ when isCode && LanguageSpelling.Of(tables.Syntax) is not null => "a word: programs in this syntax have no codes",
+            _ when isCode && !LanguageSpelling.HasCodesIn(tables.Syntax) => "a word: programs in this syntax have no codes",
             NcMeaning.CycleCall or NcMeaning.ModalCycle when isCode => "another meaning: only a word of several letters can have this one",
             NcMeaning.WorkOffset or NcMeaning.ReferenceReturn or NcMeaning.StoreReference when !isCode =>
                 "another meaning: only a G code can have this one",
@@ -292,7 +292,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             'N' => [LetterRole.Number],
             'O' => [LetterRole.Program],
             'R' => [LetterRole.Radius, LetterRole.Variable],
-            'T' when LanguageSpelling.Of(tables.Syntax) is not null => [LetterRole.ToolCall],
+            'T' when !LanguageSpelling.HasCodesIn(tables.Syntax) => [LetterRole.ToolCall],
             'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
             _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
         };

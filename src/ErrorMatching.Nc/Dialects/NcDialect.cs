@@ -31,7 +31,7 @@ public sealed class NcDialect
     public NcSyntax Syntax => _tables.Syntax;
 
     /// <summary>True if moves are letters with numbers (<c>G1 X10</c>), false if blocks are statements of a language.</summary>
-    public bool HasCodes => LanguageSpelling.Of(Syntax) is null;
+    public bool HasCodes => LanguageSpelling.HasCodesIn(Syntax);
 
     /// <summary>True if each block with a motion names it, and each word says whether it is an increment: neither is modal.</summary>
     internal bool BlocksNameMotions => !HasCodes;

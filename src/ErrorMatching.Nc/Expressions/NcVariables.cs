@@ -7,7 +7,7 @@ namespace ErrorMatching.Nc;
 /// <remarks>
 /// Fanuc: #1 to #33 belong to a macro call and begin vacant; #100 to #999 are common. LinuxCNC: #1 to #30 and names belong to a
 /// subroutine; #31 to #5000 and names with a leading underscore are global; unassigned numbers are 0. Siemens: R parameters are common;
-/// DEF variables belong to a program level.
+/// DEF variables belong to a program level. Okuma: VC1 and V1 are common; names belong to a program level.
 /// </remarks>
 internal sealed class NcVariables
 {
@@ -47,11 +47,25 @@ internal sealed class NcVariables
     }
 
     /// <summary>Ends the innermost level.</summary>
-    public void Leave()
+    /// <param name="arguments">What the call that began it had set.</param>
+    public void Leave(IReadOnlyList<(VariablePlace Place, NcValue Value)> arguments)
     {
-        _levels.Pop();
+        var left = _levels.Pop();
         Version++;
+        if (_syntax == NcSyntax.Okuma && _levels.TryPeek(out var level))
+        {
+            // Whether a called program changes the variables of its caller: sources disagree. What its call sets is its own.
+            var own = arguments.Select(a => a.Place.Name).Where(n => !level.Named.ContainsKey(n!)).ToHashSet(StringComparer.Ordinal);
+            foreach (var name in left.Named.Keys.Where(n => !own.Contains(n)))
+            {
+                level.Named[name] = new(VariableType.Real, 1, 1);
+                level.Named[name].Values[0] = NcValue.Unknown;
+            }
+        }
     }
+
+    /// <summary>True if a program that called this one has a variable of this name.</summary>
+    public bool KnowsOutside(string name) => _levels.Skip(1).Any(l => l.Named.ContainsKey(name));
 
     /// <summary>Sets what a LinuxCNC subroutine returns, if anything: <c>#&lt;_value&gt;</c> and
     /// <c>#&lt;_value_returned&gt;</c>.</summary>

@@ -3,7 +3,7 @@ namespace ErrorMatching.Nc;
 /// <summary>The head of a block: block skip, number, label, and the position of its first statement.</summary>
 /// <param name="At">Start of the first statement, from the start of the block.</param>
 /// <param name="Number">The block's number; -1 if it has none.</param>
-/// <param name="LabelAt">Start of the label (Siemens).</param>
+/// <param name="LabelAt">Start of the label (Siemens, languages).</param>
 /// <param name="LabelLength">Its length; 0 if there is none.</param>
 /// <param name="IsSkip">True if it has a slash: the block skip switch decides whether it is executed.</param>
 internal readonly record struct BlockHead(int At, long Number, int LabelAt, int LabelLength, bool IsSkip)
@@ -11,12 +11,14 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
     // A language knows its own blocks: the head is what stands before the statement, and a label is a statement.
     private static BlockHead Read(ReadOnlySpan<byte> text, NcSyntax syntax, LanguageSpelling language)
     {
-        var (number, isSkip) = (-1L, false);
+        var (number, isSkip, labelAt, labelLength) = (-1L, false, 0, 0);
         foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, syntax))
         {
             switch (token.Kind)
             {
                 case NcTokenKind.Space:
+                    break;
+                case NcTokenKind.Comment when text[token.Start] == '(':
                     break;
                 case NcTokenKind.BlockSkip:
                     isSkip = true;
@@ -28,12 +30,15 @@ internal readonly record struct BlockHead(int At, long Number, int LabelAt, int 
                     var keyword = text.Slice(token.Start, token.Length);
                     var label = language.LabelOf(keyword);
                     return new(token.Start, number, label.Length > 0 ? token.Start + keyword.IndexOf(label) : 0, label.Length, isSkip);
+                case NcTokenKind.Label when !language.IsHeading(text.Slice(token.Start, token.Length)):
+                    (labelAt, labelLength) = (token.Start, token.Length);
+                    break;
                 default:
-                    return new(token.Start, number, 0, 0, isSkip);
+                    return new(token.Start, number, labelAt, labelLength, isSkip);
             }
         }
 
-        return new(text.Length, number, 0, 0, isSkip);
+        return new(text.Length, number, labelAt, labelLength, isSkip);
     }
 
     /// <summary>Reads the head of a block.</summary>

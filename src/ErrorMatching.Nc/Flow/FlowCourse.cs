@@ -123,7 +123,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         var results = frame.Results.Select(r => (r.Outside, Value: memory.Variables.Read(r.Inside, out _))).ToArray();
         if (frame.Arguments is not null)
         {
-            memory.Variables.Leave();
+            memory.Variables.Leave(frame.Arguments);
         }
 
         foreach (var (outside, value) in results)

@@ -149,6 +149,11 @@ internal sealed class FlowIndex
             return _syntax == NcSyntax.Siemens ? NcText.Decode(text[(at + 1)..]).Trim().ToUpperInvariant() : "";
         }
 
+        if (LanguageSpelling.Of(_syntax) is { } language)
+        {
+            return language.ProgramAt(text, at);
+        }
+
         if (_syntax == NcSyntax.Iso)
         {
             return BlockHead.ProgramAt(text, at).Name;

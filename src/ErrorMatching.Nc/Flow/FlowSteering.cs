@@ -9,7 +9,8 @@ internal sealed class FlowSteering(
     FlowMemory memory,
     FlowCourse course,
     MacroCalls macros,
-    IsoWords words)
+    IsoWords words,
+    ModalCalls modal)
 {
     /// <summary>True if the block last given to <see cref="ExecuteCalls"/> had a flow word that was executed.</summary>
     public bool HasSteered { get; private set; }
@@ -19,7 +20,7 @@ internal sealed class FlowSteering(
     {
         HasSteered = false;
         return dialect.Syntax == NcSyntax.Siemens ? BehindSiemens(block, text)
-            : dialect.BlocksNameMotions ? BehindTokens(block, text)
+            : LanguageSpelling.Of(dialect.Syntax) is not null ? BehindTokens(block, text, moved)
             : words.TryFinish(block, text) ? SteerByWords(block, moved)
             : FlowAction.Stop;
     }
@@ -47,7 +48,7 @@ internal sealed class FlowSteering(
     }
 
     // The words of a language are its tokens, and none is an argument of another.
-    private FlowAction BehindTokens(int block, ReadOnlySpan<byte> text)
+    private FlowAction BehindTokens(int block, ReadOnlySpan<byte> text, bool moved)
     {
         foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, dialect.Syntax))
         {
@@ -58,7 +59,7 @@ internal sealed class FlowSteering(
             }
         }
 
-        return FlowAction.Continue;
+        return moved && modal.AreActive ? modal.Call(block) : FlowAction.Continue;
     }
 
     private FlowAction Steer(int block, FunctionRole role, long function, NcValue program)
@@ -84,7 +85,7 @@ internal sealed class FlowSteering(
         {
             (NcMeaning.Call, NcSyntax.Iso) => macros.CallMacro(block, argumentsAt, modal: false),
             (NcMeaning.ModalCall, NcSyntax.Iso) => macros.CallMacro(block, argumentsAt, modal: true),
-            (NcMeaning.ModalCallOff, NcSyntax.Iso) => macros.EndModal(),
+            (NcMeaning.ModalCallOff, NcSyntax.Iso) => modal.End(),
             _ => report.RefuseCall(block, "G" + (tenths / 10m).ToString(CultureInfo.InvariantCulture)),
         };
     }
@@ -125,7 +126,7 @@ internal sealed class FlowSteering(
 
         return report.Refusal is not null ? FlowAction.Stop
             : found.Steers() ? Steer(block, found, function, program)
-            : moved && macros.HasModalCall ? macros.CallModal(block)
+            : moved && modal.AreActive ? modal.Call(block)
             : FlowAction.Continue;
     }
 

@@ -62,9 +62,11 @@ internal static class FlowTrigger
         {
             var concerns = token.Kind switch
             {
-                NcTokenKind.Assignment => true,
+                NcTokenKind.Assignment or NcTokenKind.Percent => true,
+                NcTokenKind.Label => language.IsHeading(text.Slice(token.Start, token.Length)),
                 NcTokenKind.Keyword => language.NameOf(text.Slice(token.Start, token.Length)) is var name
                     && (dialect.IsFlow(name) || dialect.IsFlow(name.TrimEnd("0123456789"u8)) || dialect.MeaningOf(name).Steers()),
+                NcTokenKind.Word when token.Letter == 'O' => true,
                 NcTokenKind.Word when token.Letter == 'M' =>
                     dialect.FunctionOf((int)Math.Clamp(token.Number.Digits, -1, int.MaxValue)).Steers(),
                 _ => false,

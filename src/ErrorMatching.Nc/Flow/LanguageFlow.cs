@@ -1,12 +1,16 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>The computing part of a language whose blocks are statements: its variables, conditions, jumps and calls.</summary>
+/// <summary>The computing part of a language with statements of its own: its variables, conditions, jumps and calls.</summary>
 internal abstract class LanguageFlow
 {
-    /// <summary>The flow of a syntax; null if its blocks are letters with numbers.</summary>
-    public static LanguageFlow? Of(NcSyntax syntax, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course,
-        FlowLibrary library) =>
-        syntax == NcSyntax.Klartext ? new KlartextFlow(calls, report, memory, course, library) : null;
+    /// <summary>The flow of a dialect's syntax; null if it has the common statements.</summary>
+    public static LanguageFlow? Of(NcDialect dialect, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course,
+        FlowLibrary library, ModalCalls modal) => dialect.Syntax switch
+        {
+            NcSyntax.Klartext => new KlartextFlow(calls, report, memory, course, library),
+            NcSyntax.Okuma => new OkumaFlow(dialect, calls, report, memory, course, library, modal),
+            _ => null,
+        };
 
     /// <summary>Executes what a block does before its words are read.</summary>
     /// <param name="block">The block.</param>

@@ -9,16 +9,11 @@ internal sealed class MacroCalls(
     FlowCourse course,
     FlowLibrary library,
     IsoWords words,
-    FlowSettings settings)
+    ModalCalls modalCalls)
 {
-    private readonly List<ModalCall> _modal = [];
-
     // Local variables of the letters A to Z; 0 if a letter is not an argument (Fanuc, argument specification I).
     private static ReadOnlySpan<byte> LocalOfLetter =>
         [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
-
-    /// <summary>True while a macro is called after every motion.</summary>
-    public bool HasModalCall => calls.Frames.Count > 0 && Math.Min(calls.Frame.ModalCalls, _modal.Count) > 0;
 
     // M98 P100, M98 <BORE>, and from a block of it on: M98 P100 H20, M98 H20
     public FlowAction CallNumber(int block, NcValue program)
@@ -122,39 +117,7 @@ internal sealed class MacroCalls(
             return course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = passes, Arguments = arguments });
         }
 
-        _modal.Add(new(unit, passes, arguments));
-        calls.Frame.ModalCalls = _modal.Count;
-        course.Change();
-        return _modal.Count > settings.Depth ? report.Refuse(NcRefusalCodes.CallTooDeep, block, "too many modal calls are active.")
-            : FlowAction.Continue;
-    }
-
-    public FlowAction EndModal()
-    {
-        if (_modal.Count > 0)
-        {
-            _modal.RemoveAt(_modal.Count - 1);
-            course.Change();
-        }
-
-        calls.Frame.ModalCalls = Math.Min(calls.Frame.ModalCalls, _modal.Count);
-        return FlowAction.Continue;
-    }
-
-    public FlowAction CallModal(int block)
-    {
-        var level = Math.Min(calls.Frame.ModalCalls, _modal.Count) - 1;
-        var call = _modal[level];
-        return course.Enter(new()
-        {
-            Unit = call.Unit,
-            First = call.Unit.First,
-            Caller = block,
-            Passes = call.Passes,
-            Arguments = call.Arguments,
-            IsModalMacro = true,
-            ModalCalls = level,
-        });
+        return modalCalls.Begin(block, unit, passes, arguments);
     }
 
     public FlowAction ReturnTo(int block, NcValue program)
@@ -252,10 +215,4 @@ internal sealed class MacroCalls(
 
         return arguments;
     }
-
-    /// <summary>A macro that is called after every motion (Fanuc G66).</summary>
-    /// <param name="Unit">The macro.</param>
-    /// <param name="Passes">Number of passes per call.</param>
-    /// <param name="Arguments">Values of its local variables in each call.</param>
-    private sealed record ModalCall(FlowUnit Unit, long Passes, IReadOnlyList<(VariablePlace Place, NcValue Value)> Arguments);
 }

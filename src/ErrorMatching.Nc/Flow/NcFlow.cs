@@ -23,7 +23,7 @@ internal sealed class NcFlow
     private readonly IsoStatements _iso;
     private readonly SiemensStatements _siemens;
     private readonly LanguageFlow? _language;
-    private readonly MacroCalls _macros;
+    private readonly ModalCalls _modal;
     private readonly FlowSteering _steering;
 
     public NcFlow(NcProgram program, NcDialect dialect, FlowSettings? settings = null)
@@ -40,10 +40,11 @@ internal sealed class NcFlow
         _structures = new(_syntax, _calls, _report, _memory, _course, alarms, new(_calls, _report, _memory, _course, library));
         _words = new(_syntax, _calls, _report, _memory, _course);
         _iso = new(_report, _memory, _course, alarms, _words);
-        _macros = new(dialect, _calls, _report, _memory, _course, library, _words, settings);
-        _steering = new(dialect, _report, _memory, _course, _macros, _words);
+        _modal = new(_calls, _report, _course, settings);
+        var macros = new MacroCalls(dialect, _calls, _report, _memory, _course, library, _words, _modal);
+        _steering = new(dialect, _report, _memory, _course, macros, _words, _modal);
 
-        _language = LanguageFlow.Of(_syntax, _calls, _report, _memory, _course, library);
+        _language = LanguageFlow.Of(dialect, _calls, _report, _memory, _course, library, _modal);
         var arrays = new SiemensArrays(_report, _memory, _course);
         var assignments = new SiemensAssignments(_memory, arrays);
         var named = new SiemensCalls(dialect, _calls, _report, _memory, _course, library, assignments);
@@ -68,7 +69,7 @@ internal sealed class NcFlow
     public NcVariables Variables => _memory.Variables;
 
     /// <summary>True while a macro is called after every motion: then give each block that moves to <see cref="ExecuteCalls"/>.</summary>
-    public bool HasModalCall => _macros.HasModalCall;
+    public bool HasModalCall => _modal.AreActive;
 
     /// <summary>Start of the words of the block last given to <see cref="ExecuteStatements"/>, from the start of the block: behind its
     /// condition if it has one; otherwise 0.</summary>

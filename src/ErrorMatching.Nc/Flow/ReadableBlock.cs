@@ -15,7 +15,7 @@ internal static class ReadableBlock
         {
             switch (token.Kind)
             {
-                case NcTokenKind.Space or NcTokenKind.Comment or NcTokenKind.BlockSkip:
+                case NcTokenKind.Space or NcTokenKind.Comment or NcTokenKind.BlockSkip or NcTokenKind.Label:
                     break;
                 case NcTokenKind.Word or NcTokenKind.ExpressionWord or NcTokenKind.CommaWord or NcTokenKind.Assignment:
                     hasWords = true;

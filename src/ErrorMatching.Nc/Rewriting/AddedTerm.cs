@@ -20,6 +20,8 @@ internal static class AddedTerm
         return syntax switch
         {
             NcSyntax.Iso or NcSyntax.LinuxCnc => Encoding.Latin1.GetBytes(InBrackets(text, term)),
+            // Only a sum of products can be outside of brackets.
+            NcSyntax.Okuma => Encoding.Latin1.GetBytes(text + term),
             NcSyntax.Siemens => Encoding.Latin1.GetBytes(IsSum(text, '(', ')') ? text + term : $"({text}){term}"),
             _ => null,
         };

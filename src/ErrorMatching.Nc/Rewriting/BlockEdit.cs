@@ -25,7 +25,7 @@ internal sealed class BlockEdit
         _program = program;
         _programIsFixed = programIsFixed;
         _incrementDecimals = incrementDecimals;
-        _keywordsLead = LanguageSpelling.Of(program.Syntax) is not null;
+        _keywordsLead = !LanguageSpelling.HasCodesIn(program.Syntax);
     }
 
     /// <summary>Creates an edit for other blocks of the same program.</summary>

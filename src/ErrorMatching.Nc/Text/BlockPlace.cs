@@ -1,6 +1,6 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>A place in a block of a language whose blocks are statements: what may follow there.</summary>
+/// <summary>A place in a block of a language: what may follow there.</summary>
 internal enum BlockPlace : byte
 {
     /// <summary>Before the block number.</summary>

@@ -1,13 +1,22 @@
 namespace ErrorMatching.Nc;
 
-/// <summary>The spelling of a language whose blocks are statements, not letters with numbers. It splits its blocks itself, into tokens
-/// of the same kinds, so that nothing behind it knows the language.</summary>
+/// <summary>The spelling of a language with statements of its own. It splits its blocks itself, into tokens of the same kinds, so that
+/// nothing behind it knows the language.</summary>
 internal abstract class LanguageSpelling
 {
     private static readonly LanguageSpelling Klartext = new KlartextSpelling();
+    private static readonly LanguageSpelling Okuma = new OkumaSpelling();
 
-    /// <summary>The spelling of a syntax; null if its blocks are letters with numbers.</summary>
-    public static LanguageSpelling? Of(NcSyntax syntax) => syntax == NcSyntax.Klartext ? Klartext : null;
+    /// <summary>The spelling of a syntax; null if the common tokenizer reads it.</summary>
+    public static LanguageSpelling? Of(NcSyntax syntax) =>
+        syntax == NcSyntax.Klartext ? Klartext : syntax == NcSyntax.Okuma ? Okuma : null;
+
+    /// <summary>True if moves are letters with numbers in a syntax; false if each block is a statement.</summary>
+    public static bool HasCodesIn(NcSyntax syntax) => Of(syntax) is not { HasCodes: false };
+
+    /// <summary>True if moves are letters with numbers, as on ISO controls: a block of plain words needs no tokens then, and motions and
+    /// increments are modal.</summary>
+    public abstract bool HasCodes { get; }
 
     /// <summary>The token that begins at a position.</summary>
     /// <param name="text">The block.</param>
@@ -29,10 +38,14 @@ internal abstract class LanguageSpelling
     /// <summary>True for an M function that is a keyword, because it is the control's own and not the machine's.</summary>
     public abstract bool IsKeyword(int function);
 
-    /// <summary>True for the keyword that begins a program.</summary>
+    /// <summary>True for the keyword or name that begins a program.</summary>
     public abstract bool IsHeading(ReadOnlySpan<byte> keyword);
 
-    /// <summary>The label that a keyword defines, without quotation marks; empty if it defines none.</summary>
+    /// <summary>The name of the program that begins at a position, in capitals; empty at the mark of a file; null if none begins
+    /// there.</summary>
+    public abstract string? ProgramAt(ReadOnlySpan<byte> text, int at);
+
+    /// <summary>The label that a keyword or name defines, without quotation marks; empty if it defines none.</summary>
     public abstract ReadOnlySpan<byte> LabelOf(ReadOnlySpan<byte> keyword);
 
     /// <summary>A comment, as a line of its own.</summary>

@@ -124,7 +124,7 @@ public sealed record Marker(string MeasurementSha256, string BaseSha256)
             foreach (var token in program.Tokens(program[i]))
             {
                 if (token.Kind is NcTokenKind.Percent || token is { Kind: NcTokenKind.Word, Letter: (byte)'O' }
-                    || (token.Kind == NcTokenKind.Keyword
+                    || (token.Kind is NcTokenKind.Keyword or NcTokenKind.Label
                         && language?.IsHeading(program.Bytes.Span.Slice(token.Start, token.Length)) == true))
                 {
                     names = true;

@@ -16,4 +16,8 @@ public enum NcSyntax : byte
     /// <summary>Heidenhain Klartext: a block begins with its number and a path function or a statement (<c>12 L X+10 IY-5 R0 FMAX</c>),
     /// <c>;</c> begins a comment, <c>Q1</c> is a variable.</summary>
     Klartext,
+
+    /// <summary>Okuma OSP: letters with numbers, <c>( )</c> encloses a comment, <c>[ ]</c> an expression, <c>VC1</c> and names are
+    /// variables, <c>X=VC1</c> assigns an address, <c>NABC</c> names a block.</summary>
+    Okuma,
 }

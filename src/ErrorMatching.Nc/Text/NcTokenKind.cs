@@ -37,6 +37,9 @@ public enum NcTokenKind : byte
     /// <summary>A slash, with its level if it has one.</summary>
     BlockSkip,
 
+    /// <summary>The name of a block or of a program at its beginning, without a value: <c>NLAP</c>, <c>OPART</c> (Okuma).</summary>
+    Label,
+
     /// <summary>Bytes that no rule explains. They are kept like all others.</summary>
     Invalid,
 }

@@ -22,7 +22,8 @@ internal sealed class DialectProgram
         {
             if (ring > 1)
             {
-                _text.Append(spelling.Interludes[_random.Next(spelling.Interludes.Length)]).Append('\n');
+                var interlude = spelling.Interludes[_random.Next(spelling.Interludes.Length)];
+                _text.Append(interlude.Replace("{1}", ring.ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal)).Append('\n');
             }
 
             Ring(spelling, ring);
@@ -30,7 +31,7 @@ internal sealed class DialectProgram
 
         Displaced = 1 + _random.Next(rings);
         Left = (_random.Next(2) == 0 ? 1 : -1) * _random.Next(20, 200) / Grid;
-        Text = _text.Append("M30\n").Append(_subprograms).ToString();
+        Text = _text.Append("M30\n").Append(_subprograms).Append(spelling.Further).ToString();
     }
 
     public string Text { get; }
@@ -71,7 +72,7 @@ internal sealed class DialectProgram
             _subprograms.Append(CultureInfo.InvariantCulture, $"{string.Format(CultureInfo.InvariantCulture, spelling.Begin, number)}\n");
         }
 
-        var lines = Elements(ring, points);
+        var lines = Elements(spelling, ring, points, isCalled ? "PX" : "XOFS");
         (isCalled ? _subprograms : _text).AppendJoin('\n', lines).Append('\n');
         if (isCalled)
         {
@@ -83,7 +84,7 @@ internal sealed class DialectProgram
 
     private void Line(string text) => _text.Append(text).Append('\n');
 
-    private List<string> Elements(int ring, (double X, double Y)[] points)
+    private List<string> Elements(DialectSpelling spelling, int ring, (double X, double Y)[] points, string three)
     {
         var lines = new List<string>();
         var incremental = _random.Next(3) == 0;
@@ -96,7 +97,8 @@ internal sealed class DialectProgram
         {
             var (from, to) = (points[i], points[i + 1]);
             var (dx, dy) = (to.X - from.X, to.Y - from.Y);
-            var end = $"X{Number(incremental ? dx : to.X)} Y{Number(incremental ? dy : to.Y)}";
+            string Word(double value) => spelling.Formula?.Invoke(Math.Round(value, 3), three, _random) ?? Number(value);
+            var end = $"X{Word(incremental ? dx : to.X)} Y{Word(incremental ? dy : to.Y)}";
             lines.Add($"N{(100 * ring) + i + 1} " + (Coin() ? $"G1 {end}" : Arc(from, dx, dy, end)));
         }
 

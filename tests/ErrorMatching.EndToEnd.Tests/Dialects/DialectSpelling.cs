@@ -12,8 +12,13 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <param name="Call">The line that calls a subprogram, with {0} for its number; empty if the dialect has none.</param>
 /// <param name="Begin">The first line of a subprogram.</param>
 /// <param name="End">The last line of a subprogram.</param>
+/// <param name="Further">Further subprograms, which interludes call.</param>
+/// <param name="Formula">A coordinate as a formula, which a program may have in place of the number, with a variable of value 3; null if
+/// the dialect has none here.</param>
+/// <param name="Unroll">Runs what the dialect computes, in place of the referee; null if it computes nothing here.</param>
 internal sealed record DialectSpelling(
-    string Name, string Head, string[] Interludes, string Passed, string Call = "", string Begin = "", string End = "M99")
+    string Name, string Head, string[] Interludes, string Passed, string Call = "", string Begin = "", string End = "M99",
+    string Further = "", Func<double, string, Random, string>? Formula = null, Func<string, string>? Unroll = null)
 {
     private const string IsoHead = "%\nO0001\nG21 G17 G40 G49 G80 G90 G54";
 
@@ -63,7 +68,7 @@ internal sealed record DialectSpelling(
             "N{0}"),
         new(
             "okuma-osp",
-            "$PART.MIN%\nG21 G17 G40 G80 G90 G94\nG15 H1\nM130",
+            "$PART.MIN%\nOPART (A PART)\nG21 G17 G40 G80 G90 G94\nG15 H1\nM130\nXOFS=3\nZOFS=1\nPF100=200\nVC9=0",
             [
                 "G71 Z50.\nG81 X1. Y1. Z-3. R1. F50. M53\nG80",
                 "G0 G16 H0 Z0.",
@@ -71,12 +76,37 @@ internal sealed record DialectSpelling(
                 "G30 P1",
                 "G116 T3\nG90 G17 G40",
                 "F=PF100",
+                "VC1=0\nNL{1} VC1=VC1+1\nG0 X=VC1*10\nIF [VC1 LT 3] NL{1}",
+                "IF [XOFS GT 0] NS{1}\nG0 X999.\nNS{1} Y=XOFS*2",
+                "GOTO NG{1}\nG1 X999.\nNG{1} ZOFS=[ZOFS+1]*2",
+                "MODIN ODRIL PDEP=ZOFS\nG0 X20.\nX=20+XOFS\nMODOUT",
+                "CALL ODRIL Q2 PDEP=5",
             ],
-            @"\$.*|G15 .*|G71 .*|G81 .*|.*G16 .*|G56 .*|G30 .*|G116 .*|F=.*"),
+            @"\$.*|G15 .*|G71 .*|G81 .*|.*G16 .*|G56 .*|G30 .*|G116 .*",
+            "CALL O{0} PX=XOFS",
+            "O{0}",
+            "RTS",
+            "ODRIL\nG0 Z=PDEP\nG0 Z=PDEP+[2*PDEP]\nRTS\n%\n",
+            OkumaFormula,
+            OkumaReferee.Unrolled),
         new("generic", IsoHead, IsoInterludes, "G98 G81 .*|G53 .*", "M98 P{0}", "O{0}"),
         new("fanuc", IsoHead, IsoInterludes, "G98 G81 .*|G53 .*", "M98 P{0}", "O{0}"),
         new("delta-nc300", IsoHead, IsoInterludes, "G98 G81 .*|G53 .*", "M98 P{0}", "O{0}"),
     ];
+
+    private static string OkumaFormula(double value, string three, Random random)
+    {
+        var number = value.ToString("0.0##", CultureInfo.InvariantCulture);
+        var less = (value - 3).ToString("0.0##", CultureInfo.InvariantCulture);
+        return random.Next(6) switch
+        {
+            0 => $"={three}{(value < 3 ? "" : "+")}{less}",
+            1 => $"=[{less}+{three}]",
+            2 => $"={number}*[1-VC9]",
+            3 => $"= {number}",
+            _ => number,
+        };
+    }
 
     /// <summary>The program with its subprograms in the place of their calls, and without what the referee passes over.</summary>
     public string ForReferee(string program)
@@ -85,7 +115,7 @@ internal sealed record DialectSpelling(
         var plain = new List<string>();
         foreach (var line in lines)
         {
-            if (Called(line) is { } number)
+            if (Unroll is null && Called(line) is { } number)
             {
                 var begin = Array.IndexOf(lines, string.Format(CultureInfo.InvariantCulture, Begin, number));
                 plain.AddRange(lines[(begin + 1)..Array.IndexOf(lines, End, begin)]);
@@ -96,7 +126,7 @@ internal sealed record DialectSpelling(
             }
         }
 
-        return string.Join('\n', plain);
+        return Unroll?.Invoke(string.Join('\n', plain)) ?? string.Join('\n', plain);
     }
 
     private string? Called(string line)

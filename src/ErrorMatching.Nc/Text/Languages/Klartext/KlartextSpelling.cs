@@ -6,6 +6,8 @@ namespace ErrorMatching.Nc;
 /// is one keyword up to its comment (<c>13 CALL LBL 1 REP 2</c>).</summary>
 internal sealed class KlartextSpelling : LanguageSpelling
 {
+    public override bool HasCodes => false;
+
     public override NcToken TokenAt(in BlockScanner text, int at, ref BlockPlace place)
     {
         var token = TokenAt(text, at, place);
@@ -73,6 +75,8 @@ internal sealed class KlartextSpelling : LanguageSpelling
         Ascii.EqualsIgnoreCase(name, "TOOLCALL"u8) || Ascii.EqualsIgnoreCase(name, "TOOLDEF"u8);
 
     public override bool IsKeyword(int function) => KlartextWords.IsOfControl(function);
+
+    public override string? ProgramAt(ReadOnlySpan<byte> text, int at) => null;
 
     public override ReadOnlySpan<byte> LabelOf(ReadOnlySpan<byte> keyword) =>
         Ascii.EqualsIgnoreCase(NameOf(keyword), "LBL"u8) ? keyword[3..].Trim(" \t\""u8) : [];
