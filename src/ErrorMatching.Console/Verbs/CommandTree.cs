@@ -21,16 +21,18 @@ internal static class CommandTree
         ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit", "completion"];
 
     /// <summary>Parses a command line.</summary>
-    public static ParseResult Parse(IReadOnlyList<string> args) => Build(args.Count > 0 ? args[0] : null).Parse(args, Configuration);
+    public static ParseResult Parse(IReadOnlyList<string> args) =>
+        Build(args.Count > 0 ? args[0] : null, args.Count > 1 ? args[1] : null).Parse(args, Configuration);
 
     /// <summary>The root command.</summary>
     /// <param name="first">The first word of the command line. If it is a command, only that one is built. Null builds all.</param>
-    public static RootCommand Build(string? first = null)
+    /// <param name="second">The second word, likewise for the commands of a group.</param>
+    public static RootCommand Build(string? first = null, string? second = null)
     {
         var root = new RootCommand("Measures a machined piece and rewrites the NC program of its counterpart so that the two fit.");
         foreach (var word in first is not null && FirstWords.Contains(first) ? [first] : FirstWords)
         {
-            root.Add(Make(word));
+            root.Add(Make(word, second));
         }
 
         if (first?.StartsWith("[suggest", StringComparison.Ordinal) != true)
@@ -52,27 +54,17 @@ internal static class CommandTree
         return root;
     }
 
-    private static Command Make(string word) => word switch
+    private static Command Make(string word, string? second) => word switch
     {
         "match" => new MatchVerb(),
         "verify" => new VerifyVerb(),
-        "job" => new Command(word, "Writes and checks jobs, and finds their blocks.")
-        {
-            new JobCheck(),
-            new JobBlocks(),
-            new JobNew(),
-            new JobSchema()
-        },
-        "nc" => new Command(word, "Looks at NC programs, displaces blocks, compares and proves programs.")
-        {
-            new NcCheck(),
-            new NcMotionVerb(),
-            new NcLocate(),
-            new NcDisplace(),
-            new NcDiff(),
-            new NcProve(),
-            new NcDialectsVerb()
-        },
+        "job" => Group(word, "Writes and checks jobs, and finds their blocks.", second,
+            ("check", () => new JobCheck()), ("blocks", () => new JobBlocks()), ("new", () => new JobNew()),
+            ("schema", () => new JobSchema())),
+        "nc" => Group(word, "Looks at NC programs, displaces blocks, compares and proves programs.", second,
+            ("check", () => new NcCheck()), ("motion", () => new NcMotionVerb()), ("locate", () => new NcLocate()),
+            ("displace", () => new NcDisplace()), ("diff", () => new NcDiff()), ("prove", () => new NcProve()),
+            ("dialects", () => new NcDialectsVerb())),
         "surface" => new SurfaceVerb(),
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
@@ -99,4 +91,17 @@ internal static class CommandTree
         "completion" => new CompletionVerb(),
         _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
     };
+
+    // Making a verb costs a millisecond of a start, so only the one that is named is made.
+    private static Command Group(string word, string description, string? second, params (string Name, Func<Command> Make)[] verbs)
+    {
+        var group = new Command(word, description);
+        var named = Array.FindIndex(verbs, v => v.Name == second);
+        foreach (var verb in named < 0 ? verbs : verbs[named..(named + 1)])
+        {
+            group.Add(verb.Make());
+        }
+
+        return group;
+    }
 }

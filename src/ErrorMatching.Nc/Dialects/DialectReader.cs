@@ -1,5 +1,4 @@
 using System.Text;
-using System.Text.RegularExpressions;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
@@ -150,12 +149,12 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         foreach (var line in value.Items)
         {
             string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
-            foreach (Match match in OffsetRule.Name().Matches(line.Text))
+            foreach (var name in OffsetRule.NamesIn(line.Text))
             {
-                if (!known.Contains(match.Groups["name"].Value, StringComparer.Ordinal))
+                if (!known.Contains(name, StringComparer.Ordinal))
                 {
                     Problems.Add(JsonRefusal.At(
-                        line, "unknown-value", match.Value, $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
+                        line, "unknown-value", $"{{{name}}}", $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
                 }
             }
         }

@@ -1,10 +1,8 @@
-using System.Text.RegularExpressions;
-
 namespace ErrorMatching.Nc;
 
 /// <summary>How a program changes the offsets of a control, as its dialect states it: lines with names in braces, for which values are
 /// put.</summary>
-internal sealed partial class OffsetRule
+internal sealed class OffsetRule
 {
     /// <summary>The codes of the work offsets that can be changed, times ten, the one with number 1 first.</summary>
     public IReadOnlyList<int> Codes { get; set; } = [];
@@ -40,7 +38,25 @@ internal sealed partial class OffsetRule
     /// <summary>Names of the correction before of a work offset.</summary>
     public static readonly IReadOnlyList<string> BeforeWork = ["xBefore", "yBefore", "rotationBefore"];
 
-    /// <summary>A name in braces.</summary>
-    [GeneratedRegex(@"\{(?<name>[A-Za-z0-9]{1,32})\}", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
-    public static partial Regex Name();
+    /// <summary>The names of letters and digits in braces in a line. Without regular expressions, because every start reads a
+    /// dialect.</summary>
+    public static List<string> NamesIn(string line)
+    {
+        var names = new List<string>();
+        for (var open = line.IndexOf('{'); open >= 0; open = line.IndexOf('{', open + 1))
+        {
+            var end = open + 1;
+            while (end < line.Length && char.IsAsciiLetterOrDigit(line[end]))
+            {
+                end++;
+            }
+
+            if (end < line.Length && line[end] == '}' && end - open > 1)
+            {
+                names.Add(line[(open + 1)..end]);
+            }
+        }
+
+        return names;
+    }
 }

@@ -111,8 +111,8 @@ public static class OffsetProgram
         IReadOnlyList<string> lines, Dictionary<string, string> values, bool isKnownBefore) =>
         lines.Where(l => isKnownBefore || !l.StartsWith('?')).Select(l => Filled(l.StartsWith('?') ? l[1..] : l, values));
 
-    private static string Filled(string line, Dictionary<string, string> values) =>
-        OffsetRule.Name().Replace(line, m => values[m.Groups["name"].Value]);
+    private static string Filled(string line, Dictionary<string, string> values) => OffsetRule.NamesIn(line)
+        .Aggregate(line, (text, name) => text.Replace($"{{{name}}}", values[name], StringComparison.Ordinal));
 
     private static string Text(int value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
 

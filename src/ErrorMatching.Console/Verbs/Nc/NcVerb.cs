@@ -63,10 +63,8 @@ internal abstract class NcVerb : Verb
     public static NcPath Interpret(
         string file, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
     {
-        // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
-        var reading = Task.Run(() => NcProgram.Read(InputFile.Program(file)), CancellationToken.None);
         var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
-        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
+        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)

@@ -130,7 +130,7 @@ internal sealed class OkumaSpelling : LanguageSpelling
     // Operands with + - * / between them; other operators are in brackets only. Spaces may separate them.
     private static int ValueEnd(in BlockScanner text, int at)
     {
-        for (var start = at; ; )
+        for (var start = at; ;)
         {
             at = text.SkipSpaces(at);
             while (at < text.End && text.Bytes[at] is (byte)'+' or (byte)'-')
