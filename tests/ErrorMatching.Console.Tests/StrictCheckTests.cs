@@ -35,6 +35,22 @@ public sealed class StrictCheckTests
         }
     }
 
+    // The arcs that lead to a contour and away from it are not followed; the straight ways are.
+    [Theory]
+    [InlineData("APPR CT X+0 Y+0 CCA90 R+5", "DEP LCT X-30 Y-30 R+5", 2, "2 of 7 blocks are not understood.")]
+    [InlineData("APPR LT X+0 Y+0 LEN15", "DEP LT LEN5 X-30 Y-30", 0, "Everything is understood.")]
+    public void Ways_that_are_not_followed_are_not_understood(string approach, string departure, int exit, string sentence)
+    {
+        using var folder = new TemporaryFolder();
+        var program = folder.File(
+            "p.h",
+            $"0 BEGIN PGM A MM\n1 L X-30 Y-30 Z-5 R0 FMAX\n2 {approach} RL F100\n3 L Y+20\n4 L X+20\n5 {departure}\n6 END PGM A MM\n");
+        string[] arguments = ["nc", "check", program, "--dialect", "heidenhain-klartext", "--tool-radius", "3", "--strict"];
+        var (code, text, _) = Shell.Run(arguments);
+        Assert.Equal((exit, exit == 2), (code, text.Contains("that are not followed, this says nothing", StringComparison.Ordinal)));
+        Assert.StartsWith(sentence, text.TrimEnd().Split('\n')[^1], StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Block_skip_is_counted()
     {

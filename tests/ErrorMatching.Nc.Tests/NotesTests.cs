@@ -17,6 +17,19 @@ public class NotesTests
     }
 
     [Fact]
+    public void Arcs_that_lead_to_a_contour_and_away_from_it_are_noted()
+    {
+        const string Program = "1 L X-9 Y-9 Z-1 R0 FMAX\n2 APPR LCT X+0 Y+0 R2 RL F100\n3 L X+10\n4 DEP CT CCA90 R+2\n";
+        var path = Bench.Read(Program, NcDialects.HeidenhainKlartext);
+        Assert.Equal([1, 3], path.UnfollowedWays);
+        var note = Assert.Single(path.Notes);
+        Assert.Equal(("way-not-followed", 1, 2L), (note.Code, note.Block, note.Count));
+        Assert.StartsWith("APPR LCT: ", note.Message, StringComparison.Ordinal);
+        Assert.Empty(Bench.Read(Program.Replace("LCT X+0 Y+0 R2", "LT X+0 Y+0 LEN2", StringComparison.Ordinal)
+            .Replace("CT CCA90 R+2", "LT LEN2", StringComparison.Ordinal), NcDialects.HeidenhainKlartext).UnfollowedWays);
+    }
+
+    [Fact]
     public void A_note_about_a_program_in_another_file_stands_at_the_block_that_called_it()
     {
         var program = NcProgram.FromText("G90 G21\nG0 X0.\nM98 P7\nM30\n");

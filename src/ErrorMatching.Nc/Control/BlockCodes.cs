@@ -231,6 +231,12 @@ internal sealed class BlockCodes(
             control.Compensate(MotionFlags.None);
         }
 
+        if (meaning is NcMeaning.Approach or NcMeaning.Departure)
+        {
+            result.Note("way-not-followed", $"{word}: the way between the contour and the place before or behind it is the control's. "
+                + "Where it ends is known, if the block states it; whether it cuts into the piece is not.");
+        }
+
         switches.Lead(meaning, word);
         control.Mode(MotionKind.Spline);
         control.State.Form = leaves ? NcMeaning.Departure : NcMeaning.Approach;

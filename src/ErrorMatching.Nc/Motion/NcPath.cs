@@ -91,6 +91,11 @@ public sealed class NcPath
     /// <summary>Blocks that state a pole (CC), each with the number of motions before it, ascending.</summary>
     internal IReadOnlyList<(int Motions, int Block)> Poles { get; init; } = [];
 
+    /// <summary>Blocks that lead to a contour or away from it by a way that is not followed (APPR CT, DEP LCT), each once: whether the
+    /// tool cuts into the piece on it, nobody knows here.</summary>
+    public IReadOnlyList<int> UnfollowedWays =>
+        [.. CompensationSwitches.Where(s => s.Meaning is NcMeaning.Approach or NcMeaning.Departure).Select(s => s.Block).Distinct()];
+
     /// <summary>True for an approach or a departure: the control computes its way from the contour, so it follows where the contour moves
     /// (APPR, DEP).</summary>
     internal bool IsLead(in NcMotion motion) => Dialect.BlocksNameMotions && motion.Kind == MotionKind.Spline;

@@ -113,7 +113,8 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
         {
             notes.Add(_compensation is { } refusal
                 ? $"The path of the tool's center: {refusal.Message}"
-                : "The control can lead the tool's center along this contour; nc motion --compensated prints its path.");
+                : "The control can lead the tool's center along this contour; nc motion --compensated prints its path."
+                    + (path.UnfollowedWays.Count > 0 ? " Of the ways to and from it that are not followed, this says nothing." : ""));
         }
 
         Note(cycles, "belong to cycles that are not followed: only their positions are known");

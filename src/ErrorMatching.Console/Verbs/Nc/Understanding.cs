@@ -18,6 +18,7 @@ internal sealed class Understanding
         _path = path;
         var blocks = new SortedSet<int>(path.Problems.Select(p => p.Block));
         blocks.UnionWith(path.Notes.Where(n => n.Code is "opaque-transform" or "cycle-not-followed").Select(n => n.Block));
+        blocks.UnionWith(path.UnfollowedWays);
         foreach (var motion in path.Motions)
         {
             if (motion.Kind == MotionKind.Cycle)
