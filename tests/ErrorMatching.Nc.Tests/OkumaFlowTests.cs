@@ -102,9 +102,10 @@ public sealed class OkumaFlowTests
     {
         var called = NcProgram.FromText("$OSUB.SUB%\nOSUB\nX=PA\nRTS\n%\n");
         var program = NcProgram.FromText("G90 G0 X0. Y0. Z0.\nCALL OSUB PA=3\n");
-        var path = NcInterpreter.Run(program, NcDialects.Named(Okuma), n => n == "OSUB" ? called : null, default);
+        var path = NcInterpreter.Run(program, NcDialects.Named(Okuma), n => n == "OSUB" ? called : null, CancellationToken.None);
         Assert.Equal("R3,0,0", Moves.Of(path, 1));
-        var other = NcInterpreter.Run(program, NcDialects.Named(Okuma), _ => NcProgram.FromText("OTHER\nX5.\nRTS\n"), default);
+        var another = NcProgram.FromText("OTHER\nX5.\nRTS\n");
+        var other = NcInterpreter.Run(program, NcDialects.Named(Okuma), _ => another, CancellationToken.None);
         Assert.Equal("missing-program", other.Refusal?.Code);
     }
 
@@ -123,7 +124,8 @@ public sealed class OkumaFlowTests
     [Fact]
     public void A_block_whose_runs_differ_is_not_displaced()
     {
-        const string Text = "G90 G17 G21 G40\nVC1=0\nNL VC1=VC1+1\nG0 X0. Y0. Z0.\nN1 G1 X=VC1*10 Y=10/VC1\nG0 Z5.\nIF [VC1 LT 2] NL\nM30\n";
+        const string Text = "G90 G17 G21 G40\nVC1=0\nNL VC1=VC1+1\nG0 X0. Y0. Z0.\nN1 G1 X=VC1*10 Y=10/VC1\nG0 Z5.\n"
+            + "IF [VC1 LT 2] NL\nM30\n";
         Assert.Equal("runs-differ", Bench.RefusedNormal(Text, 0.5, "N1", NcDialects.Named(Okuma)).Code);
     }
 

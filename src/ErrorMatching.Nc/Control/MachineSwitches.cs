@@ -74,7 +74,8 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
     /// <summary>The same for a block that determines how the program continues: it could continue after the words.</summary>
     public bool RefusesSemicolon(NcBlock block)
     {
-        if (values.Dialect is not { Syntax: NcSyntax.Iso or NcSyntax.Okuma, SemicolonEndsBlock: true } || !run.Text.BytesOf(block).Contains((byte)';'))
+        if (values.Dialect is not { Syntax: NcSyntax.Iso or NcSyntax.Okuma, SemicolonEndsBlock: true }
+            || !run.Text.BytesOf(block).Contains((byte)';'))
         {
             return false;
         }

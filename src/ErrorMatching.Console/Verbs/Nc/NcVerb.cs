@@ -64,7 +64,8 @@ internal abstract class NcVerb : Verb
         string file, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
     {
         var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
-        return NcInterpreter.Run(NcProgram.Read(InputFile.Program(file)), known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
+        var program = NcProgram.Read(InputFile.Program(file));
+        return NcInterpreter.Run(program, known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)

@@ -13,8 +13,6 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
     /// <summary>Difference up to which two unequal values could be equal on the control.</summary>
     private const double Close = 1e-9;
 
-    private const double LargestWhole = 1e12;
-
     private readonly ReadOnlySpan<byte> _text = text;
     private int _depth;
     private bool _hasEmpty;
@@ -101,8 +99,7 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
     {
         SkipSpaces();
         repeats = NcValue.Unknown;
-        var behind = At + 1;
-        Skip(ref behind);
+        var behind = SyntaxBytes.SkipSpaces(_text, At + 1, _text.Length);
         if ((Next | 0x20) != 'q' || behind >= _text.Length || !(SyntaxBytes.IsDigit(_text[behind]) || _text[behind] == '='))
         {
             return false;
@@ -194,20 +191,7 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
         return NcValue.Unknown;
     }
 
-    private readonly void Skip(ref int position)
-    {
-        while (position < _text.Length && SyntaxBytes.IsSpace(_text[position]))
-        {
-            position++;
-        }
-    }
-
-    private void SkipSpaces()
-    {
-        var position = At;
-        Skip(ref position);
-        At = position;
-    }
+    private void SkipSpaces() => At = SyntaxBytes.SkipSpaces(_text, At, _text.Length);
 
     private static VariablePlace Common(string letters, int number) =>
         VariablePlace.Named(string.Create(CultureInfo.InvariantCulture, $"_{letters}{number}"));
@@ -312,9 +296,9 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
             return NcValue.Vacant;
         }
 
-        if (Next == '[' && FunctionOf(name) is { } function)
+        if (Next == '[' && OkumaFunctions.Exists(name))
         {
-            return Call(name, function);
+            return Call(name);
         }
 
         At = start;
@@ -331,28 +315,11 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
             : NcValue.Vacant;
     }
 
-    private static ExpressionFunction? FunctionOf(string name) => name switch
-    {
-        "SIN" => ExpressionFunction.Sine,
-        "COS" => ExpressionFunction.Cosine,
-        "TAN" => ExpressionFunction.Tangent,
-        "ASIN" => ExpressionFunction.ArcSine,
-        "ACOS" => ExpressionFunction.ArcCosine,
-        "ATAN" => ExpressionFunction.ArcTangent,
-        "ATAN2" => ExpressionFunction.ArcTangentOfPoint,
-        "SQRT" => ExpressionFunction.SquareRoot,
-        "ABS" => ExpressionFunction.Absolute,
-        "MOD" => ExpressionFunction.Bound,
-        "ROUND" or "FIX" or "FUP" or "DROUND" or "DFIX" or "DFUP" => ExpressionFunction.Round,
-        "BIN" or "BCD" => ExpressionFunction.Same,
-        _ => null,
-    };
-
-    private NcValue Call(string name, ExpressionFunction function)
+    private NcValue Call(string name)
     {
         At++;
         var a = Used(Sum());
-        var hasTwo = name is "ATAN2" or "MOD";
+        var hasTwo = OkumaFunctions.HasTwo(name);
         if (hasTwo)
         {
             Expect((byte)',');
@@ -365,21 +332,7 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
             return NcValue.Unknown;
         }
 
-        switch (name)
-        {
-            case "MOD":
-                // The remainder of what is not whole or not positive has no source.
-                return a.Number < 0 || b.Number <= 0 || a.Number != Math.Floor(a.Number) || b.Number != Math.Floor(b.Number)
-                    ? NcValue.Unknown : NcValue.Of(a.Number % b.Number);
-            case "ROUND" or "FIX" or "FUP":
-                // Sources differ in the unit that is rounded to: only a whole number is the same in all.
-                return a.Number == Math.Floor(a.Number) && Math.Abs(a.Number) < LargestWhole ? a : NcValue.Unknown;
-            case "DROUND" or "DFIX" or "DFUP" or "BIN" or "BCD" or "ATAN2":
-                // The unit of the first is a setting; sources differ in the order of the arguments of the last.
-                return NcValue.Unknown;
-        }
-
-        var value = ExpressionArithmetic.Apply(function, [a], 0, out var error);
+        var value = OkumaFunctions.Apply(name, a, b, out var error);
         return error is null ? value : Fail(error);
     }
 

@@ -23,7 +23,7 @@ internal sealed class OkumaSpelling : LanguageSpelling
         return token;
     }
 
-    public override ReadOnlySpan<byte> NameOf(ReadOnlySpan<byte> keyword) => keyword[..BlockHead.NameLength(keyword, 0)];
+    public override ReadOnlySpan<byte> NameOf(ReadOnlySpan<byte> keyword) => keyword[..NameLength(keyword, 0)];
 
     public override bool HasWords(ReadOnlySpan<byte> name) => !IsOneOf(Statements, name);
 
@@ -35,7 +35,7 @@ internal sealed class OkumaSpelling : LanguageSpelling
 
     public override string? ProgramAt(ReadOnlySpan<byte> text, int at)
     {
-        var length = BlockHead.NameLength(text, at);
+        var length = NameLength(text, at);
         return text[at] == '$' ? ""
             : IsHeading(text.Slice(at, length)) ? NcText.Decode(text.Slice(at, length)).ToUpperInvariant()
             : null;
@@ -84,7 +84,7 @@ internal sealed class OkumaSpelling : LanguageSpelling
     private static NcToken LetterAt(in BlockScanner text, int at, BlockPlace place)
     {
         var letter = (byte)(text.Bytes[at] & ~0x20);
-        var length = BlockHead.NameLength(text.Bytes[..text.End], at);
+        var length = NameLength(text.Bytes[..text.End], at);
         var name = text.Bytes.Slice(at, length);
         if (BehindIndex(text, at + length) is var target && text.IsEquals(text.SkipSpaces(target)) && IsVariable(name))
         {
@@ -171,10 +171,22 @@ internal sealed class OkumaSpelling : LanguageSpelling
                 // A hexadecimal number: #81H
                 return text.NameEnd(at + 1);
             case var c when SyntaxBytes.IsLetter(c):
-                return BehindIndex(text, at + BlockHead.NameLength(text.Bytes[..text.End], at));
+                return BehindIndex(text, at + NameLength(text.Bytes[..text.End], at));
             default:
                 return text.ReadNumber(at, out var next, out _) ? next : at;
         }
+    }
+
+    // Letters, digits and underscores, not beginning with a digit.
+    private static int NameLength(ReadOnlySpan<byte> text, int at)
+    {
+        var end = at;
+        while (end < text.Length && (SyntaxBytes.IsLetter(text[end]) || text[end] == '_' || (end > at && SyntaxBytes.IsDigit(text[end]))))
+        {
+            end++;
+        }
+
+        return end - at;
     }
 
     private static bool IsOneOf(string[] words, ReadOnlySpan<byte> name)
