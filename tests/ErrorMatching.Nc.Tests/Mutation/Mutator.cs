@@ -20,6 +20,7 @@ internal sealed class Mutator
         "G20", "G18", "G41", "G68 X0 Y0 R30.", "G51 P2000", "G92 X0", "G10 L2 P1 X1", "M98 P1", "M99", "M30",
         "O1 call", "o1 while [1]", "GOTO10", "WHILE[1]DO1", "END1", "LOOP", "ENDLOOP", "REPEAT", "GOTOB A", "A:", "MSG(\"", "CYCLE81(,,,",
         "TRANS X5", "ROT", "X=IC(1)", "CR=5", "TURN=2", "P3", "L999999999", ",R1.", "N10", "$A", "@",
+        "IF [VC1 LT 5] NA", "CALL O1 Q2 PA=1", "MODIN O1", "RTS", "X=VC1+", "VC1=VC1*2",
     ];
 
     private static readonly Lazy<(string Name, byte[] Bytes)[]> Programs = new(ReadCorpus);
