@@ -32,6 +32,7 @@ internal static class MillionCorrections
             if (new AuditTrail(opened, keys).EndFault() is { } fault) throw new InvalidOperationException(fault.Message);
         });
         using var store = CellStore.Open(settings, TimeProvider.System, key, inspect: false);
+        FirstProgram(settings, key, store.Find(count)!);
         foreach (var (name, query) in Queries(count))
         {
             var found = 0;
@@ -46,6 +47,20 @@ internal static class MillionCorrections
         Console.WriteLine($"  {finding!.Message} Contents: {finding.Contents}, {finding.ContentBytes >> 20} MB.");
         Console.WriteLine($"  largest working set: {Process.GetCurrentProcess().PeakWorkingSet64 >> 20} MB");
         return finding.Holds ? 0 : 2;
+    }
+
+    // The first run on a store reads the whole trail and makes the checkpoint that later runs go on from.
+    private static void FirstProgram(SqliteSettings settings, byte[]? key, Correction correction)
+    {
+        using var store = CellStore.Open(settings, TimeProvider.System, key, inspect: false);
+        Timed("first program after a start", () => store.DemandRecorded(correction));
+        Console.WriteLine($"  {store.WhyWholeTrail?.Sentence ?? "From the checkpoint."} Largest working set: "
+            + $"{Process.GetCurrentProcess().PeakWorkingSet64 >> 20} MB, held: {GC.GetTotalMemory(forceFullCollection: true) >> 20} MB");
+        Timed("checkpoint", () => store.KeepCheckpoint(CancellationToken.None));
+        Console.WriteLine($"  {store.Read("SELECT length(state) FROM audit_checkpoint", r => r.GetInt64(0))[0]} characters");
+        if (store.WhyWholeTrail is not null) return;
+        const int Behind = 20_000;
+        Timed($"look at {Behind} entries before the checkpoint", () => store.LookBehindCheckpoint(Behind));
     }
 
     private static IEnumerable<(string Name, HistoryQuery Query)> Queries(int count)

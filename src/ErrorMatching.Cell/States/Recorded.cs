@@ -378,7 +378,7 @@ public static class Recorded
         SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
         ContentDiffers, ContentMissing, StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
-        .. RecordedOffset.All, .. RecordedThinning.All,
+        .. RecordedOffset.All, .. RecordedThinning.All, .. RecordedCheckpoint.All,
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =
