@@ -74,6 +74,10 @@ internal static class MillionCorrections
         yield return ("search: part of a work order", new() { WorkOrder = "o-7", IsLoose = true });
         yield return ("search: a day", new() { From = Begin.AddMinutes(count), To = Begin.AddMinutes(count).AddDays(1) });
         yield return ("search: the first half", new() { To = Begin.AddMinutes(count) });
+        yield return ("search: the first half, user", new() { To = Begin.AddMinutes(count), User = "anna" });
+        yield return ("search: the first half, nobody", new() { To = Begin.AddMinutes(count), User = "nobody" });
+        yield return ("search: the first half, released", new() { To = Begin.AddMinutes(count), State = CorrectionState.Released });
+        yield return ("search: the first half, failed", new() { To = Begin.AddMinutes(count), State = CorrectionState.Failed });
         yield return ("search: since the middle", new() { From = Begin.AddMinutes(count) });
         yield return ("search: after all", new() { From = last.AddDays(1) });
         yield return ("search: program name", new() { Program = "O1003.NC" });
