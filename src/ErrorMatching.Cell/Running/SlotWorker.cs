@@ -105,6 +105,12 @@ internal sealed class SlotWorker(
             return null;
         }
 
+        if (OffsetStep.TooLarge(flow.Store, approved) is { } tooLarge)
+        {
+            Fail(Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CorrectionCodes.OffsetStep, tooLarge);
+            return null;
+        }
+
         byte[]? found;
         try
         {
