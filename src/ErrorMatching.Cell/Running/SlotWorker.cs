@@ -129,7 +129,7 @@ internal sealed class SlotWorker(
         }
 
         var hash = HashOf(found);
-        var unknown = _known.WhyNot(hash, approved);
+        var unknown = _known.WhyNot(found, hash, approved);
         var uploading = Step(
             approved,
             CorrectionState.Uploading,
