@@ -3,7 +3,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Cell;
 
 /// <summary>The forms of why a cell reads its whole audit trail instead of going on from a checkpoint.</summary>
-public static class RecordedCheckpoint
+internal static class RecordedCheckpoint
 {
     /// <summary>There is no checkpoint.</summary>
     internal static readonly SentenceForm Missing = new(
