@@ -28,8 +28,12 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             var count = Count(connection, transaction);
             var meaning = new RecordedMeaning(rows.Connection!, rows, key);
             var fault = AuditChain.Verify(
-                Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.ReadOrUnreadable, null, transaction), "looking at entries",
-                    count, progress, cancellation), head, key, meaning.Add);
+                Told(
+                    Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.ReadOrUnreadable, null, transaction),
+                    "looking at entries",
+                    count,
+                    progress,
+                    cancellation), head, key, meaning.Add);
             var seen = Rows.Query(
                 connection, AuditRow.Select + " WHERE seq = @Seq", AuditRow.ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
             fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database);

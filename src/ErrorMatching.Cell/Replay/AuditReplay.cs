@@ -33,8 +33,8 @@ internal sealed class AuditReplay
     /// <summary>The row name of each slot with the correction whose program was verified there last.</summary>
     public IEnumerable<KeyValuePair<string, long>> LastInSlot => _lastInSlot;
 
-    /// <summary>The corrections that may take another step: those that have not ended, and of the released ones the last of each slot, which
-    /// may be reverted.</summary>
+    /// <summary>The corrections that may take another step: those that have not ended, and of the released ones the last of each slot,
+    /// which may be reverted.</summary>
     public IEnumerable<KeyValuePair<long, RecordedCorrection>> Unsettled
     {
         get

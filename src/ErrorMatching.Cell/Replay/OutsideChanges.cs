@@ -20,8 +20,8 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     public Statement? WhyWhole =>
         _ledger.WhyWhole is { } why && (!why.Is(RecordedCheckpoint.Missing) || _ledger.Seq >= Rhythm) ? why : null;
 
-    /// <summary>Ensures that a correction may go to its machine. The first call goes on from the checkpoint, or reads the whole trail; later
-    /// calls read only the new entries.</summary>
+    /// <summary>Ensures that a correction may go to its machine. The first call goes on from the checkpoint, or reads the whole trail;
+    /// later calls read only the new entries.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
     public void DemandRecorded(Correction correction)
     {
@@ -37,7 +37,8 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     public void KeepCheckpoint(int rhythm, CancellationToken stop)
     {
         if (key is null || database.HeardOf() is var now && now - _checkpointAt < rhythm) return;
-        if (_ledger.Checkpoint(database, stop) is { State.Length: <= AuditCheckpoint.MostLength } checkpoint) checkpoint.Keep(database, key);
+        var checkpoint = _ledger.Checkpoint(database, stop);
+        if (checkpoint is { State.Length: <= AuditCheckpoint.MostLength }) checkpoint.Keep(database, key);
         _checkpointAt = now;
     }
 

@@ -68,7 +68,8 @@ internal static class ReplayState
         foreach (var c in root.GetProperty("codes").EnumerateArray()) into.Restore(c[0].GetString()!, c[1].GetString()!, c[2].GetInt64());
         foreach (var p in root.GetProperty("people").EnumerateArray())
         {
-            into.Restore(new RecordedPerson(p[0].GetString()!, Rights.RoleOf(p[1].GetString()!)!.Value, p[2].GetBoolean(), p[3].GetInt64()));
+            var role = Rights.RoleOf(p[1].GetString()!)!.Value;
+            into.Restore(new RecordedPerson(p[0].GetString()!, role, p[2].GetBoolean(), p[3].GetInt64()));
         }
 
         into.Restore(

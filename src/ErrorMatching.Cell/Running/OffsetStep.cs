@@ -3,8 +3,8 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>How far a program of offsets changes the control beyond what the slot's present program sets. In feed-forward, each correction is
-/// computed from the uncorrected offset, so two that are within a step of it may be further than a step from each other.</summary>
+/// <summary>How far a program of offsets changes the control beyond what the slot's present program sets. In feed-forward, each correction
+/// is computed from the uncorrected offset, so two that are within a step of it may be further than a step from each other.</summary>
 internal static class OffsetStep
 {
     private const int MostAlike = 100;

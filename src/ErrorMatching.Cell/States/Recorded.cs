@@ -73,8 +73,8 @@ public static class Recorded
             + "again to replace it, or reject.");
     internal static readonly SentenceForm OfOtherCell = new(
         "of-other-cell",
-        "{0} at {1} is a corrected program that this cell did not make: another cell sends to this slot, too, or somebody copied it there. It "
-            + "is kept as {2}. Give the slot to one cell alone; then approve again to replace it, or reject.");
+        "{0} at {1} is a corrected program that this cell did not make: another cell sends to this slot, too, or somebody copied it there. "
+            + "It is kept as {2}. Give the slot to one cell alone; then approve again to replace it, or reject.");
     internal static readonly SentenceForm ChangedMeanwhile = new(
         "changed-meanwhile",
         "{0} at {1} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {2}. Look "

@@ -49,13 +49,14 @@ public static class RecordedOffset
 
     internal static readonly SentenceForm StepTooLarge = new(
         "offset-step-too-large",
-        $"The offset would go from {{0:{Length}}} to {{1:{Length}}} mm, and the job allows {{2:{Length}}} mm in a step: the program would stop "
-            + "at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this one.");
+        $"The offset would go from {{0:{Length}}} to {{1:{Length}}} mm, and the job allows {{2:{Length}}} mm in a step: the program would "
+            + "stop at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this one.");
 
     internal static readonly SentenceForm TurnTooLarge = new(
         "offset-turn-too-large",
-        $"The rotation would go from {{0:{Turn}}} to {{1:{Turn}}} degrees, and the job allows {{2:{Turn}}} degrees in a step: the program would "
-            + "stop at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this one.");
+        $"The rotation would go from {{0:{Turn}}} to {{1:{Turn}}} degrees, and the job allows {{2:{Turn}}} degrees in a step: the program "
+            + "would stop at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this "
+            + "one.");
 
     /// <summary>All forms.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =

@@ -10,7 +10,8 @@ internal static class HistorySearch
     public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
     {
         if (Period(database, query) is not var (first, last)) return [];
-        var isByUser = query.User is not null && query with { User = null, From = null, To = null, Most = 0, IsLoose = false } == new HistoryQuery { Most = 0 };
+        var but = query with { User = null, From = null, To = null, Most = 0, IsLoose = false };
+        var isByUser = query.User is not null && but == new HistoryQuery { Most = 0 };
         var parameters = new
         {
             Recent,

@@ -121,8 +121,9 @@ public sealed class OffsetCellTests
         cell.Drop("part_S2.csv", OffsetCell.Grown(-0.04));
         var second = await cell.Until(2, CorrectionState.Failed);
         Assert.Equal(
-            ("offset-step-too-large", "The offset would go from 0.0400 to -0.0400 mm, and the job allows 0.0500 mm in a step: the program would "
-                + "stop at the machine. Revert correction 1 and run what that sends, then approve this one again; or reject this one."),
+            ("offset-step-too-large", "The offset would go from 0.0400 to -0.0400 mm, and the job allows 0.0500 mm in a step: the program "
+                + "would stop at the machine. Revert correction 1 and run what that sends, then approve this one again; or reject "
+                + "this one."),
             (second.Code, second.Reason!.Sentence));
         Assert.Equal(first, OffsetCell.Sent(cell));
 

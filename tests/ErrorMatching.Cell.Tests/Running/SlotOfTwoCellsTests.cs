@@ -20,7 +20,8 @@ public sealed class SlotOfTwoCellsTests
         Assert.True(failed.Reason!.Is(Recorded.OfOtherCell), failed.Reason.Sentence);
         Assert.Equal(
             $"P1.NC at m1 is a corrected program that this cell did not make: another cell sends to this slot, too, or somebody copied it "
-                + $"there. It is kept as {sent.ProgramSha256}. Give the slot to one cell alone; then approve again to replace it, or reject.",
+                + $"there. It is kept as {sent.ProgramSha256}. Give the slot to one cell alone; then approve again to replace it, or "
+                + "reject.",
             failed.Reason.Sentence);
         Assert.Equal(sent.ProgramSha256, RunningCell.Hash(first.Machine["m1"].Files[RunningCell.Program]));
         Assert.Single(first.Machine["m1"].Done, d => d == "rename " + RunningCell.Program);

@@ -1,5 +1,3 @@
-using ErrorMatching.Reporting;
-
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>What a checkpoint has: the state of the whole trail, without what nobody may send any more.</summary>

@@ -58,7 +58,8 @@ public abstract class CheckpointTest(StoreKind kind) : StoreTest(kind)
         return refusal.Message;
     }
 
-    private protected void ChangeOldEntry(CellStore store) => Tamper(store, Kind.RemoveTriggersSql, "UPDATE audit SET who = 'eve' WHERE seq = 2");
+    private protected void ChangeOldEntry(CellStore store) =>
+        Tamper(store, Kind.RemoveTriggersSql, "UPDATE audit SET who = 'eve' WHERE seq = 2");
 
     private protected static void Tamper(CellStore store, params string[] statements)
     {

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A process that begins goes on from the checkpoint of the audit trail. Whoever can write the store and lacks the key gets nothing
-/// sent by it that the whole trail would not send; nor does who sets the store back, or parts of it.</summary>
+/// <summary>A process that begins goes on from the checkpoint of the audit trail. Whoever can write the store and lacks the key gets
+/// nothing sent by it that the whole trail would not send; nor does who sets the store back, or parts of it.</summary>
 public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind)
 {
     [Fact]

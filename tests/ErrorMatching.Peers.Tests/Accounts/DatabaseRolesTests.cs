@@ -53,7 +53,8 @@ public sealed class DatabaseRolesTests(PostgresServer server) : IDisposable
         Assert.Empty(cell.Tampered());
         Denied(station, "DELETE FROM correction", "DELETE FROM audit", "DELETE FROM person", "TRUNCATE step", "DROP TABLE slot",
             "ALTER TABLE audit DISABLE TRIGGER ALL", "SELECT * FROM machine_secret", "INSERT INTO person SELECT * FROM person",
-            "UPDATE audit SET who = 'anna'", "DELETE FROM audit_checkpoint", "UPDATE audit_checkpoint SET seq = 1", "UPDATE content SET bytes = ''", "CREATE TABLE x (y INT)");
+            "UPDATE audit SET who = 'anna'", "DELETE FROM audit_checkpoint", "UPDATE audit_checkpoint SET seq = 1",
+            "UPDATE content SET bytes = ''", "CREATE TABLE x (y INT)");
         cell.Dispose();
     }
 
