@@ -15,7 +15,7 @@ BEGIN
 END $$;
 
 -- Sees corrections, programs, reports and the audit trail; no password of people or machines, not even encrypted.
-GRANT SELECT ON content, correction, step, slot, audit, audit_head, migration TO errormatch_reader;
+GRANT SELECT ON content, correction, step, slot, audit, audit_head, audit_checkpoint, migration TO errormatch_reader;
 
 -- Decides, and signs people in. It deletes nothing that is evidence, changes no table's form, and adds no people.
 GRANT errormatch_reader TO errormatch_station;

@@ -32,6 +32,7 @@ internal static class MillionCorrections
             if (new AuditTrail(opened, keys).EndFault() is { } fault) throw new InvalidOperationException(fault.Message);
         });
         using var store = CellStore.Open(settings, TimeProvider.System, key, inspect: false);
+        FirstProgram(settings, key, store.Find(count)!);
         foreach (var (name, query) in Queries(count))
         {
             var found = 0;
@@ -48,6 +49,20 @@ internal static class MillionCorrections
         return finding.Holds ? 0 : 2;
     }
 
+    // The first run on a store reads the whole trail and makes the checkpoint that later runs go on from.
+    private static void FirstProgram(SqliteSettings settings, byte[]? key, Correction correction)
+    {
+        using var store = CellStore.Open(settings, TimeProvider.System, key, inspect: false);
+        Timed("first program after a start", () => store.DemandRecorded(correction));
+        Console.WriteLine($"  {store.WhyWholeTrail?.Sentence ?? "From the checkpoint."} Largest working set: "
+            + $"{Process.GetCurrentProcess().PeakWorkingSet64 >> 20} MB, held: {GC.GetTotalMemory(forceFullCollection: true) >> 20} MB");
+        Timed("checkpoint", () => store.KeepCheckpoint(CancellationToken.None));
+        Console.WriteLine($"  {store.Read("SELECT length(state) FROM audit_checkpoint", r => r.GetInt64(0))[0]} characters");
+        if (store.WhyWholeTrail is not null) return;
+        const int Behind = 20_000;
+        Timed($"look at {Behind} entries before the checkpoint", () => store.LookBehindCheckpoint(Behind));
+    }
+
     private static IEnumerable<(string Name, HistoryQuery Query)> Queries(int count)
     {
         var last = Begin.AddMinutes(2 * count);
@@ -59,6 +74,10 @@ internal static class MillionCorrections
         yield return ("search: part of a work order", new() { WorkOrder = "o-7", IsLoose = true });
         yield return ("search: a day", new() { From = Begin.AddMinutes(count), To = Begin.AddMinutes(count).AddDays(1) });
         yield return ("search: the first half", new() { To = Begin.AddMinutes(count) });
+        yield return ("search: the first half, user", new() { To = Begin.AddMinutes(count), User = "anna" });
+        yield return ("search: the first half, nobody", new() { To = Begin.AddMinutes(count), User = "nobody" });
+        yield return ("search: the first half, released", new() { To = Begin.AddMinutes(count), State = CorrectionState.Released });
+        yield return ("search: the first half, failed", new() { To = Begin.AddMinutes(count), State = CorrectionState.Failed });
         yield return ("search: since the middle", new() { From = Begin.AddMinutes(count) });
         yield return ("search: after all", new() { From = last.AddDays(1) });
         yield return ("search: program name", new() { Program = "O1003.NC" });

@@ -15,6 +15,20 @@ internal static class AuditRow
         RowCodes = row.TextOrNull(8),
     };
 
+    /// <summary>The same for a row that somebody else may have written: one that cannot be read becomes an entry without a hash.</summary>
+    public static AuditEntry ReadOrUnreadable(DbDataReader row)
+    {
+        try
+        {
+            return Read(row);
+        }
+        catch (Exception e) when (
+            e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
+        {
+            return new(row.GetInt64(0), DateTimeOffset.UnixEpoch, "", "", null, "", "", "");
+        }
+    }
+
     public static AuditHead Head(DbConnection connection, DbTransaction? transaction, string forUpdate)
     {
         var found = Rows.Query(

@@ -5,6 +5,8 @@ namespace ErrorMatching.Cell;
 /// <summary>Rows of corrections and their steps.</summary>
 internal static class CorrectionRow
 {
+    private const string NamePrefix = "correction ";
+
     public const string Columns =
         "id, state, version, gauge, file_name, arrived_at, changed_at, measurement_sha256, measurement_bytes, job, piece, serial, "
             + "work_order, identity, "
@@ -147,7 +149,10 @@ internal static class CorrectionRow
     ]);
 
     /// <summary>The row's name among coded rows.</summary>
-    public static string NameOf(long id) => "correction " + CodedRow.Number(id);
+    public static string NameOf(long id) => NamePrefix + CodedRow.Number(id);
+
+    /// <summary>True if a name is that of a correction's row.</summary>
+    public static bool IsName(string name) => name.StartsWith(NamePrefix, StringComparison.Ordinal);
 
     /// <summary>The row with its code.</summary>
     public static StoredRow<Correction> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(34));

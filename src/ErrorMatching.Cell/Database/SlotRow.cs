@@ -10,6 +10,8 @@ internal static class SlotRow
     public const string Select =
         "SELECT machine, slot, correction, program_sha256, previous_sha256 FROM slot WHERE machine = @Machine AND slot = @Slot";
 
+    private const string NamePrefix = "slot ";
+
     private const string Take =
         "INSERT INTO slot (machine, slot, correction) VALUES (@Machine, @Slot, @Id) "
         + "ON CONFLICT (machine, slot) DO UPDATE SET correction = excluded.correction WHERE slot.correction IS NULL OR slot.correction = "
@@ -37,8 +39,11 @@ internal static class SlotRow
 
     /// <summary>The row's name among coded rows.</summary>
     public static string NameOf(string machine, string slot) =>
-        string.Create(CultureInfo.InvariantCulture, $"slot {machine.Length} {machine.ReplaceLineEndings(" ")} "
+        string.Create(CultureInfo.InvariantCulture, $"{NamePrefix}{machine.Length} {machine.ReplaceLineEndings(" ")} "
             + $"{slot.ReplaceLineEndings(" ")}");
+
+    /// <summary>True if a name is that of a slot's row.</summary>
+    public static bool IsName(string name) => name.StartsWith(NamePrefix, StringComparison.Ordinal);
 
     /// <summary>The row with its code.</summary>
     public static StoredRow<SlotHolding> ReadKept(DbDataReader row) => new(Read(row), Coded, row.TextOrNull(5));

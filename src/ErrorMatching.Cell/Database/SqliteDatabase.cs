@@ -16,7 +16,8 @@ internal sealed class SqliteDatabase : CellDatabase
     private const long QuickCheckBytes = 1L << 30;
 
     // What a cell acts on at once. The rest is in the audit trail, which is checked before anything is sent.
-    private static readonly string[] Acting = ["slot", "person", "machine_secret", "audit_head", "migration", "sign_in_failure"];
+    private static readonly string[] Acting =
+        ["slot", "person", "machine_secret", "audit_head", "audit_checkpoint", "migration", "sign_in_failure"];
 
     private readonly string _file;
     private readonly SqliteFileWatch _watch;

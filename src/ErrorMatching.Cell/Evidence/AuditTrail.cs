@@ -28,11 +28,16 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             var count = Count(connection, transaction);
             var meaning = new RecordedMeaning(rows.Connection!, rows, key);
             var fault = AuditChain.Verify(
-                Told(Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", ReadOrUnreadable, null, transaction), "looking at entries",
-                    count, progress, cancellation), head, key, meaning.Add);
+                Told(
+                    Rows.Stream(connection, AuditRow.Select + " ORDER BY seq", AuditRow.ReadOrUnreadable, null, transaction),
+                    "looking at entries",
+                    count,
+                    progress,
+                    cancellation), head, key, meaning.Add);
             var seen = Rows.Query(
-                connection, AuditRow.Select + " WHERE seq = @Seq", ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
+                connection, AuditRow.Select + " WHERE seq = @Seq", AuditRow.ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
             fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database);
+            if (key is not null) fault ??= AuditCheckpoint.Fault(connection, transaction, key);
             var contents = new CheckedContents();
             fault ??= contents.Fault(connection, transaction, rows, progress, cancellation);
             var archives = new CheckedArchives(store.Database.ArchiveFolder);
@@ -176,20 +181,6 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
             }
 
             yield return entry;
-        }
-    }
-
-    // A tampered row may not be readable as an entry; then it becomes one without a hash.
-    private static AuditEntry ReadOrUnreadable(DbDataReader row)
-    {
-        try
-        {
-            return AuditRow.Read(row);
-        }
-        catch (Exception e) when (
-            e is InvalidCastException or FormatException or ArgumentException or OverflowException or InvalidOperationException)
-        {
-            return new(row.GetInt64(0), DateTimeOffset.UnixEpoch, "", "", null, "", "", "");
         }
     }
 }

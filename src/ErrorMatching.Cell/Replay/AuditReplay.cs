@@ -13,6 +13,7 @@ internal sealed class AuditReplay
     private readonly Dictionary<string, (string Code, long Seq)> _codes = new(StringComparer.Ordinal);
     private readonly Dictionary<long, RecordedCorrection> _corrections = [];
     private readonly Dictionary<string, RecordedPerson> _people = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, long> _lastInSlot = new(StringComparer.Ordinal);
 
     /// <summary>The first entry that must not exist; null if there is none.</summary>
     public AuditFault? Fault { get; private set; }
@@ -26,6 +27,24 @@ internal sealed class AuditReplay
     /// <summary>The names of rows with codes.</summary>
     public IEnumerable<string> CodedRows => _codes.Keys;
 
+    /// <summary>The highest number of a correction so far; 0 for none.</summary>
+    public long Highest { get; private set; }
+
+    /// <summary>The row name of each slot with the correction whose program was verified there last.</summary>
+    public IEnumerable<KeyValuePair<string, long>> LastInSlot => _lastInSlot;
+
+    /// <summary>The corrections that may take another step: those that have not ended, and of the released ones the last of each slot,
+    /// which may be reverted.</summary>
+    public IEnumerable<KeyValuePair<long, RecordedCorrection>> Unsettled
+    {
+        get
+        {
+            var last = _lastInSlot.Values.ToHashSet();
+            return _corrections.Where(c =>
+                !CorrectionSteps.IsEnd(c.Value.State) && (c.Value.State != CorrectionState.Released || last.Contains(c.Key)));
+        }
+    }
+
     /// <summary>Called with each step of a correction: its entry, its number, the state before and after.</summary>
     public Action<AuditEntry, long, CorrectionState?, CorrectionState>? Stepped { get; init; }
 
@@ -37,6 +56,29 @@ internal sealed class AuditReplay
     {
         _corrections.Remove(id);
         _codes.Remove(CorrectionRow.NameOf(id));
+    }
+
+    /// <summary>Forgets all corrections but the unsettled ones.</summary>
+    public void Settle()
+    {
+        var unsettled = Unsettled.Select(c => c.Key).ToHashSet();
+        foreach (var id in _corrections.Keys.Where(id => !unsettled.Contains(id)).ToArray()) Forget(id);
+    }
+
+    /// <summary>Puts back a correction.</summary>
+    public void Restore(long id, RecordedCorrection correction) => _corrections.Add(id, correction);
+
+    /// <summary>Puts back the code of a row.</summary>
+    public void Restore(string row, string code, long seq) => _codes.Add(row, (code, seq));
+
+    /// <summary>Puts back a user.</summary>
+    public void Restore(RecordedPerson person) => _people.Add(UserName.Key(person.Name), person);
+
+    /// <summary>Puts back the highest number of a correction, and the last one in each slot.</summary>
+    public void Restore(long highest, IEnumerable<(string Row, long Id)> lastInSlot)
+    {
+        Highest = highest;
+        foreach (var (row, id) in lastInSlot) _lastInSlot.Add(row, id);
     }
 
     /// <summary>Replays the trail as a change sees it.</summary>
@@ -114,6 +156,12 @@ internal sealed class AuditReplay
         {
             // A tampered program ends with its correction: no further step uses it.
             known.Program = program ?? known.Program;
+        }
+
+        Highest = Math.Max(Highest, id);
+        if (to == CorrectionState.Verified && entry.RowCodes is not null)
+        {
+            foreach (var (name, _) in CodedRow.Read(entry.RowCodes).Where(r => SlotRow.IsName(r.Name))) _lastInSlot[name] = id;
         }
 
         (known.State, known.Seq) = (to, entry.Seq);

@@ -8,11 +8,20 @@ namespace ErrorMatching.Cell;
 /// <param name="key">The key that seals the trail and codes rows; null for none.</param>
 internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
 {
+    /// <summary>After how many entries a new checkpoint is made.</summary>
+    public const int Rhythm = 1000;
+
     private const int MostLooked = 500;
     private readonly AuditLedger _ledger = new(key);
+    private long _checkpointAt;
 
-    /// <summary>Ensures that a correction may go to its machine. The first call checks the whole trail, later calls only the new
-    /// entries.</summary>
+    /// <summary>Why this process read the whole trail, and did not go on from a checkpoint; null if it did, or if the trail is
+    /// short.</summary>
+    public Statement? WhyWhole =>
+        _ledger.WhyWhole is { } why && (!why.Is(RecordedCheckpoint.Missing) || _ledger.Seq >= Rhythm) ? why : null;
+
+    /// <summary>Ensures that a correction may go to its machine. The first call goes on from the checkpoint, or reads the whole trail;
+    /// later calls read only the new entries.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
     public void DemandRecorded(Correction correction)
     {
@@ -20,6 +29,28 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
         {
             throw new StoreException(StoreError.Tampered, Recorded.NotSent.With(fault.Statement));
         }
+    }
+
+    /// <summary>Makes a new checkpoint if enough entries were added since the last one.</summary>
+    /// <param name="rhythm">How many entries are enough.</param>
+    /// <param name="stop">Ends the reading of the trail; the next call goes on.</param>
+    public void KeepCheckpoint(int rhythm, CancellationToken stop)
+    {
+        if (key is null || database.HeardOf() is var now && now - _checkpointAt < rhythm) return;
+        var checkpoint = _ledger.Checkpoint(database, stop);
+        if (checkpoint is { State.Length: <= AuditCheckpoint.MostLength }) checkpoint.Keep(database, key);
+        _checkpointAt = now;
+    }
+
+    /// <summary>Looks at some more of the entries before the checkpoint that this process went on from. If one is not as it was written,
+    /// nothing is sent any more, and the next process reads the whole trail.</summary>
+    /// <param name="most">How many entries at most.</param>
+    /// <returns>What is wrong; null if nothing is.</returns>
+    public Statement? LookBehind(int most)
+    {
+        if (_ledger.LookBehind(database, most) is not { } fault) return null;
+        AuditCheckpoint.Remove(database);
+        return fault.Statement;
     }
 
     /// <summary>Changes found by a quick check of users, slots, the first 500 corrections that have not ended, and the database

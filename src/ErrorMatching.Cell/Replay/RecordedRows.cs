@@ -195,7 +195,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     private AuditFault? Missing(IEnumerable<string> slots)
     {
         var there = slots.ToHashSet(StringComparer.Ordinal);
-        return replay.CodedRows.Where(r => r.StartsWith("slot ", StringComparison.Ordinal) && !there.Contains(r))
+        return replay.CodedRows.Where(r => SlotRow.IsName(r) && !there.Contains(r))
             .Order(StringComparer.Ordinal)
             .Select(r => Differs(replay.CodeOf(r)!.Value.Seq, Recorded.RowMissing.With(r, replay.CodeOf(r)!.Value.Seq))).FirstOrDefault();
     }

@@ -99,12 +99,22 @@ internal sealed class CellFlow(
         try
         {
             store.DemandRecorded(correction);
+            ReportWholeTrail();
         }
         catch (StoreException e) when (e.Error == StoreError.Tampered)
         {
             ReportTampered(Recorded.Correction.With(correction.Id), e.Statement);
             throw;
         }
+    }
+
+    /// <summary>Says once why the whole audit trail was read. A checkpoint that somebody else wrote is recorded.</summary>
+    public void ReportWholeTrail()
+    {
+        if (store.WhyWholeTrail is not { } why || _saidTampered.ContainsKey(why.Text)) return;
+        log.Warning("{Where}: {Message}", "record", why.Sentence);
+        if (why.Is(RecordedCheckpoint.Foreign) || why.Is(RecordedCheckpoint.Astray)) ReportTampered(null, why);
+        else _saidTampered.TryAdd(why.Text, true);
     }
 
     /// <summary>Records a change to the store from outside the cell, once while the cell runs.</summary>

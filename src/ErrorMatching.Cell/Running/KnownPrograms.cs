@@ -1,3 +1,6 @@
+using ErrorMatching.Jobs;
+using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -13,18 +16,34 @@ internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, Slot
     private const int MostAlike = 100;
 
     /// <summary>Why a program must not be replaced; null if it may be: the cell put it there, or it is an original.</summary>
-    /// <param name="hash">SHA-256 of the program; null if the slot is empty.</param>
+    /// <param name="found">The program; null if the slot is empty.</param>
+    /// <param name="hash">Its SHA-256; null if the slot is empty.</param>
     /// <param name="approved">The correction to send.</param>
-    public Statement? WhyNot(string? hash, Correction approved)
+    public Statement? WhyNot(byte[]? found, string? hash, Correction approved)
     {
         // What it found earlier was known then, or a person was warned and approved again.
-        if (hash is null || hash == approved.ProgramSha256 || hash == approved.PreviousSha256) return null;
+        if (found is null || hash is null || hash == approved.ProgramSha256 || hash == approved.PreviousSha256) return null;
         if (Cutting(hash, approved) is { } cutting) return RecordedOffset.SlotOfPrograms.With(slot.Program, machine.Name, cutting.Id);
         var holding = flow.Store.Slot(machine.Name, slot.Name);
         return hash == holding.ProgramSha256 || hash == holding.PreviousSha256
             || (approved.Offset is null && originals.Hashes(machine.Name, slot.Name).Contains(hash))
             ? null
-            : Recorded.ChangedBefore.With(slot.Program, machine.Name, hash);
+            : (IsOfOtherCell(found) ? Recorded.OfOtherCell : Recorded.ChangedBefore).With(slot.Program, machine.Name, hash);
+    }
+
+    // A marker says which measurement a program was made from. No file that arrived here was that one.
+    private bool IsOfOtherCell(byte[] found)
+    {
+        try
+        {
+            return Marker.Find(NcProgram.Read(found, InputFile.Dialect(machine.Dialect).Syntax)) is [_, ..] markers
+                && markers.All(m => m.Marker is { } marker && flow.Store.OfMeasurement(marker.MeasurementSha256).Count == 0);
+        }
+        catch (InputException)
+        {
+            // It is no program that the cell can read, and so none with a marker.
+            return false;
+        }
     }
 
     // A program that sets offsets does not replace one that cuts.

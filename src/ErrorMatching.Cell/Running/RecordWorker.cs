@@ -3,17 +3,24 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Cell;
 
 /// <summary>Checks every few seconds whether the store was changed from outside the cell: users, slots, corrections that have not ended, or
-/// the schema.</summary>
+/// the schema. Keeps the checkpoint of the audit trail up to date, and looks at the entries before the one that the cell went on
+/// from.</summary>
 internal sealed class RecordWorker(CellFlow flow)
 {
     private const string Where = "record";
+
+    // Years of entries take half an hour at this pace, and a thirtieth of a core.
+    private const int Behind = 20_000;
 
     /// <summary>Checks once.</summary>
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        var found = flow.Store.Tampered();
+        flow.Store.KeepCheckpoint(stop);
+        flow.ReportWholeTrail();
+        var behind = flow.Store.LookBehindCheckpoint(Behind);
+        IReadOnlyList<Statement> found = [.. behind is null ? Array.Empty<Statement>() : [behind], .. flow.Store.Tampered()];
         if (found is not [var first, ..])
         {
             flow.Troubles.End(Where);

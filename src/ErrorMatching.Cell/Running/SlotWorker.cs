@@ -105,6 +105,12 @@ internal sealed class SlotWorker(
             return null;
         }
 
+        if (OffsetStep.TooLarge(flow.Store, approved) is { } tooLarge)
+        {
+            Fail(Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CorrectionCodes.OffsetStep, tooLarge);
+            return null;
+        }
+
         byte[]? found;
         try
         {
@@ -123,7 +129,7 @@ internal sealed class SlotWorker(
         }
 
         var hash = HashOf(found);
-        var unknown = _known.WhyNot(hash, approved);
+        var unknown = _known.WhyNot(found, hash, approved);
         var uploading = Step(
             approved,
             CorrectionState.Uploading,

@@ -24,6 +24,9 @@ internal static class CorrectionCodes
     /// <summary>The job's last correction at the machine was made by an offset, and this one by blocks, or the other way around.</summary>
     public const string KindChanged = "correction-kind-changed";
 
+    /// <summary>The control's offset would change by more than the job allows in a step.</summary>
+    public const string OffsetStep = "offset-step-too-large";
+
     /// <summary>Recorded: the measured counterpart of a feed-forward job, which is only verified; nothing is sent.</summary>
     public const string FirstArticle = "first-article";
 

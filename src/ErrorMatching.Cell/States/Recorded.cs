@@ -71,6 +71,10 @@ public static class Recorded
         "changed-before",
         "{0} at {1} is neither what the cell put there nor an original: somebody changed it. It is kept as {2}. Look at it, then approve "
             + "again to replace it, or reject.");
+    internal static readonly SentenceForm OfOtherCell = new(
+        "of-other-cell",
+        "{0} at {1} is a corrected program that this cell did not make: another cell sends to this slot, too, or somebody copied it there. "
+            + "It is kept as {2}. Give the slot to one cell alone; then approve again to replace it, or reject.");
     internal static readonly SentenceForm ChangedMeanwhile = new(
         "changed-meanwhile",
         "{0} at {1} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {2}. Look "
@@ -360,7 +364,7 @@ public static class Recorded
         AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared,
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
-        EitherProgram, ChangedBefore, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
+        EitherProgram, ChangedBefore, OfOtherCell, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
         ReadBackUnseen, MachineBusy, MachineBusyUnnamed, MachineUnknown, WaitsTooLong, StartedMeanwhile, StateAway, StateSlow, StateWrong,
         StateStale, StateUnavailable,
         UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
@@ -378,7 +382,7 @@ public static class Recorded
         SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
         ContentDiffers, ContentMissing, StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
-        .. RecordedOffset.All, .. RecordedThinning.All,
+        .. RecordedOffset.All, .. RecordedThinning.All, .. RecordedCheckpoint.All,
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
@@ -46,9 +47,20 @@ public static class RecordedOffset
             + "blocks where this one sets an offset. Both together would correct twice. Take that correction back at the machine: revert "
             + "it, and run what that sends if it is an offset. Then give the job another name in the configuration.");
 
+    internal static readonly SentenceForm StepTooLarge = new(
+        "offset-step-too-large",
+        $"The offset would go from {{0:{Length}}} to {{1:{Length}}} mm, and the job allows {{2:{Length}}} mm in a step: the program would "
+            + "stop at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this one.");
+
+    internal static readonly SentenceForm TurnTooLarge = new(
+        "offset-turn-too-large",
+        $"The rotation would go from {{0:{Turn}}} to {{1:{Turn}}} degrees, and the job allows {{2:{Turn}}} degrees in a step: the program "
+            + "would stop at the machine. Revert correction {3:0} and run what that sends, then approve this one again; or reject this "
+            + "one.");
+
     /// <summary>All forms.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
-        [Radius, RadiusOfTool, Work, WorkTurned, NotWritten, SlotOfPrograms, KindChanged];
+        [Radius, RadiusOfTool, Work, WorkTurned, NotWritten, SlotOfPrograms, KindChanged, StepTooLarge, TurnTooLarge];
 
     /// <summary>What the program of a choice sets: each offset, the step and the correction in all.</summary>
     /// <param name="choice">The choice.</param>
@@ -57,6 +69,25 @@ public static class RecordedOffset
         choice.Radius is { } radius ? Of(radius) : null,
         choice.Work is { } work ? Of(work.Number, work.Total, work.Before ?? default) : null,
     }.OfType<Statement>());
+
+    /// <summary>The corrections in all that a program sets, each with a name of its own: in mm, or of a rotation in degrees.</summary>
+    /// <param name="offset">What <see cref="Of(CorrectionChoice)"/> stated.</param>
+    internal static IEnumerable<(string Name, decimal Total, bool IsAngle)> Totals(Statement offset)
+    {
+        foreach (var part in offset.Parts)
+        {
+            var values = part.Values.Select(v => v.Words ?? "").ToArray();
+            if (part.Is(Radius)) yield return ($"radius {values[0]}", Number(2), false);
+            if (part.Is(RadiusOfTool)) yield return ($"radius {values[1]} of tool {values[0]}", Number(3), false);
+            if (!part.Is(Work) && !part.Is(WorkTurned)) continue;
+            var first = part.Is(Work) ? 3 : 4;
+            yield return ($"X of work offset {values[0]}", Number(first), false);
+            yield return ($"Y of work offset {values[0]}", Number(first + 1), false);
+            yield return ($"rotation of work offset {values[0]}", part.Is(Work) ? 0 : Number(first + 2), true);
+
+            decimal Number(int at) => decimal.Parse(values[at], NumberStyles.Float, CultureInfo.InvariantCulture);
+        }
+    }
 
     private static Statement Of(Nc.RadiusCorrection radius)
     {

@@ -212,10 +212,21 @@ public sealed class CellStore : IDisposable
     /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the
     /// right must have approved it, and its program must be the computed one. Its slot and the database schema must be as the cell left
     /// them.</summary>
-    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call checks the whole trail, later calls only the
-    /// new entries.</remarks>
+    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call goes on from the store's checkpoint of the
+    /// trail, or reads the whole trail; later calls read only the new entries.</remarks>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if a condition is not met.</exception>
     internal void DemandRecorded(Correction correction) => _outside.DemandRecorded(correction);
+
+    /// <summary>Why this process read the whole audit trail, and did not go on from a checkpoint; null if it did, or if the trail is
+    /// short.</summary>
+    internal Statement? WhyWholeTrail => _outside.WhyWhole;
+
+    /// <summary>Makes a new checkpoint of the audit trail if enough entries were added since the last one.</summary>
+    internal void KeepCheckpoint(CancellationToken stop, int rhythm = OutsideChanges.Rhythm) => _outside.KeepCheckpoint(rhythm, stop);
+
+    /// <summary>Looks at some more of the entries before the checkpoint that this process went on from.</summary>
+    /// <returns>What is wrong with one of them; null if nothing is.</returns>
+    internal Statement? LookBehindCheckpoint(int most) => _outside.LookBehind(most);
 
     /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
     /// the database schema. <c>audit verify</c> may find more.</summary>

@@ -10,7 +10,8 @@ internal static class HistorySearch
     public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
     {
         if (Period(database, query) is not var (first, last)) return [];
-        var isUserAlone = query with { User = null, Most = 0, IsLoose = false } == new HistoryQuery { Most = 0 };
+        var but = query with { User = null, From = null, To = null, Most = 0, IsLoose = false };
+        var isByUser = query.User is not null && but == new HistoryQuery { Most = 0 };
         var parameters = new
         {
             Recent,
@@ -32,9 +33,9 @@ internal static class HistorySearch
         var took = query.User is null ? "1 = 1" : $"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {User()})";
 
         // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
-        var latest = Rows(false, "id > (SELECT max(id) FROM correction) - @Recent", took);
+        var latest = Rows(false, "id > @Last - @Recent", took);
         return latest.Count >= query.Most ? latest
-            : Rows(true, "1 = 1", query.User is not null && isUserAlone ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
+            : Rows(true, "1 = 1", isByUser ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
 
         IReadOnlyList<Correction> Rows(bool isAll, string among, string by)
         {
@@ -48,9 +49,11 @@ internal static class HistorySearch
             var conditions = new List<string>();
             if (query.Serial is not null) conditions.Add(Has("serial", "@Serial", isAll));
             if (query.WorkOrder is not null) conditions.Add(WorkOrders(isAll));
-            if (query.From is not null) conditions.Add("arrived_at >= @From");
-            if (query.To is not null) conditions.Add("arrived_at < @To");
-            if (query.From is not null || query.To is not null) conditions.Add("id BETWEEN @First AND @Last");
+
+            // A sum is looked up by no index: the rows of a period are found by number, in order, and not sorted by the thousand.
+            if (query.From is not null) conditions.Add("arrived_at + 0 >= @From");
+            if (query.To is not null) conditions.Add("arrived_at + 0 < @To");
+            if ((query.From is not null || query.To is not null) && !(isAll && isByUser)) conditions.Add("id BETWEEN @First AND @Last");
             if (query.Program is not null)
                 conditions.Add(
                     Hash(query.Program) is null
@@ -103,11 +106,11 @@ internal static class HistorySearch
 
     // Numbers follow arrivals but for clocks that were set back, so a period is a range of numbers with few others in it. Null for none.
     private static (long First, long Last)? Period(CellDatabase database, HistoryQuery query) =>
-        query.From is null && query.To is null ? (0, long.MaxValue)
-        : database.Read(connection => Rows.Query(
+        database.Read(connection => Rows.Query(
             connection,
-            "SELECT min(id), max(id) FROM correction WHERE arrived_at >= @From AND arrived_at < @To",
-            r => r.IsDBNull(0) ? ((long, long)?)null : (r.GetInt64(0), r.GetInt64(1)),
+            query.From is null && query.To is null ? "SELECT 0, max(id) FROM correction"
+                : "SELECT min(id), max(id) FROM correction WHERE arrived_at >= @From AND arrived_at < @To",
+            r => r.IsDBNull(1) ? ((long, long)?)null : (r.GetInt64(0), r.GetInt64(1)),
             new { From = From(query), To = To(query) })[0]);
 
     private static long From(HistoryQuery query) => query.From is { } from ? StoredTime.Of(from) : long.MinValue;

@@ -3,6 +3,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Contents that a store keeps by their SHA-256.</summary>
 internal static class StoredContent
 {
+    private const string Archive = PackedContent.Archive;
     private const string Select = $"SELECT {ContentRow.Columns} FROM content";
 
     /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
@@ -28,11 +29,21 @@ internal static class StoredContent
     }
 
     /// <summary>Stores a content unless it is already stored. One that was moved to an archive returns to the store.</summary>
-    public static void Keep(StoreTransaction transaction, string sha256, PackedContent content) => transaction.Execute(
-        "INSERT INTO content (sha256, bytes, form, length, source, made_by) VALUES (@sha256, @Bytes, @Form, @Length, @Source, @MadeBy) "
-            + "ON CONFLICT (sha256) DO UPDATE SET bytes = excluded.bytes, form = excluded.form, length = excluded.length, source = "
-            + "excluded.source, made_by = excluded.made_by WHERE content.form = 'archive'",
-        new { sha256, content.Bytes, content.Form, content.Length, content.Source, content.MadeBy });
+    public static void Keep(StoreTransaction transaction, string sha256, PackedContent content)
+    {
+        var parameters = new { sha256, content.Bytes, content.Form, content.Length, content.Source, content.MadeBy, Archive };
+
+        // Two statements: a database asks for the right to update as soon as a statement might, and a station may only insert.
+        if (transaction.Execute(
+            "INSERT INTO content (sha256, bytes, form, length, source, made_by) VALUES (@sha256, @Bytes, @Form, @Length, @Source, @MadeBy) "
+                + "ON CONFLICT (sha256) DO NOTHING",
+            parameters) == 1
+            || transaction.Value<string>("SELECT form FROM content WHERE sha256 = @sha256", parameters) != Archive) return;
+        transaction.Execute(
+            "UPDATE content SET bytes = @Bytes, form = @Form, length = @Length, source = @Source, made_by = @MadeBy WHERE sha256 = @sha256 "
+                + "AND form = @Archive",
+            parameters);
+    }
 
     /// <summary>True if content is stored under a hash. What was moved to an archive must be in it: an absent archive stores
     /// nothing.</summary>

@@ -47,8 +47,8 @@ internal static class AuditChain
         return (seq, hash, true);
     }
 
-    // On the second core: whether an entry is as written, and what it is about.
-    private static (AuditEntry Entry, bool IsAsWritten) Looked(AuditEntry entry)
+    /// <summary>Whether an entry is as written; reads what it is about, too, so that a second core does both.</summary>
+    public static (AuditEntry Entry, bool IsAsWritten) Looked(AuditEntry entry)
     {
         _ = entry.Subject?.Code;
         return (entry, entry.IsWrittenAs(entry.Seq));

@@ -108,6 +108,45 @@ public sealed class OffsetCellTests
         Assert.Empty(Directory.EnumerateFiles(cell.PathOf("m1")));
     }
 
+    // Each is 0.04 mm from the uncorrected offset, and the second 0.08 mm from the first: LinuxCNC would stop at it.
+    [Fact]
+    public async Task An_offset_further_than_a_step_from_the_one_before_is_not_sent_until_that_is_taken_back()
+    {
+        await using var cell = OffsetCell.Of(allow: "\"tool-wear\"");
+        cell.Start();
+        cell.Drop("part_S1.csv", OffsetCell.Grown(0.04));
+        await cell.Until(1, CorrectionState.Verified);
+        var first = OffsetCell.Sent(cell);
+        new CorrectionDecisions(cell.Store).Release(1, "sam", null);
+        cell.Drop("part_S2.csv", OffsetCell.Grown(-0.04));
+        var second = await cell.Until(2, CorrectionState.Failed);
+        Assert.Equal(
+            ("offset-step-too-large", "The offset would go from 0.0400 to -0.0400 mm, and the job allows 0.0500 mm in a step: the program "
+                + "would stop at the machine. Revert correction 1 and run what that sends, then approve this one again; or reject "
+                + "this one."),
+            (second.Code, second.Reason!.Sentence));
+        Assert.Equal(first, OffsetCell.Sent(cell));
+
+        // Approved as it is, it fails again; behind the program that takes the first one back, it is sent.
+        var steps = cell.Store.StepsOf(2).Count;
+        new CorrectionDecisions(cell.Store).Approve(2, "sam", null);
+        await RunningCell.Until(() => cell.Store.StepsOf(2).Count >= steps + 3);
+        Assert.Equal(CorrectionState.Failed, cell.Store.Find(2)!.State);
+        Assert.Equal(first, OffsetCell.Sent(cell));
+        await cell.StopAsync();
+        await Revert(cell, 1);
+        new CorrectionDecisions(cell.Store).Release(1, "sam", null);
+        new CorrectionDecisions(cell.Store).Approve(2, "sam", null);
+        cell.Start();
+        await cell.Until(2, CorrectionState.Verified);
+        Assert.Contains("R[#502+[-0.04]]", Encoding.ASCII.GetString(OffsetCell.Sent(cell)), StringComparison.Ordinal);
+
+        // From there to 0.01 is a step of the limit itself.
+        new CorrectionDecisions(cell.Store).Release(2, "sam", null);
+        cell.Drop("part_S3.csv", OffsetCell.Grown(0.01));
+        await cell.Until(3, CorrectionState.Verified);
+    }
+
     [Fact]
     public async Task In_feedback_offsets_add_up_and_a_revert_goes_back_to_the_one_before()
     {

@@ -197,6 +197,44 @@ public sealed class TamperedStoreTests : PeopleTest
     }
 
     [Fact]
+    public void A_store_that_is_set_back_as_a_whole_is_found_whatever_checkpoint_it_has()
+    {
+        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Store.Backup(PathOf("earlier.db"));
+        Step(_approved, CorrectionState.Rejected, "Ben", "dirty");
+        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Evidence.Remember();
+        var later = Store.Database.Snapshot((connection, transaction) => AuditCheckpoint.Find(connection, transaction, Key).Found)!;
+
+        // With its own checkpoint, and with the one of later.
+        foreach (var checkpoint in new[] { null, later })
+        {
+            using var earlier = CellStore.Open(new SqliteSettings(PathOf("earlier.db")), Clock, Key);
+            checkpoint?.Keep(earlier.Database, Key);
+            Assert.Equal(AuditFaultKind.Removed, new AuditTrail(earlier, Keys).EndFault()?.Kind);
+            Assert.Equal(AuditFaultKind.Removed, new AuditTrail(earlier, Keys).Verify().Fault?.Kind);
+            earlier.DemandRecorded(_approved);
+            Assert.Equal(checkpoint is not null, earlier.WhyWholeTrail?.Is(RecordedCheckpoint.Astray) == true);
+        }
+    }
+
+    [Theory]
+    [InlineData("UPDATE audit_checkpoint SET seq = seq - 1")]
+    [InlineData("UPDATE audit_checkpoint SET state = x'00'")]
+    [InlineData("UPDATE audit_checkpoint SET seq = 'none'")]
+    public void A_checkpoint_that_somebody_else_wrote_is_a_fault_of_the_store(string sql)
+    {
+        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Assert.True(Evidence.Verify().Holds);
+        Tamper(sql);
+        var fault = Evidence.Verify().Fault;
+        Assert.True(fault?.Statement.Is(RecordedCheckpoint.Foreign), fault?.Message);
+        using var later = CellStore.Open(new SqliteSettings(PathOf("cell.db")), Clock, Key);
+        later.DemandRecorded(_approved);
+        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Foreign));
+    }
+
+    [Fact]
     public void No_step_is_taken_from_a_row_that_somebody_else_wrote_but_one_that_ends_it()
     {
         Tamper("INSERT INTO content (sha256, bytes) VALUES (@own, @bytes)", "UPDATE correction SET program_sha256 = @own WHERE id = 2");

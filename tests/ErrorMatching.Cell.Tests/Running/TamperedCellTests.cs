@@ -75,6 +75,34 @@ public sealed class TamperedCellTests
         Assert.Equal(File.ReadAllBytes(cell.PathOf("job/counterpart.nc")), cell.Machine["m1"].Files[RunningCell.Program]);
     }
 
+    [Fact]
+    public async Task A_cell_keeps_a_checkpoint_and_says_so_if_somebody_else_wrote_it()
+    {
+        await using var cell = new RunningCell();
+        cell.Store.Write(transaction =>
+        {
+            for (var i = 0; i < OutsideChanges.Rhythm; i++) transaction.Audit("cell", "noted", null, "as it goes");
+            return true;
+        });
+        cell.Start();
+        await RunningCell.Until(() => cell.Store.Read("SELECT seq FROM audit_checkpoint", r => r.GetInt64(0)).Count == 1);
+        await cell.StopAsync();
+        Assert.DoesNotContain(cell.Store.AuditEntries(OutsideChanges.Rhythm, 100), e => e.What == "tampered");
+
+        Tamper(cell, "UPDATE audit_checkpoint SET seq = seq + 1");
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await cell.Until(1, CorrectionState.Verified);
+        await RunningCell.Until(() => cell.Store.AuditEntries(OutsideChanges.Rhythm, 100).Any(e =>
+            e is { Who: "cell", What: "tampered", Subject: null } && e.Basis.Is(RecordedCheckpoint.Foreign)));
+        await cell.StopAsync();
+
+        // The one that it made instead holds.
+        using var next = cell.Open();
+        next.DemandRecorded(next.Find(1)!);
+        Assert.Null(next.WhyWholeTrail);
+    }
+
     private static IReadOnlyList<CellTrouble> TroublesOf(RunningCell cell) => Heartbeat.Read(cell.PathOf("logs"))?.Troubles ?? [];
 
     private static void Tamper(RunningCell cell, string sql)

@@ -11,3 +11,5 @@ public sealed class SqliteStoreHistoryTests() : StoreHistoryTests(new SqliteKind
 public sealed class SqliteStoreMigrationTests() : StoreMigrationTests(new SqliteKind());
 
 public sealed class SqliteStoreThinTests() : StoreThinTests(new SqliteKind());
+
+public sealed class SqliteStoreCheckpointTests() : StoreCheckpointTests(new SqliteKind());

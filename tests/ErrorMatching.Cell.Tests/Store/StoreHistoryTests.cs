@@ -56,6 +56,45 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
         void Is(Correction[] wanted, HistoryQuery query) => Assert.Equal(wanted, store.Search(query));
     }
 
+    // The law: a search finds what is left if all corrections are looked at one by one, also behind a clock that was set back.
+    [Fact]
+    public void A_search_finds_what_looking_at_each_correction_finds()
+    {
+        var (store, random, start) = (Open(), new Random(1), Clock.Now);
+        var all = new List<(Correction Correction, string By)>();
+        for (var i = 0; i < 25; i++)
+        {
+            Clock.Now = start.AddHours(i + random.Next(-3, 1));
+            var (c, by) = (store.Archive(Arrival($"file {i}", $"file {i}")).Correction, $"user {random.Next(3)}");
+            if (random.Next(5) == 0) c = store.Step(c, CorrectionState.Refused, by, "no");
+            else c = store.Step(c, CorrectionState.Recognized, by, "by hand", x => x with { Serial = $"S{i % 7}", Machine = $"m{i % 2}" });
+            all.Add((c, by));
+        }
+
+        for (var i = 0; i < 150; i++)
+        {
+            var query = new HistoryQuery
+            {
+                From = random.Next(2) == 0 ? start.AddHours(random.Next(-1, 26)) : null,
+                To = random.Next(2) == 0 ? start.AddHours(random.Next(-1, 26)) : null,
+                User = random.Next(3) == 0 ? $"user {random.Next(4)}" : null,
+                Serial = random.Next(4) == 0 ? $"S{random.Next(8)}" : null,
+                State = random.Next(3) == 0 ? CorrectionState.Recognized : null,
+                Machine = random.Next(4) == 0 ? $"m{random.Next(3)}" : null,
+                Most = random.Next(1, 30),
+            };
+            Assert.Equal(
+                all.Where(c => (query.From is null || c.Correction.ArrivedAt >= query.From)
+                        && (query.To is null || c.Correction.ArrivedAt < query.To)
+                        && (query.User ?? c.By) == c.By
+                        && (query.Serial is null || query.Serial == c.Correction.Serial)
+                        && (query.State ?? c.Correction.State) == c.Correction.State
+                        && (query.Machine is null || query.Machine == c.Correction.Machine))
+                    .Select(c => c.Correction).OrderByDescending(c => c.Id).Take(query.Most),
+                store.Search(query));
+        }
+    }
+
     [Fact]
     public void Corrections_in_a_state_come_in_order_of_arrival()
     {

@@ -43,11 +43,18 @@ public sealed class DatabaseRolesTests(PostgresServer server) : IDisposable
         new CorrectionDecisions(store).Reject(2, by.Name, "scratched");
 
         Assert.Equal(CorrectionState.Rejected, cell.Find(2)!.State);
+
+        // It stores files of its own, such as those of a job, and one that is there already stays as it is.
+        store.Audit("ben", "noted", "", null, "a job"u8.ToArray());
+        store.Audit("ben", "noted", "", null, "points"u8.ToArray());
+        Assert.Equal("a job", Encoding.UTF8.GetString(cell.Content(StoredContent.Sha256("a job"u8))));
+        Assert.Equal("points", Encoding.UTF8.GetString(cell.Content(cell.Find(1)!.MeasurementSha256)));
         Assert.Null(cell.VerifyAudit());
         Assert.Empty(cell.Tampered());
         Denied(station, "DELETE FROM correction", "DELETE FROM audit", "DELETE FROM person", "TRUNCATE step", "DROP TABLE slot",
             "ALTER TABLE audit DISABLE TRIGGER ALL", "SELECT * FROM machine_secret", "INSERT INTO person SELECT * FROM person",
-            "UPDATE audit SET who = 'anna'", "UPDATE content SET bytes = ''", "CREATE TABLE x (y INT)");
+            "UPDATE audit SET who = 'anna'", "DELETE FROM audit_checkpoint", "UPDATE audit_checkpoint SET seq = 1",
+            "UPDATE content SET bytes = ''", "CREATE TABLE x (y INT)");
         cell.Dispose();
     }
 

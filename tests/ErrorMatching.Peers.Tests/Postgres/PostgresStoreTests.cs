@@ -25,3 +25,7 @@ public sealed class PostgresStoreMigrationTests(PostgresServer server) : StoreMi
 /// <inheritdoc cref="PostgresStoreTests"/>
 [Collection(PostgresTests.Name)]
 public sealed class PostgresStoreThinTests(PostgresServer server) : StoreThinTests(new PostgresKind(server));
+
+/// <inheritdoc cref="PostgresStoreTests"/>
+[Collection(PostgresTests.Name)]
+public sealed class PostgresStoreCheckpointTests(PostgresServer server) : StoreCheckpointTests(new PostgresKind(server));
