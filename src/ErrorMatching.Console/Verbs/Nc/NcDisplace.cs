@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
 using ErrorMatching.Jobs;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
