@@ -34,7 +34,8 @@ public sealed class LateProgressTests
             Assert.EndsWith("\rplanning the tool path: [#####...............] 25 %", terminal.ToString(), StringComparison.Ordinal);
         }
 
-        Assert.EndsWith("\r" + new string(' ', "planning the tool path: [#####...............] 25 %".Length) + "\r", terminal.ToString(), StringComparison.Ordinal);
+        var blank = new string(' ', "planning the tool path: [#####...............] 25 %".Length);
+        Assert.EndsWith($"\r{blank}\r", terminal.ToString(), StringComparison.Ordinal);
     }
 
     [Fact]

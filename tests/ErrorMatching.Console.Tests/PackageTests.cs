@@ -7,7 +7,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
 
-/// <summary>What deploy/pack puts into packages. That they install, work and go is tried by deploy/try-packages, which takes minutes.</summary>
+/// <summary>What deploy/pack puts into packages. That they install, work and go is tried by deploy/try-packages,
+/// which takes minutes.</summary>
 public sealed class PackageTests
 {
     private static readonly XElement Properties = XDocument.Load(Repository.PathTo("Directory.Build.props")).Root!;
@@ -59,7 +60,8 @@ public sealed class PackageTests
             Regex.Matches(text, "\"(?<folder>/(var|srv)/[a-z/]+)\"", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(1))
                 .Select(m => m.Groups["folder"].Value),
             folder => Assert.True(
-                folder == "/var/lib/errormatch/keys" || script.Contains(" " + folder, StringComparison.Ordinal), $"Nobody makes {folder}."));
+                folder == "/var/lib/errormatch/keys" || script.Contains(" " + folder, StringComparison.Ordinal),
+                $"Nobody makes {folder}."));
     }
 
     [Fact]
@@ -79,8 +81,12 @@ public sealed class PackageTests
     public void A_control_file_has_what_dpkg_demands(string package)
     {
         var lines = File.ReadAllLines(Repository.PathTo("deploy", "debian", package + ".control"));
-        var fields = lines.Where(l => !l.StartsWith(' ')).Select(l => l.Split(": ", 2)).ToDictionary(f => f[0], f => f[1], StringComparer.Ordinal);
-        Assert.Equal((package, "@VERSION@", "amd64", "@SIZE@"), (fields["Package"], fields["Version"], fields["Architecture"], fields["Installed-Size"]));
+        var fields = lines.Where(l => !l.StartsWith(' '))
+            .Select(l => l.Split(": ", 2))
+            .ToDictionary(f => f[0], f => f[1], StringComparer.Ordinal);
+        Assert.Equal(
+            (package, "@VERSION@", "amd64", "@SIZE@"),
+            (fields["Package"], fields["Version"], fields["Architecture"], fields["Installed-Size"]));
         Assert.All(new[] { "Maintainer", "Description", "Depends" }, f => Assert.NotEqual("", fields[f]));
         Assert.All(lines, l => Assert.NotEqual("", l.Trim()));
     }
@@ -92,7 +98,8 @@ public sealed class PackageTests
         Assert.SkipUnless(OperatingSystem.IsLinux(), "These scripts run on Linux.");
         var file = Repository.PathTo("deploy", script);
         var shell = File.ReadLines(file).First() is "#!/bin/sh" ? "sh" : "bash";
-        using var process = Process.Start(new ProcessStartInfo(shell, ["-n", file]) { RedirectStandardError = true })!;
+        using var process = Process.Start(
+            new ProcessStartInfo(shell, ["-n", file]) { UseShellExecute = false, RedirectStandardError = true })!;
         var said = process.StandardError.ReadToEnd();
         process.WaitForExit();
         Assert.Equal((0, ""), (process.ExitCode, said));

@@ -54,16 +54,17 @@ public sealed class ShellCompletionTests
 
     private static async Task<string> Shown(string program, params string[] words)
     {
-        using var shell = Process.Start(new ProcessStartInfo(program, words) { RedirectStandardOutput = true })!;
+        using var shell = Process.Start(
+            new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardOutput = true })!;
         using var patience = CancellationTokenSource.CreateLinkedTokenSource(TestContext.Current.CancellationToken);
         patience.CancelAfter(TimeSpan.FromSeconds(60));
         try
         {
             return await shell.StandardOutput.ReadToEndAsync(patience.Token);
         }
-        catch (OperationCanceledException) when (!TestContext.Current.CancellationToken.IsCancellationRequested)
+        catch (OperationCanceledException e) when (!TestContext.Current.CancellationToken.IsCancellationRequested)
         {
-            throw new TimeoutException($"{program} completed nothing within a minute.");
+            throw new TimeoutException($"{program} completed nothing within a minute.", e);
         }
         finally
         {

@@ -99,7 +99,9 @@ public sealed class StandardStreamTests
 
     [Theory]
     [InlineData("- names standard input more than once", "nc", "diff", "-", "-")]
-    [InlineData("--json and --out - both need standard output", "nc", "displace", "-", "--blocks", "N1", "--normal", "1", "--out", "-", "--json")]
+    [InlineData(
+        "--json and --out - both need standard output",
+        "nc", "displace", "-", "--blocks", "N1", "--normal", "1", "--out", "-", "--json")]
     public void A_stream_has_one_use(string problem, params string[] words)
     {
         var (exit, output, error, _) = Run([], words);

@@ -27,7 +27,12 @@ internal sealed class NcDisplace : NcVerb
     };
     private readonly WishOption _wish = new();
     private readonly CertificateOption _certificate = new();
-    private readonly Option<string> _out = new("--out") { Description = "The program to write, or - for standard output; the answer then goes to standard error.", HelpName = "FILE", Required = true };
+    private readonly Option<string> _out = new("--out")
+    {
+        Description = "The program to write, or - for standard output; the answer then goes to standard error.",
+        HelpName = "FILE",
+        Required = true
+    };
 
     public NcDisplace()
         : base(

@@ -53,7 +53,8 @@ internal sealed class NcDisplaceAnswer(string file, string? output, NcPath path,
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(
-            CultureInfo.InvariantCulture, $"{output ?? "standard output"}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
+            CultureInfo.InvariantCulture,
+            $"{output ?? "standard output"}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
         page.Line();
         if (rewrite.ChangedBlocks.Count > 0)
         {

@@ -73,7 +73,8 @@ internal abstract class NcVerb : Verb
         // The dialect is read concurrently; if neither can be used, the dialect's error is reported.
         var reading = Task.Run(() => NcProgram.Read(program.Bytes ?? InputFile.Program(program.File)), CancellationToken.None);
         var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
-        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, new ProgramFolder(program.File, libraries ?? []).Find, cancellation);
+        var called = new ProgramFolder(program.File, libraries ?? []);
+        return NcInterpreter.Run(reading.GetAwaiter().GetResult(), known, called.Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
