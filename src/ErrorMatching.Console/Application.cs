@@ -54,6 +54,7 @@ internal static class Application
         try
         {
             var verb = (Verb)parsed.CommandResult.Command;
+            verb.Input = terminal.Input;
             verb.Secrets = terminal.Secrets;
             verb.ProgressTo = terminal.Progress;
             return verb.Run(parsed, cancellation);

@@ -128,7 +128,7 @@ public sealed partial class CellProgressTests : IDisposable
         Assert.DoesNotContain("%", output.ToString(), StringComparison.Ordinal);
     }
 
-    [GeneratedRegex("\\A(?<doing>[a-z ]+): (?<percent>[0-9]+) %\\s*\\z", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex("\\A(?<doing>[a-z ]+): \\[[#.]{20}\\] (?<percent>[0-9]+) %\\s*\\z", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Percent();
 
     // Cancels as soon as anything is said.

@@ -26,7 +26,7 @@ public class ContractTests
     }
 
     [Fact]
-    public void Version_prints_the_version_alone() => Assert.Equal((0, "0.1.0\n", ""), Shell.Run("--version"));
+    public void Version_prints_the_version_alone() => Assert.Equal((0, "0.2.0\n", ""), Shell.Run("--version"));
 
     [Theory]
     [MemberData(nameof(VerbNames))]

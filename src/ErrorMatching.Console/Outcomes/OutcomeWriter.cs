@@ -27,6 +27,11 @@ internal static class OutcomeWriter
             case Answer answer when isJson:
                 answer.WriteJson(terminal.Output);
                 break;
+            case Answer { Program: { } program } answer:
+                terminal.ProgramOutput.Write(program.Span);
+                terminal.ProgramOutput.Flush();
+                answer.WriteText(new Page(terminal.Error, terminal.HasErrorColor));
+                break;
             case Answer answer:
                 answer.WriteText(new Page(terminal.Output, terminal.HasColor));
                 WriteErrors(terminal, answer.Failure);
@@ -68,7 +73,7 @@ internal static class OutcomeWriter
     {
         foreach (var error in failure?.Errors ?? [])
         {
-            terminal.Error.Write(PrintedText.OneLine(Line(error)) + "\n");
+            new Page(terminal.Error, terminal.HasErrorColor).Error(PrintedText.OneLine(Line(error)));
         }
     }
 

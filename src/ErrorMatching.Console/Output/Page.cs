@@ -8,12 +8,22 @@ internal sealed class Page(TextWriter writer, bool hasColor)
 {
     private const string Bold = "\u001b[1m";
     private const string Red = "\u001b[31m";
+    private const string Yellow = "\u001b[33m";
     private const string Green = "\u001b[32m";
     private const string Plain = "\u001b[0m";
     private static readonly SearchValues<char> OfNumbers = SearchValues.Create("0123456789+-.eE ");
 
     /// <summary>Writes a highlighted line.</summary>
     public void Heading(string text) => Line(hasColor ? Bold + text + Plain : text);
+
+    /// <summary>Writes the line that says whether a result may be used: green if so, red if not.</summary>
+    public void Verdict(string text, bool isGood) => Line(hasColor ? Bold + (isGood ? Green : Red) + text + Plain : text);
+
+    /// <summary>Writes a warning.</summary>
+    public void Warning(string text) => Line((hasColor ? Bold + Yellow + "Warning:" + Plain : "Warning:") + " " + text);
+
+    /// <summary>Writes what is wrong.</summary>
+    public void Error(string text) => Line(hasColor ? Red + text + Plain : text);
 
     /// <summary>Marks a changed word: in color if the terminal supports it, else with braces, which blocks contain only in
     /// comments.</summary>

@@ -10,6 +10,15 @@ internal sealed record Terminal(TextWriter Output, TextWriter Error, bool HasCol
     /// <summary>The source of passwords; by default there is nothing to read.</summary>
     public SecretInput Secrets { get; init; } = new(TextReader.Null, null, Error);
 
+    /// <summary>What <c>-</c> names on the command line; by default there is nothing to read.</summary>
+    public StandardInput Input { get; init; } = StandardInput.Empty;
+
+    /// <summary>The same stream as <see cref="Output"/>, for programs, which keep their bytes.</summary>
+    public Stream ProgramOutput { get; init; } = Stream.Null;
+
+    /// <summary>True if messages may contain escape sequences.</summary>
+    public bool HasErrorColor { get; init; }
+
     /// <summary>The terminal for progress of long operations; null if no person is watching.</summary>
     public TextWriter? Progress { get; init; }
 

@@ -37,6 +37,11 @@ internal static class FailureOfCommandLine
             return [$"Unrecognized command or argument '{first}'.{Hint(first, known)}"];
         }
 
+        if (DashesOf(parsed) > 1)
+        {
+            return [$"{StandardInput.Dash} names {StandardInput.Name} more than once, which can be read once. Name files for the others."];
+        }
+
         // An option that does not exist passes for an argument, and the argument itself for one too many.
         return OptionTaken(parsed) is { } option
             ? [$"Unrecognized command or argument '{option}'.{Hint(option, OptionsOf(parsed))}"]
@@ -49,6 +54,12 @@ internal static class FailureOfCommandLine
         : parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value)
             .Concat(parsed.UnmatchedTokens)
             .FirstOrDefault(t => t.StartsWith("--", StringComparison.Ordinal) && t.Length > 2);
+
+    // How often standard input is named: by arguments and by options that name an input.
+    private static int DashesOf(ParseResult parsed) => parsed.CommandResult.Children
+        .Where(c => c is not OptionResult { Option.Name: "--out" })
+        .SelectMany(c => c.Tokens)
+        .Count(t => t.Value == StandardInput.Dash);
 
     private static string[] OptionsOf(ParseResult parsed)
     {

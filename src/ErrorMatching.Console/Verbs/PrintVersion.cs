@@ -7,7 +7,7 @@ namespace ErrorMatching.Console;
 /// <summary>Prints the version of the console and nothing else.</summary>
 internal sealed class PrintVersion : SynchronousCommandLineAction
 {
-    /// <summary>The version, such as <c>0.1.0</c>.</summary>
+    /// <summary>The version, such as <c>0.2.0</c>.</summary>
     public static string Version { get; } = typeof(
         PrintVersion).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 

@@ -1,4 +1,9 @@
 using System.CommandLine;
+using System.Diagnostics.CodeAnalysis;
+using ErrorMatching.Jobs;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -15,6 +20,9 @@ internal abstract class Verb : Command
     /// <summary>A whole command line that works in the root of the checkout.</summary>
     public string Example { get; }
 
+    /// <summary>What <c>-</c> names on the command line.</summary>
+    public StandardInput Input { get; set; } = StandardInput.Empty;
+
     /// <summary>The source of passwords, for verbs that people sign.</summary>
     public SecretInput? Secrets { get; set; }
 
@@ -29,6 +37,24 @@ internal abstract class Verb : Command
     /// <summary>An option for a file.</summary>
     protected static Option<string> FileOption(string name, string description) =>
         new(name) { Description = description, HelpName = "FILE" };
+
+    /// <summary>A program that the user named, or standard input; null for none.</summary>
+    /// <exception cref="InputException">Standard input cannot be read, or is too large.</exception>
+    [return: NotNullIfNotNull(nameof(file))]
+    protected GivenFile? GivenProgram(string? file) =>
+        file is null ? null : Input.File(file, NcProgram.MaxBytes, NcInputCodes.ProgramTooLarge);
+
+    /// <summary>A measurement that the user named, or standard input; null for none. Its reader knows the limit of its format.</summary>
+    /// <exception cref="InputException">Standard input cannot be read, or is too large.</exception>
+    [return: NotNullIfNotNull(nameof(file))]
+    protected GivenFile? GivenMeasurement(string? file) =>
+        file is null ? null : Input.File(file, MeasurementReader.LimitOf(MeasurementFormat.Points), MeasurementError.FileTooLarge);
+
+    /// <summary>The columns of a table of numbers that the user named, or of standard input.</summary>
+    /// <exception cref="InputException">It cannot be opened, or is no such table.</exception>
+    protected NumberTable Numbers(string file, params IReadOnlyList<string> columns) => GivenMeasurement(file) is { Bytes: { } bytes } given
+        ? NumberTable.Read(bytes, given.File, columns)
+        : NumberTable.Read(file, columns);
 
     /// <summary>Rejects a value of the wrong form as a command line error.</summary>
     protected static void Demand(Option<string> option, Predicate<string> isGood, string expected) => option.Validators.Add(result =>

@@ -104,8 +104,8 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
 
         foreach (var warning in settings.Warnings)
         {
-            page.Line(string.Create(
-                CultureInfo.InvariantCulture, $"Warning: line {warning.Place.Line}, {warning.Place.Path}: {warning.Message}"));
+            page.Warning(string.Create(
+                CultureInfo.InvariantCulture, $"line {warning.Place.Line}, {warning.Place.Path}: {warning.Message}"));
         }
     }
 

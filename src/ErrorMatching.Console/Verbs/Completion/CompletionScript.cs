@@ -27,7 +27,8 @@ internal static class CompletionScript
                 found=("${(@f)$("${words[1]}" "[suggest:${CURSOR}]" "${BUFFER}" 2>/dev/null)}")
                 compadd -- ${found:#} || _files
             }
-            compdef _errormatch errormatch
+            # Found in fpath, this file is the function's first call; evaluated, it only says whom the function completes.
+            if [ "${funcstack[1]}" = _errormatch ]; then _errormatch "$@"; else compdef _errormatch errormatch; fi
 
             """,
         "pwsh" => """

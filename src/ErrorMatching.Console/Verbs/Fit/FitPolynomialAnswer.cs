@@ -63,7 +63,7 @@ internal sealed class FitPolynomialAnswer(NumberTable table, PolynomialFit fit, 
     {
         foreach (var warning in Warnings())
         {
-            page.Line("Warning: " + warning.Message);
+            page.Warning(warning.Message);
         }
 
         page.Table(

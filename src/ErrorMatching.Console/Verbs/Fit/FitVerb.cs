@@ -19,7 +19,7 @@ internal abstract class FitVerb : Verb
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var file = arguments.GetRequiredValue(_points);
-        var table = NumberTable.Read(file, "x", "y");
+        var table = Numbers(file, "x", "y");
         cancellation.ThrowIfCancellationRequested();
         try
         {
@@ -27,7 +27,7 @@ internal abstract class FitVerb : Verb
         }
         catch (GeometryException e)
         {
-            return FailureOf.Geometry(e, file);
+            return FailureOf.Geometry(e, StandardInput.NameOf(file));
         }
     }
 

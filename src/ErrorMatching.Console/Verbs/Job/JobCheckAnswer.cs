@@ -77,7 +77,7 @@ internal sealed class JobCheckAnswer(MatingJob job) : DocumentAnswer
         new NamedFiles(Files).WriteText(page);
         foreach (var warning in _warnings)
         {
-            page.Line("Warning: " + warning.Sentence);
+            page.Warning(warning.Sentence);
         }
     }
 

@@ -71,7 +71,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         WriteProof(page);
         foreach (var warning in _report.Warnings)
         {
-            page.Line("Warning: " + warning.Message);
+            page.Warning(warning.Message);
         }
 
         foreach (var note in _report.Notes)
@@ -96,7 +96,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     private void WriteVerdict(Page page)
     {
         var verdict = _report.Verdict;
-        page.Heading(VerdictWords.Of(verdict));
+        page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
         foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>())
         {
             page.Line(sentence);

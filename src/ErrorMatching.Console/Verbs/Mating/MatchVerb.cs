@@ -45,14 +45,16 @@ internal sealed class MatchVerb : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("matching the program");
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = MatingRun.Of(
             files,
             new()
             {
-                Part = GivenFile.At(arguments.GetValue(_part)),
-                Counterpart = GivenFile.At(arguments.GetValue(_counterpart)),
+                Part = GivenMeasurement(arguments.GetValue(_part)),
+                Counterpart = GivenMeasurement(arguments.GetValue(_counterpart)),
                 Program = GivenFile.At(arguments.GetValue(_program)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Folder = folder,

@@ -58,7 +58,7 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
         page.Line("Along the normal: positive where the pieces overlap, negative where a gap is left.");
         foreach (var warning in report.Warnings)
         {
-            page.Line("Warning: " + warning);
+            page.Warning(warning);
         }
 
         page.Line();

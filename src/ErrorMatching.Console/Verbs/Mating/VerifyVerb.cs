@@ -37,10 +37,11 @@ internal sealed class VerifyVerb : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
-        var (theoretical, part) = (files.Theoretical(), files.Part(GivenFile.At(arguments.GetValue(_part))));
+        var (theoretical, part) = (files.Theoretical(), files.Part(GivenMeasurement(arguments.GetValue(_part))));
         files.CheckFrame(theoretical, part);
         var (before, after) = (
-            files.Counterpart(new(arguments.GetRequiredValue(_before))), files.Counterpart(new(arguments.GetRequiredValue(_after))));
+            files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_before))),
+            files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_after))));
         if (before.Sha256 == after.Sha256)
         {
             throw InputRefusals.SameMeasurement(after.File, before.File);

@@ -31,12 +31,15 @@ internal sealed class NcDiff : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var (before, after, dialect) = (
-            arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_dialect));
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("comparing the programs");
+        var (givenBefore, givenAfter) = (
+            GivenProgram(arguments.GetRequiredValue(_before)), GivenProgram(arguments.GetRequiredValue(_after)));
+        var (before, after, dialect) = (givenBefore.File, givenAfter.File, arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(before, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
-        var now = NcVerb.Interpret(after, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
+        var was = NcVerb.Interpret(givenBefore, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
+        var now = NcVerb.Interpret(givenAfter, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
 using ErrorMatching.Jobs;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -28,7 +27,12 @@ internal sealed class NcDisplace : NcVerb
     };
     private readonly WishOption _wish = new();
     private readonly CertificateOption _certificate = new();
-    private readonly Option<string> _out = new("--out") { Description = "The program to write.", HelpName = "FILE", Required = true };
+    private readonly Option<string> _out = new("--out")
+    {
+        Description = "The program to write, or - for standard output; the answer then goes to standard error.",
+        HelpName = "FILE",
+        Required = true
+    };
 
     public NcDisplace()
         : base(
@@ -44,13 +48,18 @@ internal sealed class NcDisplace : NcVerb
         Options.Add(_out);
         Options.Add(_wish);
         Options.Add(_certificate);
-        Demand(_by, text => Numbers(text) is { Length: 2 or 3 }, "two or three numbers such as 0.1,-0.05");
-        Demand(_normal, text => Numbers(text) is { Length: 1 }, "a number such as -0.02");
+        Demand(_by, text => Vector(text) is { Length: 2 or 3 }, "two or three numbers such as 0.1,-0.05");
+        Demand(_normal, text => Vector(text) is { Length: 1 }, "a number such as -0.02");
         Validators.Add(result =>
         {
             if (new Option[] { _by, _normal, _along }.Count(o => result.GetResult(o) is not null) != 1)
             {
                 result.AddError("Exactly one of --by, --normal and --along says how the blocks are displaced.");
+            }
+
+            if (result.GetValue(_out) == StandardInput.Dash && result.GetValue<bool>("--json"))
+            {
+                result.AddError("--json and --out - both need standard output. Name a file for the program.");
             }
         });
     }
@@ -67,12 +76,12 @@ internal sealed class NcDisplace : NcVerb
         Outcome<DisplacementWish> wish;
         if (arguments.GetValue(_by) is { } by)
         {
-            var vector = Numbers(by)!;
+            var vector = Vector(by)!;
             wish = DisplacementWish.EndsBy(path, blocks.Result, new(vector[0], vector[1], vector.Length > 2 ? vector[2] : 0));
         }
         else if (arguments.GetValue(_normal) is { } normal)
         {
-            wish = DisplacementWish.Normal(path, blocks.Result, Numbers(normal)![0]);
+            wish = DisplacementWish.Normal(path, blocks.Result, Vector(normal)![0]);
         }
         else
         {
@@ -94,13 +103,14 @@ internal sealed class NcDisplace : NcVerb
         }
 
         var output = arguments.GetRequiredValue(_out);
+        var isPiped = output == StandardInput.Dash;
         string[] inputs = [
             file, .. path.Dialect.Files.Select(f => f.File), .. arguments.GetValue(_along) is { } along ? [along] : Array.Empty<string>()];
 
         // The program is written to disk during the proof, and gets its name if the proof succeeds. A missing folder is created only then.
         var proving = Task.Run(
             () => Prover.Check(path, rewrite.Result.Program, wish, rewrite.Result.LeastIncrementMm), CancellationToken.None);
-        if (!Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
+        if (isPiped || !Directory.Exists(Path.GetDirectoryName(Path.GetFullPath(output))))
         {
             proving.Wait(CancellationToken.None);
         }
@@ -111,7 +121,7 @@ internal sealed class NcDisplace : NcVerb
             {
                 // A certificate states the proof, so it waits for it.
                 var outputs = arguments.GetValue(_certificate) is null || Proof().Holds
-                    ? _certificate.Before([(output, rewrite.Result.Program.Bytes)], Certified, arguments)
+                    ? _certificate.Before(isPiped ? [] : [(output, rewrite.Result.Program.Bytes)], Certified, arguments)
                     : [];
                 _wish.WriteWith(
                     outputs,
@@ -128,7 +138,7 @@ internal sealed class NcDisplace : NcVerb
         }
 
         return Proof() is { Holds: true } proof
-            ? new NcDisplaceAnswer(file, output, path, rewrite.Result, proof, misfit)
+            ? new NcDisplaceAnswer(file, isPiped ? null : output, path, rewrite.Result, proof, misfit)
             : FailureOf.Refused(file, Proof().Failures);
 
         NcProof Proof() => proving.GetAwaiter().GetResult();
@@ -136,9 +146,9 @@ internal sealed class NcDisplace : NcVerb
         Certificate Certified() => Certificate.Of(path, rewrite.Result.Program, wish, rewrite.Result.LeastIncrementMm, Proof());
     }
 
-    private static List<DisplacedPoint> Points(string file)
+    private List<DisplacedPoint> Points(string file)
     {
-        var table = NumberTable.Read(file, "x", "y", "dx", "dy");
+        var table = Numbers(file, "x", "y", "dx", "dy");
         return [
             .. Enumerable.Range(0, table.Count).Select(i => new DisplacedPoint(
                 new(At("x", i), At("y", i)), new(At("dx", i), At("dy", i))))];
@@ -146,7 +156,7 @@ internal sealed class NcDisplace : NcVerb
         double At(string column, int row) => double.Parse(table[column][row], NumberStyles.Float, CultureInfo.InvariantCulture);
     }
 
-    private static double[]? Numbers(string text)
+    private static double[]? Vector(string text)
     {
         var parts = text.Split(',');
         var numbers = new double[parts.Length];

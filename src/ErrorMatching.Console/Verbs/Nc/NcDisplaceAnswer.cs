@@ -7,17 +7,19 @@ namespace ErrorMatching.Console;
 
 /// <summary>A displaced program that was written, and its proof.</summary>
 /// <param name="file">The original.</param>
-/// <param name="output">The program that was written.</param>
+/// <param name="output">The program that was written; null for standard output.</param>
 /// <param name="path">The original, interpreted.</param>
 /// <param name="rewrite">What was changed.</param>
 /// <param name="proof">The result of the proof.</param>
 /// <param name="misfitMm">The largest deviation of an element from what was requested at a point; null if no points were given.</param>
-internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm)
+internal sealed class NcDisplaceAnswer(string file, string? output, NcPath path, Rewrite rewrite, NcProof proof, double? misfitMm)
     : DocumentAnswer
 {
     private const int BlocksShown = 20;
 
     public override string Schema => "errormatch/nc-displace/1";
+
+    public override ReadOnlyMemory<byte>? Program => output is null ? rewrite.Program.Bytes : default(ReadOnlyMemory<byte>?);
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -51,7 +53,8 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
     public override void WriteText(Page page)
     {
         page.Heading(string.Create(
-            CultureInfo.InvariantCulture, $"{output}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
+            CultureInfo.InvariantCulture,
+            $"{output ?? "standard output"}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
         page.Line();
         if (rewrite.ChangedBlocks.Count > 0)
         {
@@ -74,8 +77,8 @@ internal sealed class NcDisplaceAnswer(string file, string output, NcPath path, 
         ShownNotes.Write(page, (file, path));
         if (misfitMm is > 0.0005 and var misfit)
         {
-            page.Line(
-                $"Warning: at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend "
+            page.Warning(
+                $"at one of the points the element goes {Show.Mm(misfit)} mm beside what was asked, since a line cannot bend "
                     + $"between its ends. Split the block, or ask for less.");
         }
     }

@@ -41,13 +41,18 @@ internal sealed class NcProve : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var (before, after, file) = (
-            arguments.GetRequiredValue(_before), arguments.GetRequiredValue(_after), arguments.GetRequiredValue(_wish));
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("proving the result");
+        var (givenBefore, givenAfter, file) = (
+            GivenProgram(arguments.GetRequiredValue(_before)),
+            GivenProgram(arguments.GetRequiredValue(_after)),
+            arguments.GetRequiredValue(_wish));
+        var (before, after) = (givenBefore.File, givenAfter.File);
         var wish = InputFile.Wish(file);
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(before, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
+        var was = NcVerb.Interpret(givenBefore, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -63,7 +68,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(after, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
+        var now = NcVerb.Interpret(givenAfter, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         if (!proof.Holds)

@@ -8,7 +8,7 @@ namespace ErrorMatching.Console;
 /// <summary>A verb for one program.</summary>
 internal abstract class NcVerb : Verb
 {
-    private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program." };
+    private readonly Argument<string> _program = new("PROGRAM") { Description = "The NC program, or - for standard input." };
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
     private readonly Option<string[]> _libraries = LibraryOption();
@@ -57,22 +57,32 @@ internal abstract class NcVerb : Verb
     };
 
     /// <summary>Reads and interprets a program.</summary>
+    /// <param name="program">The program, with its content if it comes from standard input.</param>
+    /// <param name="dialect">The control's dialect.</param>
+    /// <param name="blockSkip">The switches for block skip.</param>
+    /// <param name="radii">The tools' radii.</param>
+    /// <param name="libraries">Folders with called programs, searched behind the program's own, or, for standard input, the working
+    /// folder.</param>
+    /// <param name="cancellation">Set by Ctrl+C.</param>
     /// <exception cref="InputException">A file cannot be opened. The dialect is unknown, or the program is too large. The dialect's
     /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(
-        string file, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
+        GivenFile program, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
     {
         var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
-        var program = NcProgram.Read(InputFile.Program(file));
-        return NcInterpreter.Run(program, known, new ProgramFolder(file, libraries ?? []).Find, cancellation);
+        var read = NcProgram.Read(program.Bytes ?? InputFile.Program(program.File));
+        return NcInterpreter.Run(read, known, new ProgramFolder(program.File, libraries ?? []).Find, cancellation);
     }
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var file = arguments.GetRequiredValue(_program);
+        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        progress.Report("working through the program");
+        var given = GivenProgram(arguments.GetRequiredValue(_program));
+        var file = given.File;
         var path = Interpret(
-            file,
+            given,
             arguments.GetRequiredValue(_dialect),
             BlockSkips.Of(arguments.GetValue(_blockSkip)),
             _radii.Of(arguments),

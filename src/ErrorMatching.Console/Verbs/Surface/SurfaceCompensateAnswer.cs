@@ -39,7 +39,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         {
             page.Heading($"{report.Job.Name}: {In(FinishedSurface.Name)} has no tool call and stops with an alarm");
             page.Line();
-            page.Line("Warning: " + FinishingProgram.NoToolCall);
+            page.Warning(FinishingProgram.NoToolCall);
         }
 
         page.Line();
@@ -74,7 +74,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
                 + $"most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
         foreach (var warning in result.Warnings)
         {
-            page.Line("Warning: " + warning);
+            page.Warning(warning.ToString());
         }
 
         foreach (var note in result.Notes)

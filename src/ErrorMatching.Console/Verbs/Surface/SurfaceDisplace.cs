@@ -43,7 +43,7 @@ internal sealed class SurfaceDisplace : Verb
             files,
             new()
             {
-                Measured = [.. arguments.GetRequiredValue(_measured).Select(f => new GivenFile(f))],
+                Measured = [.. arguments.GetRequiredValue(_measured).Select(f => GivenMeasurement(f))],
                 CutBy = GivenFile.At(arguments.GetValue(_cutBy)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
                 Earlier = [.. (arguments.GetValue(_earlier) ?? []).Select(f => new GivenFile(f))],

@@ -37,7 +37,7 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));
         foreach (var warning in compensation.Warnings)
         {
-            page.Line("Warning: " + warning);
+            page.Warning(warning.ToString());
         }
 
         foreach (var note in compensation.Notes)

@@ -110,7 +110,8 @@ internal sealed class SurfaceEvaluate : Verb
 
         return answer;
 
-        MeasuredPoints[] Read(string name, string[]? paths) => [.. (paths ?? []).Select(f => files.Measured(name, new(f), plan))];
+        MeasuredPoints[] Read(string name, string[]? paths) =>
+            [.. (paths ?? []).Select(f => files.Measured(name, GivenMeasurement(f), plan))];
 
         SurfaceEvaluation? Of(MeasuredPoints[] pieces) => pieces.Length == 0 ? null : SurfaceEvaluation.Of(files.Job, surface, pieces);
     }

@@ -102,7 +102,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
 
             foreach (var warning in piece.Warnings)
             {
-                page.Line("Warning: " + warning);
+                page.Warning(warning.ToString());
             }
         }
 

@@ -45,7 +45,8 @@ internal sealed class SurfaceFit : Verb
         using var progress = new LateProgress(ProgressTo, TimeProvider.System);
         progress.Report("reading the points");
         var file = arguments.GetRequiredValue(_points);
-        var grid = GridReader.Read(file);
+        var given = GivenMeasurement(file);
+        var grid = given.Bytes is { } bytes ? GridReader.Read(bytes, given.File) : GridReader.Read(file);
         var check = arguments.GetValue(_check) is { } checkFile ? GridReader.ReadPoints(checkFile) : null;
         cancellation.ThrowIfCancellationRequested();
         try
@@ -57,7 +58,7 @@ internal sealed class SurfaceFit : Verb
             var distance = new SurfaceDistance(fit.Surface);
             var folder = arguments.GetValue(_out);
             var answer = new SurfaceFitAnswer(
-                file,
+                given.File,
                 grid.Points.Count(),
                 fit,
                 distance.Of(grid.Points.Select(p => p.Position)),
@@ -72,7 +73,7 @@ internal sealed class SurfaceFit : Verb
         }
         catch (GeometryException e)
         {
-            return FailureOf.Geometry(e, file);
+            return FailureOf.Geometry(e, given.File);
         }
     }
 }

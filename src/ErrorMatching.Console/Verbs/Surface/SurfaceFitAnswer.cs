@@ -77,8 +77,8 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         page.Line();
         if (fit.MissedMm > 0)
         {
-            page.Line(
-                $"Warning: the points lie {Um(fit.MissedMm)} um off the best smooth surface, in the mean, and that is no noise: it has a "
+            page.Warning(
+                $"the points lie {Um(fit.MissedMm)} um off the best smooth surface, in the mean, and that is no noise: it has a "
                     + (fit.IsThroughPoints
                         ? "structure. The surface passes through every point instead, and so through the noise of each. Measure more "
                             + "points."

@@ -55,7 +55,7 @@ internal sealed class SurfaceToolpathAnswer(
         {
             page.Heading($"{job.Name}: {File} has no tool call and stops with an alarm");
             page.Line();
-            page.Line("Warning: " + FinishingProgram.NoToolCall);
+            page.Warning(FinishingProgram.NoToolCall);
             page.Line();
         }
 
@@ -76,9 +76,9 @@ internal sealed class SurfaceToolpathAnswer(
                 + $"to the surface than {path.RadiusMm + path.StockMm - c.GougeMm:0.000###} mm."));
         if (c.RaisedPoints > 0)
         {
-            page.Line(string.Create(
+            page.Warning(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Warning: {c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x "
+                $"{c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x "
                     + $"{c.RaisedAt.X:0.000}, y {c.RaisedAt.Y:0.000}: more stock is left there."));
         }
 

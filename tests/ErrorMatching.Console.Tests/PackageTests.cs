@@ -1,0 +1,120 @@
+using System.Diagnostics;
+using System.Text;
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using ErrorMatching.Cell;
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Console.Tests;
+
+/// <summary>What deploy/pack puts into packages. That they install, work and go is tried by deploy/try-packages,
+/// which takes minutes.</summary>
+public sealed class PackageTests
+{
+    private static readonly XElement Properties = XDocument.Load(Repository.PathTo("Directory.Build.props")).Root!;
+    private static readonly string[] Systems = ["linux-x64", "win-x64"];
+
+    public static TheoryData<string> Scripts =>
+    [
+        "pack", "try-packages",
+        .. Directory.EnumerateFiles(Repository.PathTo("deploy", "debian"))
+            .Where(f => Path.GetExtension(f) is ".postinst" or ".prerm" or ".postrm")
+            .Select(f => "debian/" + Path.GetFileName(f))
+            .Order(StringComparer.Ordinal),
+    ];
+
+    [Fact]
+    public void The_version_is_in_one_place()
+    {
+        var version = Assert.Single(Properties.Descendants("Version")).Value;
+        Assert.Equal(version + "\n", Shell.Run("--version").Output);
+        Assert.All(
+            Directory.EnumerateFiles(Repository.PathTo("src"), "*.csproj", SearchOption.AllDirectories),
+            f => Assert.DoesNotContain("<Version>", File.ReadAllText(f), StringComparison.Ordinal));
+    }
+
+    // Restoring for a system that is not in its lock file would change the file.
+    [Fact]
+    public void Every_lock_file_knows_the_systems_that_are_published_for()
+    {
+        Assert.Equal(string.Join(';', Systems), Assert.Single(Properties.Descendants("RuntimeIdentifiers")).Value);
+        var files = Directory.EnumerateFiles(Repository.PathTo("src"), "packages.lock.json", SearchOption.AllDirectories).ToArray();
+        Assert.True(files.Length > 10);
+        Assert.All(files, f => Assert.All(
+            Systems, s => Assert.Contains($"\"net10.0/{s}\"", File.ReadAllText(f), StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void The_configuration_of_the_package_is_right_and_names_the_places_of_the_unit()
+    {
+        var file = Repository.PathTo("deploy", "cell.json");
+        var text = File.ReadAllText(file);
+        var here = text.Replace("/opt/errormatch", Repository.Root.Replace('\\', '/'), StringComparison.Ordinal);
+        Assert.Empty(CellSettingsReader.Parse(Encoding.UTF8.GetBytes(here), file).Warnings);
+        Assert.Contains("\"approve\": \"person\"", text, StringComparison.Ordinal);
+        var unit = File.ReadAllText(Repository.PathTo("deploy", "errormatch-cell.service"));
+        var script = File.ReadAllText(Repository.PathTo("deploy", "debian", "errormatch.postinst"));
+        Assert.Contains("ReadWritePaths=-/srv/errormatch\n", unit, StringComparison.Ordinal);
+        Assert.Contains("ExecStart=/opt/errormatch/errormatch cell run /etc/errormatch/cell.json\n", unit, StringComparison.Ordinal);
+        Assert.All(
+            Regex.Matches(text, "\"(?<folder>/(var|srv)/[a-z/]+)\"", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(1))
+                .Select(m => m.Groups["folder"].Value),
+            folder => Assert.True(
+                folder == "/var/lib/errormatch/keys" || script.Contains(" " + folder, StringComparison.Ordinal),
+                $"Nobody makes {folder}."));
+    }
+
+    [Fact]
+    public void The_unit_s_account_is_the_one_that_the_package_makes()
+    {
+        var unit = File.ReadAllText(Repository.PathTo("deploy", "errormatch-cell.service"));
+        Assert.Contains("\nUser=errormatch\nGroup=errormatch\n", unit, StringComparison.Ordinal);
+        Assert.Contains(
+            "useradd --system --user-group --home-dir /var/lib/errormatch --no-create-home --shell /usr/sbin/nologin errormatch\n",
+            File.ReadAllText(Repository.PathTo("deploy", "debian", "errormatch.postinst")),
+            StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("errormatch")]
+    [InlineData("errormatch-station")]
+    public void A_control_file_has_what_dpkg_demands(string package)
+    {
+        var lines = File.ReadAllLines(Repository.PathTo("deploy", "debian", package + ".control"));
+        var fields = lines.Where(l => !l.StartsWith(' '))
+            .Select(l => l.Split(": ", 2))
+            .ToDictionary(f => f[0], f => f[1], StringComparer.Ordinal);
+        Assert.Equal(
+            (package, "@VERSION@", "amd64", "@SIZE@"),
+            (fields["Package"], fields["Version"], fields["Architecture"], fields["Installed-Size"]));
+        Assert.All(new[] { "Maintainer", "Description", "Depends" }, f => Assert.NotEqual("", fields[f]));
+        Assert.All(lines, l => Assert.NotEqual("", l.Trim()));
+    }
+
+    [Theory]
+    [MemberData(nameof(Scripts))]
+    public void A_script_is_one_that_its_shell_understands(string script)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "These scripts run on Linux.");
+        var file = Repository.PathTo("deploy", script);
+        var shell = File.ReadLines(file).First() is "#!/bin/sh" ? "sh" : "bash";
+        using var process = Process.Start(
+            new ProcessStartInfo(shell, ["-n", file]) { UseShellExecute = false, RedirectStandardError = true })!;
+        var said = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.Equal((0, ""), (process.ExitCode, said));
+        Assert.Contains("\nset -e", File.ReadAllText(file), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("errormatch-station.desktop", "errormatch-station /etc/errormatch/cell.json")]
+    [InlineData("errormatch-station-demo.desktop", "errormatch-station --demo")]
+    public void The_menu_starts_the_station(string file, string command)
+    {
+        var lines = File.ReadAllLines(Repository.PathTo("deploy", "debian", file));
+        Assert.Equal("[Desktop Entry]", lines[0]);
+        Assert.Contains("Exec=" + command, lines);
+        Assert.Contains("Icon=errormatch", lines);
+        Assert.Contains(lines, l => l.StartsWith("Name[zh_TW]=", StringComparison.Ordinal));
+    }
+}
