@@ -6,7 +6,6 @@ using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;
@@ -78,9 +77,14 @@ internal static class StationCommand
             try
             {
                 var builder = AppBuilder.Configure(
-                    () => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = t => TellBusy(t, log), Icon = Icon });
-                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling, log.Tell))
-                    .StartWithClassicDesktopLifetime([]);
+                    () => new App
+                    {
+                        Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()),
+                        Look = look,
+                        Busy = t => TellBusy(t, log),
+                        Icon = Icon,
+                    });
+                return StationPlatform.Use(builder, scaling, log.Tell).StartWithClassicDesktopLifetime([]);
             }
             finally
             {

@@ -4,7 +4,8 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>What the station has to say outside its window: on the error stream, and where a program has none, as on Windows, in a file.</summary>
+/// <summary>What the station has to say outside its window: on the error stream, and where a program has none, as on Windows, in a
+/// file.</summary>
 public sealed class StationLog
 {
     /// <summary>From this size on, a log is kept under its second name and begun again.</summary>
@@ -23,7 +24,8 @@ public sealed class StationLog
     public StationLog(string? file, TextWriter error, Action<string>? show, TimeProvider clock) =>
         (_file, _error, _show, _clock) = (file, error, show, clock);
 
-    /// <summary>The file of this account: <c>%LOCALAPPDATA%\errormatch\station.log</c>; null for an account without such a folder.</summary>
+    /// <summary>The file of this account: <c>%LOCALAPPDATA%\errormatch\station.log</c>; null for an account without such a
+    /// folder.</summary>
     public static string? FileOfAccount =>
         Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData) is { Length: > 0 } folder
             ? Path.Combine(folder, "errormatch", "station.log")
