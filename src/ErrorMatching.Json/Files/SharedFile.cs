@@ -37,7 +37,7 @@ public static class SharedFile
     public static SafeFileHandle OpenHandle(string path, FileShare share) => Patiently(
         () => File.OpenHandle(path, FileMode.Open, FileAccess.Read, share));
 
-    /// <summary>The bytes of a file, opened as by <see cref="OpenRead"/>.</summary>
+    /// <summary>The bytes of a file, opened as by <see cref="OpenRead(string)"/>.</summary>
     /// <exception cref="IOException">The file cannot be read, or has 2 GB or more.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static byte[] ReadAllBytes(string path)

@@ -12,20 +12,14 @@ public sealed class WineConsole : IAsyncLifetime
 {
     private const string Wine = "/usr/lib/wine/wine64", Server = "/usr/lib/wine/wineserver64", Package = "wine64";
 
+    private const string Locales = "/usr/share/i18n/locales";
+
     private static readonly bool IsThere = File.Exists(Wine);
 
     private readonly TemporaryFolder _folder = new();
 
     /// <summary>Skips the current test where Wine is not installed, or fails it where ERRORMATCH_PEERS=required demands it.</summary>
-    public static void IsNeeded()
-    {
-        if (Environment.GetEnvironmentVariable("ERRORMATCH_PEERS") == "required")
-        {
-            Assert.True(IsThere, $"Wine is missing: install the package {Package}.");
-        }
-
-        Assert.SkipUnless(IsThere, $"Wine is not installed (package {Package}).");
-    }
+    public static void IsNeeded() => Demand(IsThere, "Wine", Package);
 
     /// <summary>Publishes the console while Wine makes its prefix.</summary>
     public async ValueTask InitializeAsync()
@@ -68,6 +62,7 @@ public sealed class WineConsole : IAsyncLifetime
     /// <summary>Makes the language of a country, of the sources in Debian's package locales.</summary>
     public async Task MakeLocale(string locale)
     {
+        Demand(File.Exists(Path.Combine(Locales, locale)), $"The language {locale}", "locales");
         Directory.CreateDirectory(_folder["locales"]);
         await Succeeded(new("localedef", ["-i", locale, "-f", "UTF-8", Path.Combine(_folder["locales"], locale + ".UTF-8")]));
     }
@@ -84,6 +79,16 @@ public sealed class WineConsole : IAsyncLifetime
         }
 
         _folder.Dispose();
+    }
+
+    private static void Demand(bool isThere, string what, string package)
+    {
+        if (Environment.GetEnvironmentVariable("ERRORMATCH_PEERS") == "required")
+        {
+            Assert.True(isThere, $"{what} is missing: install the package {package}.");
+        }
+
+        Assert.SkipUnless(isThere, $"{what} is not installed (package {package}).");
     }
 
     private static async Task Succeeded(ProcessStartInfo start)
