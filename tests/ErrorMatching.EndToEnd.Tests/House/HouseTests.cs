@@ -201,7 +201,7 @@ public sealed partial class HouseTests
 
     [GeneratedRegex(
         @"\bFile\.(Replace|ReadAllBytes|OpenRead|OpenHandle)\b|\bFile\.Move\([^;]*overwrite: true|\bDirectory\.Move\b",
-        RegexOptions.CultureInvariant,
+        RegexOptions.ExplicitCapture,
         Timeout.Infinite)]
     private static partial Regex ReadOrReplaced();
 }

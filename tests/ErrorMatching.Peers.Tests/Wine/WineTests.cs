@@ -173,7 +173,7 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     private static string Text(params string[] path) => File.ReadAllText(Path.Combine(path));
 
     // How long it took is all that a run measures of itself.
-    private static string Timeless(string text) => Duration().Replace(text, "$1?");
+    private static string Timeless(string text) => Duration().Replace(text, "${what}?");
 
     private static double[] Numbers(string text) => [
         .. Number().Matches(text).Select(m => double.Parse(m.Value, System.Globalization.CultureInfo.InvariantCulture))];
@@ -205,9 +205,9 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     }
 
     [GeneratedRegex(
-        "(\"calculatingS\": |\"cycleS\": |this calculation took |Calculating: )[0-9.]+", RegexOptions.CultureInvariant, Timeout.Infinite)]
+        "(?<what>\"calculatingS\": |this calculation took |Calculating: )[0-9.]+", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Duration();
 
-    [GeneratedRegex("-?[0-9]+\\.[0-9]*(E[-+]?[0-9]+)?", RegexOptions.CultureInvariant, Timeout.Infinite)]
+    [GeneratedRegex("-?[0-9]+\\.[0-9]*(E[-+]?[0-9]+)?", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Number();
 }
