@@ -8,8 +8,8 @@ namespace ErrorMatching.Hmi.Desktop;
 /// Windows.</summary>
 internal static class WindowsPlatform
 {
-    // Inter has no Chinese. The first is Windows' own font with the forms of Taiwan, and has a bold; without it, Windows would choose by the
-    // language of the account.
+    // Inter has no Chinese. The first is Windows' own font with the forms of Taiwan, and has a bold; without it, Windows would choose by
+    // the language of the account.
     private static readonly string[] Chinese = ["Microsoft JhengHei UI", "Microsoft JhengHei", "Microsoft YaHei UI"];
 
     /// <summary>System windows, with the system's scaling, clipboard and input methods.</summary>

@@ -108,7 +108,9 @@ internal static class EditedFiles
 
     // A file with the same bytes does not conflict; nothing is written.
     private static bool IsTaken(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes) =>
-        PathOf(job, name) is var path && File.Exists(path) && !InputFile.Open(path, SharedFile.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
+        PathOf(job, name) is var path
+            && File.Exists(path)
+            && !InputFile.Open(path, SharedFile.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
 
     private static ReadOnlyMemory<byte> ProgramAt(string path)
     {

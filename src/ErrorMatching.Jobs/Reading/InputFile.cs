@@ -62,7 +62,9 @@ public static class InputFile
     public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
-        return length <= mostBytes ? SharedFile.ReadAllBytes(p) : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
+        return length <= mostBytes
+            ? SharedFile.ReadAllBytes(p)
+            : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
     });
 
     /// <summary>The wish in a file.</summary>
