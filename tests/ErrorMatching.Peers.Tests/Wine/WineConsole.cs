@@ -17,6 +17,7 @@ public sealed class WineConsole : IAsyncLifetime
     private static readonly bool IsThere = File.Exists(Wine);
 
     private readonly TemporaryFolder _folder = new();
+    private Process? _keeper;
 
     /// <summary>Skips the current test where Wine is not installed, or fails it where ERRORMATCH_PEERS=required demands it.</summary>
     public static void IsNeeded() => Demand(IsThere, "Wine", Package);
@@ -29,6 +30,11 @@ public sealed class WineConsole : IAsyncLifetime
             var prefix = Succeeded(Windows("wineboot", "-i"));
             await Succeeded(Publishing());
             await prefix;
+
+            // As long as one program runs, Wine's own services go on; without it, each run would start them again, which takes 2 s.
+            var keeping = Windows("cmd", "/c", "more");
+            keeping.RedirectStandardInput = keeping.RedirectStandardOutput = keeping.RedirectStandardError = true;
+            _keeper = Process.Start(keeping);
         }
     }
 
@@ -76,6 +82,7 @@ public sealed class WineConsole : IAsyncLifetime
             end.Environment["WINEPREFIX"] = _folder["prefix"];
             using var process = Process.Start(end)!;
             await process.WaitForExitAsync(CancellationToken.None);
+            _keeper?.Dispose();
         }
 
         _folder.Dispose();
