@@ -2,10 +2,10 @@ using System.CommandLine;
 using System.Globalization;
 using System.Runtime.InteropServices;
 using Avalonia;
+using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
-using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Desktop;
@@ -18,7 +18,8 @@ internal static class StationCommand
     private const int Least = 100, Most = 200;
 
     /// <summary>The command.</summary>
-    public static RootCommand Make()
+    /// <param name="log">Where it says what it has to say outside its window.</param>
+    public static RootCommand Make(StationLog log)
     {
         var config = new Argument<string?>("CONFIG") { Description = "The cell's configuration.", Arity = ArgumentArity.ZeroOrOne };
         var demo = new Option<bool>("--demo")
@@ -47,16 +48,22 @@ internal static class StationCommand
             result.GetValue(config),
             result.GetValue(demo),
             new StationLook(
-                result.GetValue(chinese) ? Language.TraditionalChinese : Language.English, result.GetValue(dark), result.GetValue(full)),
-            result.GetValue(scale) / 100.0));
+                result.GetValue(chinese) ? Language.TraditionalChinese : Language.English,
+                result.GetValue(dark),
+                result.GetValue(full),
+
+                // X11 may have no window manager that could maximize.
+                IsMaximized: OperatingSystem.IsWindows()),
+            result.GetValue(scale) / 100.0,
+            log));
         return command;
     }
 
-    private static int Run(string? config, bool isDemo, StationLook look, double scaling)
+    private static int Run(string? config, bool isDemo, StationLook look, double scaling, StationLog log)
     {
         if (isDemo == config is not null)
         {
-            Console.Error.WriteLine("Name the cell's configuration, or --demo.");
+            log.Fail("Name the cell's configuration, or --demo.");
             return WrongInput;
         }
 
@@ -70,9 +77,14 @@ internal static class StationCommand
             try
             {
                 var builder = AppBuilder.Configure(
-                    () => new App { Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()), Look = look, Busy = TellBusy });
-                return (OperatingSystem.IsWindows() ? builder.UseWindows() : builder.UseX11(scaling, Console.Error.WriteLine))
-                    .StartWithClassicDesktopLifetime([]);
+                    () => new App
+                    {
+                        Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()),
+                        Look = look,
+                        Busy = t => TellBusy(t, log),
+                        Icon = Icon,
+                    });
+                return StationPlatform.Use(builder, scaling, log.Tell).StartWithClassicDesktopLifetime([]);
             }
             finally
             {
@@ -81,13 +93,13 @@ internal static class StationCommand
         }
         catch (InputException e)
         {
-            Console.Error.WriteLine(e.Message);
+            log.Fail(e.Message);
             return WrongInput;
         }
         catch (Exception e) when (
             e is PlatformNotSupportedException or StoreException or PeopleException or IOException or UnauthorizedAccessException)
         {
-            Console.Error.WriteLine(e.Message);
+            log.Fail(e.Message);
             return Outside;
         }
     }
@@ -112,8 +124,13 @@ internal static class StationCommand
         return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
+    // On X11 the desktop entry names it.
+    private static Func<WindowIcon>? Icon => OperatingSystem.IsWindows()
+        ? () => new WindowIcon(typeof(StationCommand).Assembly.GetManifestResourceStream("station.ico")!)
+        : null;
+
     // For the log of the service manager: a user had to wait, and this is when.
-    private static void TellBusy(TimeSpan time) => Console.Error.WriteLine(string.Create(
+    private static void TellBusy(TimeSpan time, StationLog log) => log.Tell(string.Create(
         CultureInfo.InvariantCulture,
         $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
 

@@ -13,6 +13,9 @@ public sealed partial class App : Application
     /// <summary>Its initial appearance.</summary>
     public StationLook Look { get; init; } = new(Language.English, IsDark: false, IsFullScreen: false);
 
+    /// <summary>Reads the window's icon; null where the system takes it from the desktop entry.</summary>
+    public Func<WindowIcon>? Icon { get; init; }
+
     /// <summary>Called with the duration if the UI thread was blocked for too long; null if this is not needed.</summary>
     public Action<TimeSpan>? Busy { get; init; }
 
@@ -31,7 +34,13 @@ public sealed partial class App : Application
         {
             // The window is created while opening the station may still be busy creating its cell.
             Texts.Current.Language = Look.Language;
-            var window = new MainWindow { WindowState = Look.IsFullScreen ? WindowState.FullScreen : WindowState.Normal };
+            var window = new MainWindow { WindowState = Look.State, Icon = Icon?.Invoke() };
+            if (!Look.IsFullScreen)
+            {
+                window.MinWidth = (double)this.FindResource("WindowLeastWidth")!;
+                window.MinHeight = (double)this.FindResource("WindowLeastHeight")!;
+            }
+
             var station = Open();
             var shell = Screens.ShellOf(station);
             shell.IsDark = Look.IsDark;

@@ -38,6 +38,7 @@ internal sealed class Views : IRecyclingDataTemplate
         [typeof(FileChooserViewModel)] = (typeof(FileChooserView), () => new FileChooserView()),
         [typeof(LongCommand)] = (typeof(WorkingView), () => new WorkingView()),
         [typeof(SigningViewModel)] = (typeof(SigningView), () => new SigningView()),
+        [typeof(LeavingViewModel)] = (typeof(LeavingView), () => new LeavingView()),
     };
 
     /// <summary>The view models that have a view.</summary>

@@ -188,6 +188,28 @@ public sealed class ScreenUser(Window window)
         return Color.FromArgb(p[3], p[2], p[1], p[0]);
     }
 
+    /// <summary>Asks the window to close, as a window manager does.</summary>
+    /// <returns>True if it stays open.</returns>
+    public bool StaysOpen() => Platform.Closing?.Invoke(WindowCloseReason.WindowClosing) == true;
+
+    /// <summary>The colors of all pixels, by column and row.</summary>
+    public unsafe Color[,] Pixels()
+    {
+        Settle();
+        using var frame = Platform.Frame!.Lock();
+        var pixels = new Color[frame.Size.Width, frame.Size.Height];
+        for (var y = 0; y < frame.Size.Height; y++)
+        {
+            for (var x = 0; x < frame.Size.Width; x++)
+            {
+                var p = (byte*)frame.Address + (y * frame.RowBytes) + (x * 4);
+                pixels[x, y] = Color.FromArgb(p[3], p[2], p[1], p[0]);
+            }
+        }
+
+        return pixels;
+    }
+
     private ScreenUser WaitFor(Func<bool> condition, TimeSpan most, DispatcherPriority priority)
     {
         ArgumentNullException.ThrowIfNull(condition);

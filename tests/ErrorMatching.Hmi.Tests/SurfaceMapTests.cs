@@ -2,9 +2,12 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.LogicalTree;
+using Avalonia.Media;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
+using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -124,6 +127,68 @@ public sealed class SurfaceMapTests
             return maps.Where(p => p.HasShapes).Select(AutomationProperties.GetAutomationId).Distinct().Order();
         }
     });
+
+    // Drawn on black and on white: a pixel that is not the same shows the ground.
+    [Fact]
+    public Task No_ground_is_seen_between_the_colors() => Drawing.Needed().RunAsync(() =>
+    {
+        const int CountU = 9, CountV = 7, Width = 420, Height = 320;
+        double[] values = [.. Enumerable.Range(0, CountU * CountV).Select(i => Math.Sin(1.3 * i))];
+        var net = new SurfaceNet(
+            CountU,
+            CountV,
+            [
+                .. Enumerable.Range(0, CountU * CountV).Select(i => (U: i / CountV, V: i % CountV)).Select(
+                    p => new Point3((9.7 * p.U) + (3.1 * p.V), (8.3 * p.V) - (2.3 * p.U), 0))],
+            []);
+        var plot = new SurfacePlot { Drawing = new(net, values, 1, [], ShowsWay: false) };
+        var window = new Window { Width = Width, Height = Height, Content = plot };
+        window.Show();
+        try
+        {
+            var (black, white) = (Seen(Brushes.Black), Seen(Brushes.White));
+            var (inside, most) = (0, 0);
+            for (var y = 0; y < Height; y++)
+            {
+                for (var x = 0; x < Width; x++)
+                {
+                    // Three pixels away from the border in each direction.
+                    var isInside = new[] { (-3, -3), (3, -3), (3, 3), (-3, 3) }.All(
+                        d => IsOnSurface(net, plot.View.ToPlot(new(x + 0.5 + d.Item1, y + 0.5 + d.Item2))));
+                    if (isInside)
+                    {
+                        inside++;
+                        most = Math.Max(most, Math.Abs(black[x, y].G - white[x, y].G));
+                    }
+                }
+            }
+
+            Assert.True(inside > 10_000, $"{inside} pixels are inside.");
+
+            // A fiftieth of the range, where a border crosses the corner of a pixel aslant.
+            Assert.InRange(most, 0, 5);
+        }
+        finally
+        {
+            window.Close();
+        }
+
+        Color[,] Seen(IBrush ground)
+        {
+            window.Background = ground;
+            return new ScreenUser(window).Settle().Pixels();
+        }
+    });
+
+    // The net is a parallelogram.
+    private static bool IsOnSurface(SurfaceNet net, Point2 at)
+    {
+        Point2 Corner(int place) => new(net.Places[place].X, net.Places[place].Y);
+        Point2[] corners = [
+            Corner(0), Corner((net.CountU - 1) * net.CountV), Corner((net.CountU * net.CountV) - 1), Corner(net.CountV - 1)];
+        var sides = Enumerable.Range(0, 4).Select(i => (corners[(i + 1) % 4] - corners[i]).Cross(at - corners[i])).ToArray();
+        return sides.All(s => s > 0) || sides.All(s => s < 0);
+    }
 
     private static void Arrive(Seat seat, TouchSize size)
     {

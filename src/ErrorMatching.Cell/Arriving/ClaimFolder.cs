@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The claim folder inside an incoming folder: files are moved here before they are read. A file that a gauge then writes under
@@ -78,7 +80,7 @@ internal sealed class ClaimFolder(string incoming)
     {
         _pinned ??= Made(_folder);
         using var folder = Made(Path.Combine(_pinned.Path, TooLarge));
-        File.Move(file.FullName, Path.Combine(folder.Path, sha256), overwrite: true);
+        SharedFile.Replace(file.FullName, Path.Combine(folder.Path, sha256));
     }
 
     private static PinnedFolder Made(string folder)

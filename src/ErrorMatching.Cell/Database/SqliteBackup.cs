@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -20,7 +21,7 @@ internal static class SqliteBackup
             SqliteDatabase.MakeForOwner(temporary);
             fill(temporary);
             using (var written = new FileStream(temporary, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
-            File.Move(temporary, file, overwrite: true);
+            SharedFile.Replace(temporary, file);
         }
         catch (StoreException failure) when (failure.Error is not StoreError.Damaged)
         {

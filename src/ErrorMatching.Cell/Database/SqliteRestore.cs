@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -40,7 +41,7 @@ internal static class SqliteRestore
             using (var written = new FileStream(copy, FileMode.Open, FileAccess.ReadWrite)) written.Flush(flushToDisk: true);
             cancellation.ThrowIfCancellationRequested();
             var aside = KeepAside(file);
-            File.Move(copy, file, overwrite: true);
+            SharedFile.Replace(copy, file);
             return aside;
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)

@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -33,7 +34,7 @@ internal static class FirstFile
         // Windows checks and moves in one step. A disk without links offers nothing better than a check followed by a move.
         try
         {
-            File.Move(written, file, overwrite: false);
+            SharedFile.Rename(written, file);
             return true;
         }
         catch (IOException) when (File.Exists(file))

@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using Microsoft.Win32.SafeHandles;
 
 namespace ErrorMatching.Cell;
@@ -42,7 +43,7 @@ internal static class PlainFile
             // Opening reports a missing file.
             var item = new FileInfo(path);
             return (item.Exists || Directory.Exists(path)) && Defect(item) is { } defect ? throw new NotPlainFileException(path, defect)
-                : File.OpenHandle(path, FileMode.Open, FileAccess.Read, share);
+                : SharedFile.OpenHandle(path, share);
         }
 
         using var held = LinuxCalls.Hold(path);
@@ -61,7 +62,7 @@ internal static class PlainFile
         var place = LinuxCalls.PathOf(held);
         try
         {
-            return File.OpenHandle(place, FileMode.Open, FileAccess.Read, share);
+            return SharedFile.OpenHandle(place, share);
         }
         catch (UnauthorizedAccessException e)
         {

@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -38,7 +39,7 @@ internal static class EditedFiles
         void Add(string name, ReadOnlyMemory<byte> bytes)
         {
             var path = PathOf(job, name);
-            if (!File.Exists(path) || !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span))
+            if (!File.Exists(path) || !InputFile.Open(path, SharedFile.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span))
             {
                 files.Add((path, bytes));
             }
@@ -107,7 +108,9 @@ internal static class EditedFiles
 
     // A file with the same bytes does not conflict; nothing is written.
     private static bool IsTaken(CellJobSettings job, string name, ReadOnlyMemory<byte> bytes) =>
-        PathOf(job, name) is var path && File.Exists(path) && !InputFile.Open(path, File.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
+        PathOf(job, name) is var path
+            && File.Exists(path)
+            && !InputFile.Open(path, SharedFile.ReadAllBytes).AsSpan().SequenceEqual(bytes.Span);
 
     private static ReadOnlyMemory<byte> ProgramAt(string path)
     {

@@ -307,7 +307,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
             keep();
             try
             {
-                Directory.Move(beside, folder);
+                SharedFile.RenameFolder(beside, folder);
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {

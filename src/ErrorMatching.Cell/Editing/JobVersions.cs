@@ -86,7 +86,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
             return
             [
                 .. new[] { parsed.Part.Theoretical, parsed.Counterpart.Program }.Where(n => File.Exists(EditedFiles.PathOf(job, n)))
-                    .Select(n => (n, InputFile.Open(EditedFiles.PathOf(job, n), File.ReadAllBytes))),
+                    .Select(n => (n, InputFile.Open(EditedFiles.PathOf(job, n), SharedFile.ReadAllBytes))),
                 (Path.GetFileName(job.File), bytes),
             ];
         }
@@ -110,7 +110,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
             }
             else if (File.Exists(path))
             {
-                version.Add((name, InputFile.Open(path, File.ReadAllBytes)));
+                version.Add((name, InputFile.Open(path, SharedFile.ReadAllBytes)));
             }
         }
 

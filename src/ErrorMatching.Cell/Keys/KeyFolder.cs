@@ -1,5 +1,6 @@
 using System.Xml;
 using System.Xml.Linq;
+using ErrorMatching.Json;
 using Microsoft.AspNetCore.DataProtection.Repositories;
 
 namespace ErrorMatching.Cell;
@@ -32,7 +33,7 @@ internal sealed class KeyFolder : IXmlRepository
                 "listed",
                 _folder,
                 () => Directory.EnumerateFiles(_folder, "*.xml").Order(StringComparer.Ordinal).ToArray())
-                .Select(f => Try("read", f, () => XElement.Load(f)))];
+                .Select(f => Try("read", f, () => Element(f)))];
 
     public void StoreElement(XElement element, string friendlyName)
     {
@@ -42,7 +43,7 @@ internal sealed class KeyFolder : IXmlRepository
     }
 
     /// <summary>The bytes of a file.</summary>
-    public byte[] Read(string name) => Try("read", Path.Combine(_folder, name), () => File.ReadAllBytes(Path.Combine(_folder, name)));
+    public byte[] Read(string name) => Try("read", Path.Combine(_folder, name), () => SharedFile.ReadAllBytes(Path.Combine(_folder, name)));
 
     /// <summary>Writes a complete file and flushes it to disk.</summary>
     /// <returns>False if the name is taken and must not be overwritten.</returns>
@@ -68,7 +69,7 @@ internal sealed class KeyFolder : IXmlRepository
                 return FirstFile.TryPut(beside, file);
             }
 
-            File.Move(beside, file, overwrite: true);
+            SharedFile.Replace(beside, file);
             return true;
         }
         finally
@@ -76,6 +77,12 @@ internal sealed class KeyFolder : IXmlRepository
             File.Delete(beside);
         }
     });
+
+    private static XElement Element(string file)
+    {
+        using var stream = SharedFile.OpenRead(file);
+        return XElement.Load(stream);
+    }
 
     private static DirectoryInfo Own(string folder)
     {

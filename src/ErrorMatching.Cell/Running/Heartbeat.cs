@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -28,7 +29,9 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     {
         try
         {
-            return JsonSerializer.Deserialize<Heartbeat>(File.ReadAllBytes(Path.Combine(folder, FileName)))
+            // A cell on a full disk overwrites it.
+            using var file = SharedFile.OpenRead(Path.Combine(folder, FileName), FileShare.ReadWrite | FileShare.Delete);
+            return JsonSerializer.Deserialize<Heartbeat>(file)
                 is { Troubles: not null, Machines: not null, Waiting: not null } sign
                 ? sign
                 : null;
@@ -39,8 +42,8 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         }
     }
 
-    /// <summary>Writes the heartbeat: complete, but without waiting for the disk. On a full disk it overwrites the previous one in place,
-    /// so that a lack of space does not make the cell look dead.</summary>
+    /// <summary>Writes the heartbeat: complete, but without waiting for the disk. On a full disk, or if
+    /// somebody keeps the previous one open, it is overwritten in place: neither must make the cell look dead.</summary>
     public void Write(string folder)
     {
         Directory.CreateDirectory(folder);
@@ -53,9 +56,12 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         try
         {
             File.WriteAllBytes(written, bytes);
-            File.Move(written, file, overwrite: true);
+            SharedFile.Replace(written, file);
         }
-        catch (IOException) when (new FileInfo(file) is { Exists: true } before && before.Length == bytes.Length)
+        catch (Exception e) when (
+            e is IOException or UnauthorizedAccessException
+            && new FileInfo(file) is { Exists: true } before
+            && before.Length == bytes.Length)
         {
             File.Delete(written);
             using var over = new FileStream(file, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
@@ -64,7 +70,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     }
 
     /// <summary>Removes the heartbeat after an orderly end.</summary>
-    public static void Remove(string folder) => File.Delete(Path.Combine(folder, FileName));
+    public static void Remove(string folder) => SharedFile.Delete(Path.Combine(folder, FileName));
 
     /// <summary>True if the cell was running a moment ago. A heartbeat from the future is not fresh: the clock has been set back
     /// since.</summary>

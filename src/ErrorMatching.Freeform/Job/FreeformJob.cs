@@ -96,7 +96,7 @@ public sealed record FreeformJob
     }
 
     /// <summary>Resolves a path of the job: relative paths start from the job's folder, absolute paths are kept.</summary>
-    public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
+    public string PathOf(string path) => PathText.Beside(File, path);
 }
 
 /// <summary>The nominal surface of a job.</summary>

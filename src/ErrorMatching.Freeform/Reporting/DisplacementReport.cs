@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
@@ -27,5 +28,5 @@ public sealed record DisplacementReport(
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 
     /// <summary>The target path of the program.</summary>
-    public string File => Path.Combine(Folder ?? "", Name);
+    public string File => PathText.In(Folder, Name);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Cell;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Hmi;
 
@@ -134,7 +135,7 @@ public sealed class DemoCell : IAsyncDisposable
             string.Create(CultureInfo.InvariantCulture, $"{piece}-{serial:0000}.csv"), Settings.Gauges[gauge].Incoming!);
         var outside = Path.Combine(incoming, "..", name);
         File.WriteAllText(outside, text);
-        File.Move(outside, Path.Combine(incoming, name), overwrite: true);
+        SharedFile.Replace(outside, Path.Combine(incoming, name));
     }
 
     private static string SamplesIn(string folder) => Path.Combine(folder, "samples");

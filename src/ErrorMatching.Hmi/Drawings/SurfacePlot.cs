@@ -114,11 +114,17 @@ internal sealed class SurfacePlot : PlotArea
         var origin = To(view, Point2.Origin);
         using (context.PushTransform(new Matrix(view.ScaleX, 0, 0, -view.ScaleY, origin.X, origin.Y)))
         {
-            foreach (var (color, geometry) in _shapes ??= ShapesOf(drawing.Cells))
+            // Two neighbors each cover a part of the pixels on their border, and together not all of it: the ground would show through as
+            // a seam. So all borders are drawn first, as wide as covers such a pixel wherever the border crosses it.
+            _shapes ??= ShapesOf(drawing.Cells);
+            foreach (var (color, geometry) in _shapes)
             {
-                // The stroke closes the hairlines between neighbors.
-                var brush = color < 0 ? AreaBrush : MapColors.Scale[color];
-                context.DrawGeometry(brush, new Pen(brush, DrawnSizes.Hairline / view.ScaleX), geometry);
+                context.DrawGeometry(null, new Pen(BrushOf(color), DrawnSizes.Seam / view.ScaleX), geometry);
+            }
+
+            foreach (var (color, geometry) in _shapes)
+            {
+                context.DrawGeometry(BrushOf(color), null, geometry);
             }
 
             // The color for zero is the background's, so the surface needs an outline.
@@ -131,6 +137,8 @@ internal sealed class SurfacePlot : PlotArea
 
     /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>
     internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, DrawnSizes.LeastDot, DrawnSizes.Dot);
+
+    private IBrush? BrushOf(int color) => color < 0 ? AreaBrush : MapColors.Scale[color];
 
     private static Point To(PlotView view, Point2 place)
     {

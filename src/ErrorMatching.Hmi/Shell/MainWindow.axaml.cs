@@ -67,6 +67,19 @@ public sealed partial class MainWindow : Window
     }
 
     /// <inheritdoc/>
+    protected override void OnClosing(WindowClosingEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnClosing(e);
+
+        // Only a user is asked: the system, or whoever ends the process, does not wait for an answer.
+        if (!e.IsProgrammatic && e.CloseReason == WindowCloseReason.WindowClosing && _shell?.MayClose(Close) == false)
+        {
+            e.Cancel = true;
+        }
+    }
+
+    /// <inheritdoc/>
     protected override void OnClosed(EventArgs e)
     {
         if (_shell is not null)

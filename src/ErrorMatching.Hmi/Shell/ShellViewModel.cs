@@ -12,6 +12,7 @@ public sealed class ShellViewModel : Observable, IDisposable
     private ScreenViewModel? _login;
     private SigningViewModel? _signing;
     private FileChooserViewModel? _choosing;
+    private LeavingViewModel? _leaving;
     private SignedIn? _who;
     private string _lastName = "";
 
@@ -99,8 +100,21 @@ public sealed class ShellViewModel : Observable, IDisposable
         }
     }
 
+    /// <summary>The open question whether to close the station; null if there is none.</summary>
+    public LeavingViewModel? Leaving
+    {
+        get => _leaving;
+        private set
+        {
+            if (Set(ref _leaving, value))
+            {
+                OnPropertyChanged(nameof(IsFree));
+            }
+        }
+    }
+
     /// <summary>True if no dialog is in front of the screen.</summary>
-    public bool IsFree => Signing is null && Choosing is null;
+    public bool IsFree => Signing is null && Choosing is null && Leaving is null;
 
     /// <summary>True while no user is signed in.</summary>
     public bool IsLocked => _login is not null;
@@ -223,6 +237,26 @@ public sealed class ShellViewModel : Observable, IDisposable
         return path;
     }
 
+    /// <summary>True if the station may be closed now. If the edited job has changes that are not saved, the user is asked first.</summary>
+    /// <param name="close">Called if the user closes all the same.</param>
+    public bool MayClose(Action close)
+    {
+        if (!Editing.IsChanged)
+        {
+            return true;
+        }
+
+        Leaving ??= new(
+            Editing.Place?.Name ?? "",
+            () =>
+            {
+                Leaving = null;
+                close();
+            },
+            () => Leaving = null);
+        return false;
+    }
+
     /// <summary>Opens a signing dialog.</summary>
     internal void Sign(SigningViewModel signing)
     {
@@ -274,7 +308,7 @@ public sealed class ShellViewModel : Observable, IDisposable
             return;
         }
 
-        Signing = null;
+        (Signing, Leaving) = (null, null);
         Choosing?.Leave.Execute(null);
         _lastName = UserName;
         _login = _openLogin(_lastName, Unlock);
@@ -345,6 +379,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
         Choosing?.Translate();
         Signing?.Translate();
+        Leaving?.Translate();
         OnPropertyChanged(nameof(Banner));
         OnPropertyChanged(nameof(UserRole));
     }

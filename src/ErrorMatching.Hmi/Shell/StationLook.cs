@@ -1,7 +1,14 @@
+using Avalonia.Controls;
+
 namespace ErrorMatching.Hmi;
 
 /// <summary>Appearance of the station at its start.</summary>
 /// <param name="Language">The language.</param>
 /// <param name="IsDark">True for the dark theme.</param>
 /// <param name="IsFullScreen">True for full screen.</param>
-public sealed record StationLook(Language Language, bool IsDark, bool IsFullScreen);
+/// <param name="IsMaximized">True for a window as large as the desktop; full screen has priority.</param>
+public sealed record StationLook(Language Language, bool IsDark, bool IsFullScreen, bool IsMaximized = false)
+{
+    /// <summary>The state in which the window opens.</summary>
+    internal WindowState State => IsFullScreen ? WindowState.FullScreen : IsMaximized ? WindowState.Maximized : WindowState.Normal;
+}

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Jobs;
 
@@ -7,6 +8,9 @@ namespace ErrorMatching.Jobs;
 /// <param name="Bytes">Its content; null if it is to be read.</param>
 public sealed record GivenFile(string File, ReadOnlyMemory<byte>? Bytes = null)
 {
+    /// <summary>Its name, stated with <c>/</c> on every system.</summary>
+    public string File { get; } = PathText.Of(File);
+
     /// <summary>The file of a path; null for none.</summary>
     [return: NotNullIfNotNull(nameof(path))]
     public static GivenFile? At(string? path) => path is null ? null : new(path);

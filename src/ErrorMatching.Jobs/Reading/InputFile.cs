@@ -16,11 +16,11 @@ public static class InputFile
 
     /// <summary>The job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
-    public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+    public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), PathText.Of(path));
 
     /// <summary>The free-form job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
-    public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), path);
+    public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), PathText.Of(path));
 
     /// <summary>The kind of the job in a file, as the file states it; null if it states none.</summary>
     /// <exception cref="InputException">The file cannot be opened. It is not JSON.</exception>
@@ -34,7 +34,7 @@ public static class InputFile
     /// <param name="dialect">A name, or a file ending in <c>.json</c>.</param>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used. There is no dialect of this name.</exception>
     public static NcDialect Dialect(string dialect) =>
-        NcDialects.IsFile(dialect) ? Open(dialect, NcDialects.Read) : NcDialects.Named(dialect);
+        NcDialects.IsFile(dialect) ? Open(PathText.Of(dialect), NcDialects.Read) : NcDialects.Named(dialect);
 
     /// <summary>The dialect of a job's program. A dialect file is relative to the job's folder.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used. There is no dialect of this name.</exception>
@@ -51,7 +51,7 @@ public static class InputFile
         var length = new FileInfo(p).Length;
         return length <= NcProgram.MaxBytes
             ? length < Many
-            ? File.ReadAllBytes(p)
+            ? SharedFile.ReadAllBytes(p)
             : InHalves(p, (int)length)
             : throw new InputException(
                 new Refusal(NcInputCodes.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read."));
@@ -62,7 +62,9 @@ public static class InputFile
     public static byte[] Bytes(string path, long mostBytes) => Open(path, p =>
     {
         var length = new FileInfo(p).Length;
-        return length <= mostBytes ? File.ReadAllBytes(p) : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
+        return length <= mostBytes
+            ? SharedFile.ReadAllBytes(p)
+            : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
     });
 
     /// <summary>The wish in a file.</summary>
@@ -73,7 +75,7 @@ public static class InputFile
     // Reading is copying, so the two halves of a long file are read concurrently.
     private static byte[] InHalves(string path, int length)
     {
-        using var file = File.OpenHandle(path);
+        using var file = SharedFile.OpenHandle(path, FileShare.Read | FileShare.Delete);
         var bytes = GC.AllocateUninitializedArray<byte>(length);
         var half = length / 2;
         var behind = Task.Run(() => Fill(file, bytes.AsSpan(half), half));

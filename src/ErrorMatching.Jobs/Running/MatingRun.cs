@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -48,7 +49,7 @@ public static class MatingRun
             }
 
             var report = MatchReporter.Report(
-                result, Path.Combine(request.Folder ?? "", Path.GetFileName(program)), request.ElapsedS?.Invoke());
+                result, PathText.In(request.Folder, Path.GetFileName(program)), request.ElapsedS?.Invoke());
             if (request.Counterpart is null && MissingMeasured.Of(job) is { } missing)
             {
                 report = report with { Warnings = [.. report.Warnings, missing] };

@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
@@ -25,7 +26,7 @@ public static class SurfaceRun
         var dialect = files.ToolpathDialect();
         var template = files.FinishingTemplate(dialect);
         cancellation.ThrowIfCancellationRequested();
-        var made = request.Folder is { } folder ? Path.Combine(folder, FinishedSurface.Name) : null;
+        var made = request.Folder is { } folder ? PathText.In(folder, FinishedSurface.Name) : null;
         return Fitted<FinishedSurface>(request, () =>
         {
             var surface = files.Surface();
@@ -83,7 +84,7 @@ public static class SurfaceRun
         var dialect = files.ToolpathDialect();
         var bytes = files.Program(program);
         cancellation.ThrowIfCancellationRequested();
-        var made = request.Folder is { } folder ? Path.Combine(folder, Path.GetFileName(program.File)) : null;
+        var made = request.Folder is { } folder ? PathText.In(folder, Path.GetFileName(program.File)) : null;
         return Fitted<DisplacedSurface>(request, () =>
         {
             var programSha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span));

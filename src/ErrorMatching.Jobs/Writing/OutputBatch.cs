@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Jobs;
 
 /// <summary>Writes several files as one: first under temporary names next to their targets, then renamed one by one. Unless
@@ -33,7 +35,7 @@ internal sealed class OutputBatch : IDisposable
             File.Copy(item.Target, item.Old);
         }
 
-        File.Move(item.New, item.Target, overwrite: true);
+        SharedFile.Replace(item.New, item.Target);
         _revealed++;
     }
 
@@ -49,19 +51,19 @@ internal sealed class OutputBatch : IDisposable
             {
                 if (File.Exists(item.Old))
                 {
-                    File.Move(item.Old, item.Target, overwrite: true);
+                    SharedFile.Replace(item.Old, item.Target);
                 }
                 else
                 {
-                    File.Delete(item.Target);
+                    SharedFile.Delete(item.Target);
                 }
             });
         }
 
         foreach (var item in _items)
         {
-            Attempt(() => File.Delete(item.New));
-            Attempt(() => File.Delete(item.Old));
+            Attempt(() => SharedFile.Delete(item.New));
+            Attempt(() => SharedFile.Delete(item.Old));
         }
     }
 

@@ -15,7 +15,7 @@ public static class JsonInput
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static byte[] Load(string path, JsonLimits? limits = null)
     {
-        using var stream = File.OpenRead(path);
+        using var stream = SharedFile.OpenRead(path);
 
         // One byte more than allowed is enough to detect an oversized file.
         var most = (limits ?? JsonLimits.Default).MaxBytes;

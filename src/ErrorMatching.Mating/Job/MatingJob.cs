@@ -140,7 +140,7 @@ public sealed record MatingJob
     }
 
     /// <summary>Resolves a path of the job: a relative path starts from the job's folder, an absolute one is unchanged.</summary>
-    public string PathOf(string path) => Path.Combine(Path.GetDirectoryName(File) ?? "", path);
+    public string PathOf(string path) => PathText.Beside(File, path);
 
     private static JsonSchema WithoutBlocks()
     {

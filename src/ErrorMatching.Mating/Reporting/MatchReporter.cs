@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
@@ -61,8 +62,8 @@ public static class MatchReporter
     private static string OffsetsFile(string programFile)
     {
         var name = "offsets" + Path.GetExtension(programFile);
-        return Path.Combine(
-            Path.GetDirectoryName(programFile) ?? "",
+        return PathText.Beside(
+            programFile,
             string.Equals(name, Path.GetFileName(programFile), StringComparison.OrdinalIgnoreCase) ? "errormatch-" + name : name);
     }
 

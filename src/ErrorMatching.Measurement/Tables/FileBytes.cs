@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Measurement;
 
@@ -9,7 +10,7 @@ internal static class FileBytes
     {
         try
         {
-            using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            using var stream = SharedFile.OpenRead(path, FileShare.ReadWrite | FileShare.Delete);
             // A pipe has no length, and a file may grow while it is read. One byte more than allowed is read to detect this.
             var buffer = new byte[stream.CanSeek ? (int)Math.Min(stream.Length, maxBytes) + 1 : 4096];
             var count = 0;

@@ -56,7 +56,7 @@ internal static class DialectChain
 
     private static DialectDocument Continued(DialectDocument document, JsonItem like, List<DialectDocument> documents)
     {
-        var file = Path.Combine(Path.GetDirectoryName(document.File) ?? "", like.Text);
+        var file = PathText.Beside(document.File, like.Text);
         byte[] bytes;
         try
         {

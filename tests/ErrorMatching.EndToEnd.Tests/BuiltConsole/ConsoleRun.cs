@@ -40,22 +40,21 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
     private static async Task<ConsoleRun> Of(
         string folder, IReadOnlyDictionary<string, string?> environment, IReadOnlyList<string> arguments, string input)
     {
-        var start = new ProcessStartInfo(Executable, arguments)
-        {
-            UseShellExecute = false,
-            WorkingDirectory = folder,
-            RedirectStandardInput = true,
-            StandardInputEncoding = Strict,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-            StandardOutputEncoding = Strict,
-            StandardErrorEncoding = Strict,
-        };
+        var start = new ProcessStartInfo(Executable, arguments) { WorkingDirectory = folder };
         foreach (var (name, value) in environment)
         {
             start.Environment[name] = value;
         }
 
+        return await Of(start, input);
+    }
+
+    /// <summary>Runs a command line that is started in another way, with its standard input.</summary>
+    public static async Task<ConsoleRun> Of(ProcessStartInfo start, string input = "")
+    {
+        start.UseShellExecute = false;
+        start.RedirectStandardInput = start.RedirectStandardOutput = start.RedirectStandardError = true;
+        start.StandardInputEncoding = start.StandardOutputEncoding = start.StandardErrorEncoding = Strict;
         using var process = Process.Start(start)!;
         var token = TestContext.Current.CancellationToken;
         await process.StandardInput.WriteAsync(input);

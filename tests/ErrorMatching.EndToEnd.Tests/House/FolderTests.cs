@@ -14,7 +14,7 @@ public sealed partial class FolderTests
     // Each folder may use those before it. "" is the project's own folder.
     private static readonly Dictionary<string, string[]> Orders = new(StringComparer.Ordinal)
     {
-        ["Json"] = ["Document", "Schema"],
+        ["Json"] = ["Files", "Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
         ["Reporting"] = ["Statements", "Document", "Page", "Drawings"],
         ["Measurement"] = ["", "Tables", "Formats", "Reading", "Sources", "Lots", "LotReports", "Writing"],

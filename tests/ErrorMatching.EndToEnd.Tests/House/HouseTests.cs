@@ -128,6 +128,16 @@ public sealed partial class HouseTests
         }
     }
 
+    [Fact]
+    public void What_others_may_have_open_is_read_and_replaced_in_one_place()
+    {
+        // The platform's font files are the system's, and it refers to none of our projects.
+        var others = Sources()
+            .Where(f => f.StartsWith(Repository.PathTo("src"), StringComparison.Ordinal) && f.EndsWith(".cs", StringComparison.Ordinal))
+            .Where(f => Path.GetFileName(f) != "SharedFile.cs" && !f.Contains("ErrorMatching.Hmi.Platform", StringComparison.Ordinal));
+        Assert.All(others, f => Assert.DoesNotMatch(ReadOrReplaced(), File.ReadAllText(f)));
+    }
+
     // A kind of feature is a folder: what is outside of it asks the feature, and never which kind it has.
     [Fact]
     public void No_source_outside_of_its_folder_names_a_kind_of_feature()
@@ -188,4 +198,10 @@ public sealed partial class HouseTests
 
     [GeneratedRegex("\"{3,}", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex RawMark();
+
+    [GeneratedRegex(
+        @"\bFile\.(Replace|ReadAllBytes|OpenRead|OpenHandle)\b|\bFile\.Move\([^;]*overwrite: true|\bDirectory\.Move\b",
+        RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
+    private static partial Regex ReadOrReplaced();
 }

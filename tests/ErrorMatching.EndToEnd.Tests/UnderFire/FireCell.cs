@@ -63,6 +63,12 @@ internal sealed class FireCell : IDisposable
     /// <summary>The cell's configuration.</summary>
     public string Configuration { get; }
 
+    /// <summary>How the console is started, by its arguments; null for the one that is built beside the tests.</summary>
+    public Func<string[], ProcessStartInfo>? Launch { get; init; }
+
+    /// <summary>False where a process cannot be told to end: then it is killed for that, too.</summary>
+    public bool EndsInOrder { get; init; } = true;
+
     /// <summary>The slots' names.</summary>
     public IReadOnlyList<string> Slots { get; }
 
@@ -113,14 +119,9 @@ internal sealed class FireCell : IDisposable
     public Process Start(params IEnumerable<(string Name, string Value)> variables)
     {
         _hasBegun = false;
-        var start = new ProcessStartInfo(ConsoleRun.Executable, ["cell", "run", Configuration])
-        {
-            UseShellExecute = false,
-            WorkingDirectory = Folder,
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-        };
+        var start = Of("cell", "run", Configuration);
+        start.UseShellExecute = false;
+        start.RedirectStandardInput = start.RedirectStandardOutput = start.RedirectStandardError = true;
         foreach (var (name, value) in variables)
         {
             start.Environment[name] = value;
@@ -146,6 +147,12 @@ internal sealed class FireCell : IDisposable
     /// <summary>Ends the process as a service manager does, which must not take long.</summary>
     public async Task Stop(TimeSpan? atMost = null)
     {
+        if (!EndsInOrder)
+        {
+            await Kill();
+            return;
+        }
+
         var exit = await FireStop.Of(_process!, atMost);
         Assert.True(exit is 0 or 130, $"Exit {exit}. {Tail()}");
     }
@@ -156,7 +163,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>All corrections, as the console tells them.</summary>
     public async Task<IReadOnlyList<JsonElement>> History()
     {
-        var run = await ConsoleRun.Of(Folder, "cell", "history", Configuration, "--most", "100000", "--json");
+        var run = await ConsoleRun.Of(Of("cell", "history", Configuration, "--most", "100000", "--json"));
         Assert.True(run.Exit == 0, run.Output + run.Error);
         return [.. run.Json.GetProperty("corrections").EnumerateArray()];
     }
@@ -164,7 +171,7 @@ internal sealed class FireCell : IDisposable
     /// <summary>Fails unless the audit trail is whole.</summary>
     public async Task AuditHolds()
     {
-        var run = await ConsoleRun.Of(Folder, "audit", "verify", Configuration);
+        var run = await ConsoleRun.Of(Of("audit", "verify", Configuration));
         Assert.True(run.Exit == 0, run.Output + run.Error);
     }
 
@@ -192,6 +199,13 @@ internal sealed class FireCell : IDisposable
 
         _process?.Dispose();
         Directory.Delete(Folder, recursive: true);
+    }
+
+    private ProcessStartInfo Of(params string[] arguments)
+    {
+        var start = Launch?.Invoke(arguments) ?? new(ConsoleRun.Executable, arguments);
+        start.WorkingDirectory = Folder;
+        return start;
     }
 
     private string Tail()

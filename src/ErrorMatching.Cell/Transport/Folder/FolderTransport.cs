@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>A folder or network share with a path on this computer. An operation that hangs, as on a share, is abandoned after the time
@@ -62,7 +64,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             $"renaming {fromPath} to {to}",
             () =>
             {
-                File.Move(fromPath, toPath, overwrite: true);
+                SharedFile.Replace(fromPath, toPath);
                 SyncNames();
                 return Read(toPath, mostBytes);
             },
@@ -83,7 +85,7 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
             "deleting " + path,
             () =>
             {
-                File.Delete(path);
+                SharedFile.Delete(path);
                 return true;
             },
             cancellation);

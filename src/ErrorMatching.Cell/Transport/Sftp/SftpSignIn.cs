@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Json;
 using Renci.SshNet;
 using Renci.SshNet.Common;
 
@@ -63,7 +64,7 @@ internal sealed class SftpSignIn : IDisposable
                 throw new SftpSignInException($"other users may read the key {file}: take their rights to it away (chmod 600)");
             }
 
-            using var stream = new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read);
+            using var stream = SharedFile.OpenRead(file);
             if (stream.Length > MostKey)
                 throw new SftpSignInException($"{file} has {stream.Length} bytes, a private key has at most {MostKey}");
             return new PrivateKeyFile(stream);

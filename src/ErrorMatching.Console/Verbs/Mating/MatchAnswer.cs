@@ -1,5 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
@@ -172,5 +173,5 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
                 + $"{_report.Time.CalculatingS:0.000} s."));
     }
 
-    private string In(string name) => Path.Combine(folder ?? "", name);
+    private string In(string name) => PathText.In(folder, name);
 }

@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 
@@ -69,5 +70,5 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
                 : $"Wrote {In("verify.html")}, {In("verify.json")}, {In("verify.qif")} and {In("verify.dfq")}.");
     }
 
-    private string In(string name) => Path.Combine(folder ?? "", name);
+    private string In(string name) => PathText.In(folder, name);
 }

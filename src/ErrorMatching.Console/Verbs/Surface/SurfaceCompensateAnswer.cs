@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -118,5 +119,5 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
 
     private static string Signed(double mm) => (mm * 1000).ToString("+0.00;-0.00;0.00", CultureInfo.InvariantCulture);
 
-    private string In(string name) => Path.Combine(folder ?? "", name);
+    private string In(string name) => PathText.In(folder, name);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 
@@ -162,5 +163,5 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
 
     private static string Signed(double mm) => (mm * 1000).ToString("+0.00;-0.00;0.00", CultureInfo.InvariantCulture);
 
-    private string In(string name) => Path.Combine(folder ?? "", name);
+    private string In(string name) => PathText.In(folder, name);
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -92,7 +93,7 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
                 + $"surface plan.");
     }
 
-    private string In(string name) => Path.Combine(folder ?? "", name);
+    private string In(string name) => PathText.In(folder, name);
 
     private static string Um(double mm) => (mm * UmPerMm).ToString("0.0000", CultureInfo.InvariantCulture);
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -84,7 +85,7 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
         json.WriteStartArray("files");
         if (folder is not null)
         {
-            json.WriteStringValue(Path.Combine(folder, FileName));
+            json.WriteStringValue(PathText.In(folder, FileName));
         }
 
         json.WriteEndArray();
@@ -119,7 +120,7 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
         page.Line();
         page.Line(folder is null
             ? $"Nothing was written. Add --out DIR to write {FileName}."
-            : $"Wrote {Path.Combine(folder, FileName)}."
+            : $"Wrote {PathText.In(folder, FileName)}."
                 + (plan.FacesDown ? "" : $" Next: errormatch surface probe {job.File} --out {folder}"));
     }
 

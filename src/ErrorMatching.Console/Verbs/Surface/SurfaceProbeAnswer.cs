@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -20,7 +21,7 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
         folder is null
             ? []
-            : [(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (Path.Combine(folder, FileName), program)];
+            : [(PathText.In(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (PathText.In(folder, FileName), program)];
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -59,7 +60,7 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
         page.Line();
         page.Line(folder is null
             ? $"Nothing was written. Add --out DIR to write {FileName} and {SurfacePlanAnswer.FileName}."
-            : $"Wrote {Path.Combine(folder, FileName)} and {Path.Combine(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its "
+            : $"Wrote {PathText.In(folder, FileName)} and {PathText.In(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its "
                 + $"log, then: errormatch surface compensate {job.File} --measured LOG --out {folder}");
     }
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
@@ -21,7 +22,7 @@ internal sealed class SurfaceToolpathAnswer(
     public override string Schema => "errormatch/surface-toolpath/1";
 
     /// <summary>The program's path.</summary>
-    public string File => Path.Combine(folder ?? "", FinishingProgram.FileOf(stage));
+    public string File => PathText.In(folder, FinishingProgram.FileOf(stage));
 
     private string Stage => Path.GetFileNameWithoutExtension(FinishingProgram.FileOf(stage));
 

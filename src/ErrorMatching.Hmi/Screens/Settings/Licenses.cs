@@ -6,6 +6,7 @@ internal static class Licenses
     /// <summary>Packages, each with its license (SPDX).</summary>
     public static IReadOnlyList<(string Package, string License)> Packages { get; } =
     [
+        (".NET", "MIT"),
         ("Avalonia", "MIT"),
         ("Avalonia.Fonts.Inter", "MIT; Inter: OFL-1.1"),
         ("Avalonia.Remote.Protocol", "MIT"),
@@ -34,5 +35,15 @@ internal static class Licenses
     public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
     [
         ("libX11", "MIT"),
+    ];
+
+    /// <summary>What draws and opens windows on Windows, shipped there in addition.</summary>
+    public static IReadOnlyList<(string Package, string License)> OfWindows { get; } =
+    [
+        ("Avalonia.Angle.Windows.Natives", "MIT; ANGLE: BSD-3-Clause"),
+        ("Avalonia.Desktop", "MIT"),
+        ("Avalonia.HarfBuzz", "MIT"),
+        ("Avalonia.Skia", "MIT"),
+        ("Avalonia.Win32*", "MIT"),
     ];
 }

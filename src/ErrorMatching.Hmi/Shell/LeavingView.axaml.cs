@@ -1,0 +1,8 @@
+using Avalonia.Controls;
+
+namespace ErrorMatching.Hmi;
+
+internal sealed partial class LeavingView : UserControl
+{
+    public LeavingView() => InitializeComponent();
+}

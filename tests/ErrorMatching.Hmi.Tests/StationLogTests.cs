@@ -1,0 +1,56 @@
+using ErrorMatching.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What a station without an error stream says.</summary>
+public sealed class StationLogTests
+{
+    [Fact]
+    public void Why_it_does_not_start_is_in_a_window_that_names_the_file_and_in_the_file()
+    {
+        using var folder = new TemporaryFolder();
+        var file = Path.Combine(folder.Path, "errormatch", "station.log");
+        var shown = new List<string>();
+        using var error = new StringWriter();
+        var log = new StationLog(file, error, shown.Add, TimeProvider.System);
+        log.Tell("The screen was busy for 312 ms");
+        log.Fail("nowhere.json cannot be opened.");
+        Assert.Equal([$"nowhere.json cannot be opened.\n\n{file}"], shown);
+        Assert.Equal(
+            ["The screen was busy for 312 ms", "nowhere.json cannot be opened."], File.ReadAllLines(file).Select(l => l[20..]));
+        Assert.Equal(2, error.ToString().Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries).Length);
+    }
+
+    [Fact]
+    public void A_file_that_cannot_be_written_is_said_and_the_sentence_is_shown_all_the_same()
+    {
+        using var folder = new TemporaryFolder();
+        var shown = new List<string>();
+        using var error = new StringWriter();
+        var log = new StationLog(Path.Combine(folder.File("file", ""), "station.log"), error, shown.Add, TimeProvider.System);
+        log.Fail("No store.");
+        Assert.Equal(["No store."], shown);
+        Assert.Equal(2, error.ToString().Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries).Length);
+    }
+
+    [Fact]
+    public void A_long_log_is_begun_again_and_the_last_one_kept()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.File("station.log", new string('x', StationLog.MostBytes + 1));
+        new StationLog(file, TextWriter.Null, null, TimeProvider.System).Tell("Anew");
+        Assert.Equal(StationLog.MostBytes + 1, new FileInfo(file + ".old").Length);
+        Assert.EndsWith(" Anew\n", File.ReadAllText(file), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_icon_is_what_its_script_draws()
+    {
+        Python.IsNeeded();
+        using var folder = new TemporaryFolder();
+        Assert.Equal(0, Python.Run(folder.Path, "tools/icon.py", "station.ico").Exit);
+        Assert.Equal(
+            File.ReadAllBytes(Repository.PathTo("src", "ErrorMatching.Hmi.Desktop", "station.ico")),
+            File.ReadAllBytes(folder["station.ico"]));
+    }
+}
