@@ -34,7 +34,8 @@ internal static class HistorySearch
 
         // Somebody who took no step is not looked for in thousands of corrections.
         if (query.User is not null
-            && database.Read(c => Cell.Rows.Query(c, $"SELECT 1 FROM step WHERE {User()} LIMIT 1", r => r.GetInt32(0), parameters)).Count == 0)
+            && database.Read(connection => Cell.Rows.Query(
+                connection, $"SELECT 1 FROM step WHERE {User()} LIMIT 1", r => r.GetInt32(0), parameters)).Count == 0)
             return [];
 
         // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
