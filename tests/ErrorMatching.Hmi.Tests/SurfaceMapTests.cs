@@ -147,6 +147,7 @@ public sealed class SurfaceMapTests
         try
         {
             var (black, white) = (Seen(Brushes.Black), Seen(Brushes.White));
+            Assert.Equal((Colors.Black, Colors.White), (black[2, 2], white[2, 2]));
             var (inside, most) = (0, 0);
             for (var y = 0; y < Height; y++)
             {
@@ -175,7 +176,7 @@ public sealed class SurfaceMapTests
 
         Color[,] Seen(IBrush ground)
         {
-            window.Background = ground;
+            plot.Ground = ground;
             return new ScreenUser(window).Settle().Pixels();
         }
     });
