@@ -161,7 +161,7 @@ public sealed class StandardStreamTests
         var terminal = new Terminal(output, error, HasColor: false)
         {
             Input = new(() => new MemoryStream(input)),
-            ProgramOutput = program,
+            ProgramOutput = () => program,
         };
         var exit = Application.Run(words, terminal, TestContext.Current.CancellationToken);
         return (exit, output.ToString(), error.ToString(), program.ToArray());

@@ -28,8 +28,11 @@ internal static class OutcomeWriter
                 answer.WriteJson(terminal.Output);
                 break;
             case Answer { Program: { } program } answer:
-                terminal.ProgramOutput.Write(program.Span);
-                terminal.ProgramOutput.Flush();
+                using (var output = terminal.ProgramOutput())
+                {
+                    output.Write(program.Span);
+                }
+
                 answer.WriteText(new Page(terminal.Error, terminal.HasErrorColor));
                 break;
             case Answer answer:

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
@@ -16,11 +17,17 @@ internal sealed class LateProgress : IProgress<RunProgress>, IDisposable
 
     /// <summary>Begins to wait.</summary>
     /// <param name="terminal">The terminal; null if no person is watching.</param>
-    /// <param name="clock">The clock.</param>
+    public LateProgress(TextWriter? terminal)
+    {
+        _line = new(terminal);
+        _timer = terminal is null ? null : OfSystem();
+    }
+
+    /// <summary>The same by another clock.</summary>
     public LateProgress(TextWriter? terminal, TimeProvider clock)
     {
         _line = new(terminal);
-        _timer = terminal is null ? null : clock.CreateTimer(_ => Show(), null, Patience, Timeout.InfiniteTimeSpan);
+        _timer = terminal is null ? null : Begin(clock);
     }
 
     /// <summary>Notes that an operation without a known share begins.</summary>
@@ -49,6 +56,12 @@ internal sealed class LateProgress : IProgress<RunProgress>, IDisposable
         }
     }
 
+    // In a method of its own: a clock is loaded only where somebody watches.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private ITimer OfSystem() => Begin(TimeProvider.System);
+
+    private ITimer Begin(TimeProvider clock) => clock.CreateTimer(_ => Show(), null, Patience, Timeout.InfiniteTimeSpan);
+
     private void Show()
     {
         lock (_lock)
@@ -62,5 +75,5 @@ internal sealed class LateProgress : IProgress<RunProgress>, IDisposable
     }
 
     private void Write(RunProgress value) =>
-        _line.Report(new(value.Doing, (long)(100 * (value.Share ?? 0)), value.Share is null ? 0 : 100));
+        _line.Show(value.Doing, (long)(100 * (value.Share ?? 0)), value.Share is null ? 0 : 100);
 }

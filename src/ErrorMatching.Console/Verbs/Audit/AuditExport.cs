@@ -23,7 +23,7 @@ internal sealed class AuditExport : CellVerb
     {
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
-        using var progress = new ProgressLine(ProgressTo);
+        using var progress = new CellProgressLine(ProgressTo);
         var trail = new AuditTrail(store, settings.KeysFolder);
         if (arguments.GetValue(_out) is { } file)
         {

@@ -31,7 +31,7 @@ internal sealed class CellBackup : CellVerb
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file))!);
-        using (var progress = new ProgressLine(ProgressTo))
+        using (var progress = new CellProgressLine(ProgressTo))
         {
             store.Backup(file, progress, cancellation);
         }

@@ -20,7 +20,7 @@ internal sealed class CellRestore : CellVerb
         var file = arguments.GetRequiredValue(_file);
         var by = SystemUser.Name(Environment.GetEnvironmentVariable);
         string? kept;
-        using (var progress = new ProgressLine(ProgressTo))
+        using (var progress = new CellProgressLine(ProgressTo))
         {
             kept = CellStore.Restore(
                 settings.Store, file, TimeProvider.System, by, AuditKey.Open(settings.KeysFolder), progress, cancellation);

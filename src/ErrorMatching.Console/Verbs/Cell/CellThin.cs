@@ -55,7 +55,7 @@ internal sealed partial class CellThin : CellVerb
         var isRehearsed = arguments.GetValue(_dryRun);
         var policy = new ThinPolicy(
             Before(arguments.GetRequiredValue(_olderThan), TimeProvider.System.GetUtcNow())!.Value, arguments.GetValue(_keepLast));
-        using var progress = new ProgressLine(ProgressTo);
+        using var progress = new CellProgressLine(ProgressTo);
         var thinned = store.Thin(
             policy, isRehearsed ? null : SystemUser.Name(Environment.GetEnvironmentVariable), progress, cancellation);
         return new CellThinAnswer(policy, thinned, isRehearsed, settings.Store.ArchiveFolder);

@@ -45,7 +45,7 @@ internal sealed class MatchVerb : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("matching the program");
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);

@@ -31,7 +31,7 @@ internal sealed class NcDiff : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("comparing the programs");
         var (givenBefore, givenAfter) = (
             GivenProgram(arguments.GetRequiredValue(_before)), GivenProgram(arguments.GetRequiredValue(_after)));

@@ -41,7 +41,7 @@ internal sealed class NcProve : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("proving the result");
         var (givenBefore, givenAfter, file) = (
             GivenProgram(arguments.GetRequiredValue(_before)),

@@ -77,7 +77,7 @@ internal abstract class NcVerb : Verb
 
     public sealed override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("working through the program");
         var given = GivenProgram(arguments.GetRequiredValue(_program));
         var file = given.File;

@@ -35,7 +35,7 @@ internal sealed class SurfaceCompensate : Verb
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Compensate(

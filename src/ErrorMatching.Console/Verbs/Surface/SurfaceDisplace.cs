@@ -36,7 +36,7 @@ internal sealed class SurfaceDisplace : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
         var outcome = SurfaceRun.Displace(

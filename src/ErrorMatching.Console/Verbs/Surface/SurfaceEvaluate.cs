@@ -62,7 +62,7 @@ internal sealed class SurfaceEvaluate : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("reading the measurements");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var isRequired = arguments.GetValue(_require);

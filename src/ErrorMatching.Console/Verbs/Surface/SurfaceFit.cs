@@ -42,7 +42,7 @@ internal sealed class SurfaceFit : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("reading the points");
         var file = arguments.GetRequiredValue(_points);
         var given = GivenMeasurement(file);

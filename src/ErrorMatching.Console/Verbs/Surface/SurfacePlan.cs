@@ -22,7 +22,7 @@ internal sealed class SurfacePlan : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("planning the points");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());

@@ -26,7 +26,7 @@ internal sealed class SurfaceProbe : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("planning the points");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var plan = files.Plan(files.Surface());

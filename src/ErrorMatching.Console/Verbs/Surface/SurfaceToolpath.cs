@@ -31,7 +31,7 @@ internal sealed class SurfaceToolpath : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        using var progress = new LateProgress(ProgressTo, TimeProvider.System);
+        using var progress = new LateProgress(ProgressTo);
         progress.Report("reading the surface");
         var files = new FreeformFiles(arguments.GetRequiredValue(_job));
         var job = files.Job;
