@@ -149,14 +149,7 @@ internal sealed class OkumaFlow(
 
     private FlowAction GoTo(int block, ref OkumaFormula reader, bool holds)
     {
-        var at = reader.At;
-        var name = reader.Name();
-        if (name.Length < 2 || name[0] != 'N')
-        {
-            reader.At = at;
-            reader.Fail("the name of a block, such as N100 or NLAP, is expected here");
-        }
-
+        var name = NameWith(ref reader, 'N', "the name of a block, such as N100 or NLAP, is expected here");
         return !Ends(ref reader, block) ? FlowAction.Stop : holds ? Jump(block, name) : FlowAction.Continue;
     }
 
@@ -176,14 +169,7 @@ internal sealed class OkumaFlow(
     // CALL O100 Q2 PA=1 PB=VC1
     private FlowAction Call(int block, ref OkumaFormula reader, bool isModal)
     {
-        var at = reader.At;
-        var name = reader.Name();
-        if (name.Length < 2 || name[0] != 'O')
-        {
-            reader.At = at;
-            reader.Fail("the name of a program, such as O100, is expected here");
-        }
-
+        var name = NameWith(ref reader, 'O', "the name of a program, such as O100, is expected here");
         var (passes, arguments) = (NcValue.Of(1), new List<(VariablePlace, NcValue)>());
         while (reader.Error is null && !reader.IsAtEnd)
         {
@@ -221,6 +207,20 @@ internal sealed class OkumaFlow(
 
         return isModal ? modal.Begin(block, unit, count, arguments)
             : course.Enter(new() { Unit = unit, First = unit.First, Caller = block, Passes = count, Arguments = arguments });
+    }
+
+    // A name that begins with a letter and goes on; the reader fails at any other.
+    private static string NameWith(ref OkumaFormula reader, char letter, string expected)
+    {
+        var at = reader.At;
+        var name = reader.Name();
+        if (name.Length < 2 || name[0] != letter)
+        {
+            reader.At = at;
+            reader.Fail(expected);
+        }
+
+        return name;
     }
 
     private bool Ends(ref OkumaFormula reader, int block)
