@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class ClosingTests
 {
     [Fact]
-    public Task Whoever_closes_with_changes_that_are_not_saved_is_asked_first() => SetupSeat.AtAsync("points", here =>
+    public Task A_user_who_closes_with_unsaved_changes_is_asked_first() => SetupSeat.AtAsync("points", here =>
     {
         var (window, shell) = (here.Seat.Window, here.Shell);
         var closed = 0;

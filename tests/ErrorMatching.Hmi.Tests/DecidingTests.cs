@@ -43,7 +43,7 @@ public sealed class DecidingTests
             () => seat.TextOf("forbidden") == "Nothing is left to decide for this piece. Choose another one on the left.",
             "It is not said that nothing is left.");
 
-        // It is gone from the list, so whoever comes back begins at what waits. The list follows a moment after the piece itself.
+        // It is gone from the list, so a user who comes back begins at what waits. The list follows a moment after the piece itself.
         seat.WaitFor(() => screen.Rows.All(r => r.Id != 1), "The list does not follow the release.");
         seat.Tap("nav-overview").See("waiting-2");
         Assert.Equal("Complex mating", ((OverviewViewModel)seat.Shell.Current!).Waiting.Single().Job);

@@ -38,9 +38,9 @@ public sealed class StationLogTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.File("station.log", new string('x', StationLog.MostBytes + 1));
-        new StationLog(file, TextWriter.Null, null, TimeProvider.System).Tell("Anew");
+        new StationLog(file, TextWriter.Null, null, TimeProvider.System).Tell("Second start");
         Assert.Equal(StationLog.MostBytes + 1, new FileInfo(file + ".old").Length);
-        Assert.EndsWith(" Anew\n", File.ReadAllText(file), StringComparison.Ordinal);
+        Assert.EndsWith(" Second start\n", File.ReadAllText(file), StringComparison.Ordinal);
     }
 
     [Fact]

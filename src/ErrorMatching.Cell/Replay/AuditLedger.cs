@@ -155,7 +155,7 @@ internal sealed class AuditLedger(byte[]? key)
             new { _seq }, transaction).Select(AuditChain.Looked);
         foreach (var (entry, isAsWritten) in head.Seq - _seq > PageLength ? ReadAhead.Of(entries) : entries)
         {
-            if (!Follows(entry, isAsWritten, (_seq, _hash))) return Anew();
+            if (!Follows(entry, isAsWritten, (_seq, _hash))) return StartOver();
             _replay.Add(entry);
             if (_lacks) return null;
             (_seq, _hash) = (entry.Seq, entry.Hash);
@@ -163,7 +163,7 @@ internal sealed class AuditLedger(byte[]? key)
             if (_forgets && _replay.Corrections.Count >= _settleAt) Settle();
         }
 
-        return head.Seq == _seq && head.Hash == _hash && head.IsSealedBy(key) ? null : Anew();
+        return head.Seq == _seq && head.Hash == _hash && head.IsSealedBy(key) ? null : StartOver();
     }
 
     private void Settle()
@@ -175,8 +175,8 @@ internal sealed class AuditLedger(byte[]? key)
     private static bool Follows(AuditEntry entry, bool isAsWritten, (long Seq, string Hash) last) =>
         entry.Seq == last.Seq + 1 && entry.Previous == last.Hash && isAsWritten;
 
-    // The next check begins anew: by then a backup may have replaced the store.
-    private AuditFault Anew()
+    // The next check starts with the first entry or the checkpoint: by then a backup may have replaced the store.
+    private AuditFault StartOver()
     {
         var fault = Broken(_seq);
         BeginAt(new(), 0, AuditEntry.NoHash);

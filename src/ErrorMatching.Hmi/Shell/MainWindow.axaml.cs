@@ -72,7 +72,7 @@ public sealed partial class MainWindow : Window
         ArgumentNullException.ThrowIfNull(e);
         base.OnClosing(e);
 
-        // Only a user is asked: the system, or whoever ends the process, does not wait for an answer.
+        // Only a user is asked: the system does not wait for an answer, nor does another program that ends this one.
         if (!e.IsProgrammatic && e.CloseReason == WindowCloseReason.WindowClosing && _shell?.MayClose(Close) == false)
         {
             e.Cancel = true;

@@ -4,8 +4,8 @@ namespace ErrorMatching.Json;
 
 /// <summary>Files that another process may open, replace or delete at any moment.</summary>
 /// <remarks>Windows refuses to replace a file while somebody has it open, and to open one while it is replaced. Both pass in a moment, so
-/// the operation is tried again there for about a second. Other systems replace a file whoever reads it: there every failure is
-/// final.</remarks>
+/// the operation is tried again there for about a second. Other systems replace a file that is being read: there every failure
+/// is final.</remarks>
 public static class SharedFile
 {
     private const int Repetitions = 10;

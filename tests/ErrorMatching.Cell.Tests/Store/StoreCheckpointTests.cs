@@ -1,7 +1,8 @@
 namespace ErrorMatching.Cell.Tests;
 
-/// <summary>A process that begins goes on from the checkpoint of the audit trail. Whoever can write the store and lacks the key gets
-/// nothing sent by it that the whole trail would not send; nor does who sets the store back, or parts of it.</summary>
+/// <summary>A process that begins goes on from the checkpoint of the audit trail. With it, somebody
+/// who can write the store, but lacks the key, gets nothing sent that the whole trail would not send; nor does setting the store back, or
+/// parts of it, get anything sent.</summary>
 public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind)
 {
     [Fact]
@@ -33,7 +34,7 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         Assert.Equal(found, later.LookBehindCheckpoint(1));
         Assert.Contains("not what was written, at entry 2", Refused(later, approved), StringComparison.Ordinal);
 
-        // It makes no new checkpoint, and whoever begins after it reads the whole trail.
+        // It makes no new checkpoint, and the next process reads the whole trail.
         later.KeepCheckpoint(Stop, 0);
         using var next = NewProcess();
         Assert.Contains("not what was written, at entry 2", Refused(next, approved), StringComparison.Ordinal);

@@ -80,12 +80,16 @@ public sealed class PostgresServer : IDisposable
     /// <summary>The store's part of a cell's configuration.</summary>
     /// <param name="settings">The database.</param>
     /// <param name="schema">The cell's own schema; null for none.</param>
-    public string StoreOf(PostgresSettings settings, string? schema = null) => string.Create(
-        CultureInfo.InvariantCulture,
-        $$"""
-        { "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}",
-          "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}"{{(schema is null ? "" : $", \"schema\": \"{schema}\"")}} }
-        """);
+    public string StoreOf(PostgresSettings settings, string? schema = null)
+    {
+        var own = schema is null ? "" : $", \"schema\": \"{schema}\"";
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""
+            { "kind": "postgresql", "host": "{{settings.Host}}", "port": {{settings.Port}}, "database": "{{settings.Database}}",
+              "user": "{{settings.User}}", "passwordFile": "{{settings.PasswordFile}}"{{own}} }
+            """);
+    }
 
     /// <summary>Runs a statement as the owner of the server, beside any store.</summary>
     public void Execute(string database, string sql)
