@@ -131,10 +131,11 @@ public sealed class StandardStreamTests
         page.Warning("dull tool");
         page.Verdict("Cut it.", isGood: true);
         page.Verdict("Do not cut it.", isGood: false);
+        page.Verdict("It is not judged.", isGood: null);
         page.Error("wrong");
         Assert.Equal(
             "\u001b[1m\u001b[33mWarning:\u001b[0m dull tool\n\u001b[1m\u001b[32mCut it.\u001b[0m\n"
-                + "\u001b[1m\u001b[31mDo not cut it.\u001b[0m\n\u001b[31mwrong\u001b[0m\n",
+                + "\u001b[1m\u001b[31mDo not cut it.\u001b[0m\n\u001b[1mIt is not judged.\u001b[0m\n\u001b[31mwrong\u001b[0m\n",
             shown.ToString());
         using var plain = new StringWriter();
         page = new Page(plain, hasColor: false);

@@ -16,8 +16,10 @@ internal sealed class Page(TextWriter writer, bool hasColor)
     /// <summary>Writes a highlighted line.</summary>
     public void Heading(string text) => Line(hasColor ? Bold + text + Plain : text);
 
-    /// <summary>Writes the line that says whether a result may be used: green if so, red if not.</summary>
-    public void Verdict(string text, bool isGood) => Line(hasColor ? Bold + (isGood ? Green : Red) + text + Plain : text);
+    /// <summary>Writes the line that says whether a result may be used: green if so, red if not, in no color if nobody has set a limit to
+    /// judge it by.</summary>
+    public void Verdict(string text, bool? isGood) => Line(
+        hasColor ? Bold + isGood switch { true => Green, false => Red, null => "" } + text + Plain : text);
 
     /// <summary>Writes a warning.</summary>
     public void Warning(string text) => Line((hasColor ? Bold + Yellow + "Warning:" + Plain : "Warning:") + " " + text);

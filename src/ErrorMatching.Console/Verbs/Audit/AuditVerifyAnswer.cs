@@ -34,7 +34,8 @@ internal sealed class AuditVerifyAnswer(AuditFinding finding) : DocumentAnswer
 
     public override void WriteText(Page page)
     {
-        page.Line(finding.Message);
+        // Green only where everything was read: the seal as well as every archive.
+        page.Verdict(finding.Message, finding.IsSealChecked && finding.Archives.All(a => a.IsThere) ? true : null);
         page.Line($"The last one's hash is {finding.Hash}.");
         if (finding.Contents > 0)
         {

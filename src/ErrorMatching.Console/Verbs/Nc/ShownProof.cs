@@ -43,10 +43,12 @@ internal static class ShownProof
     /// <summary>Writes a successful proof.</summary>
     public static void Write(Page page, NcProof proof)
     {
-        page.Line(string.Create(
-            CultureInfo.InvariantCulture,
-            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
-                + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
+        page.Verdict(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
+                    + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."),
+            isGood: true);
         foreach (var neighbor in proof.Neighbors)
         {
             page.Line($"Neighbor {neighbor.Block} {ReportWords.Sentence(neighbor.Role)} by {Show.Mm(neighbor.DisplacementMm)} mm.");

@@ -35,7 +35,11 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
     public override void WriteText(Page page)
     {
         var (report, result, certificate) = (finished.Report, finished.Report.Result, finished.Report.ToolPath.Certificate);
-        page.Heading(ProfileLead.Of(result, report.Verdict, "um", report.CallsTool));
+
+        // Green on a program that stops with an alarm would suggest cutting.
+        page.Verdict(
+            ProfileLead.Of(result, report.Verdict, "um", report.CallsTool),
+            report.Verdict?.Predicted.IsWithin is var isWithin && isWithin == true && !report.CallsTool ? null : isWithin);
         if (!report.CallsTool)
         {
             page.Heading($"{report.Job.Name}: {In(FinishedSurface.Name)} has no tool call and stops with an alarm");

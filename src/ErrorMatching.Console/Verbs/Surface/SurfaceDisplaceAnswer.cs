@@ -13,7 +13,7 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
     {
         var report = surface.Report;
         var (displaced, compensation) = (report.Displaced, report.Compensation);
-        page.Heading(ProfileLead.Of(compensation, report.Verdict, "um"));
+        page.Verdict(ProfileLead.Of(compensation, report.Verdict, "um"), report.Verdict?.Predicted.IsWithin);
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,

@@ -53,7 +53,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
 
     public override void WriteText(Page page)
     {
-        page.Heading(ProfileLead.Of(report, "um"));
+        page.Verdict(ProfileLead.Of(report, "um"), report.IsInTolerance);
         page.Line();
         page.Line(report.Before is { } was
             ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, "
