@@ -4,6 +4,7 @@ using System.Text.Json;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Every class of bad input once through the real process: exit code, code and place, nothing written, no input changed.</summary>
+[Trait("Runs", "Console")]
 public sealed class BadInputTests
 {
     private const string Job = "samples/complex-mating/job.json";

@@ -3,6 +3,7 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>The certificates that the console writes, and what tools/judge.py says of the results.</summary>
+[Trait("Runs", "Console")]
 public sealed class CertificateTests
 {
     private const string Program = "samples/complex-mating/counterpart.nc";

@@ -1,6 +1,7 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Cutter compensation at the built console: the path of the tool's center, and what its control would refuse.</summary>
+[Trait("Runs", "Console")]
 public sealed class CompensationTests
 {
     private const string Program = "samples/programs/compensated.ngc --dialect linuxcnc";

@@ -9,8 +9,14 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
 {
     private static readonly UTF8Encoding Strict = new(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
 
-    /// <summary>The executable, built in the same configuration as these tests.</summary>
-    public static string Executable { get; } = Find();
+    /// <summary>The executable: what ERRORMATCH_CONSOLE names, such as a script that starts the console for another system, or else the one
+    /// that is built in the same configuration as these tests.</summary>
+    public static string Executable { get; } = Other ?? Find();
+
+    /// <summary>True if a signal asks the console to end; false for one of Windows.</summary>
+    public static bool HasSignals => Other is null && !OperatingSystem.IsWindows();
+
+    private static string? Other => Environment.GetEnvironmentVariable("ERRORMATCH_CONSOLE");
 
     /// <summary>The one JSON document of the run.</summary>
     public JsonElement Json

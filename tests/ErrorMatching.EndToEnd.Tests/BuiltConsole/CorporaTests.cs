@@ -4,6 +4,7 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>The table of <c>tests/corpora</c>, for a folder with one program of each row.</summary>
+[Trait("Runs", "Console")]
 public sealed class CorporaTests
 {
     [Fact]

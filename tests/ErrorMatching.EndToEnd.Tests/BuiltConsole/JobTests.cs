@@ -1,5 +1,6 @@
 namespace ErrorMatching.EndToEnd.Tests;
 
+[Trait("Runs", "Console")]
 public sealed class JobTests
 {
     [Fact]

@@ -2,6 +2,7 @@ using System.Text.Json;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
+[Trait("Runs", "Console")]
 public sealed class MatchTests
 {
     private const string Job = "samples/complex-mating/job.json";

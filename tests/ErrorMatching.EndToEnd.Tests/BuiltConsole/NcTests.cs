@@ -3,6 +3,7 @@ using System.Text.Json;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
+[Trait("Runs", "Console")]
 public sealed class NcTests
 {
     private const string Program = "samples/complex-mating/counterpart.nc";

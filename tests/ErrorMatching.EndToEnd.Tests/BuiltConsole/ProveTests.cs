@@ -3,6 +3,7 @@ using System.Text.Json;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>A result is proved again from the files alone; what was changed in any of the three files shows.</summary>
+[Trait("Runs", "Console")]
 public sealed class ProveTests
 {
     private const string Program = "samples/complex-mating/counterpart.nc";

@@ -3,6 +3,7 @@ using System.Text.RegularExpressions;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Results depend on the inputs and on nothing around them.</summary>
+[Trait("Runs", "Console")]
 public sealed partial class SurroundingsTests
 {
     [Theory]

@@ -4,6 +4,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>The improvements that Wang, Tu and Gunawan (Sensors 2021, 21, 7660) publish,
 /// from the samples through the built console.</summary>
+[Trait("Runs", "Console")]
 public sealed class VerifyTests
 {
     [Theory]

@@ -34,7 +34,7 @@ internal sealed class RunningConsole : IDisposable
     /// <returns>Its exit code.</returns>
     public async Task<int> EndAsync()
     {
-        if (OperatingSystem.IsWindows())
+        if (!ConsoleRun.HasSignals)
         {
             await KillAsync();
             return 0;

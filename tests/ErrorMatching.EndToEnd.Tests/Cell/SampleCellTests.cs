@@ -3,6 +3,7 @@ using System.Diagnostics;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>The sample as its README runs it: the built console, a file that is dropped, a folder as the machine, and a signal.</summary>
+[Trait("Runs", "Console")]
 public sealed class SampleCellTests
 {
     private const string Config = "samples/cell/cell.json";
@@ -25,7 +26,11 @@ public sealed class SampleCellTests
         await Until(() => !File.Exists(shop["samples/cell/machine/A.READY"]));
         Assert.Contains("\"released\"", (await shop.Run($"cell history {Config} --json")).Output, StringComparison.Ordinal);
         Assert.Equal(0, await cell.EndAsync());
-        Assert.Equal(3, (await shop.Run("cell status " + Config)).Exit);
+        if (ConsoleRun.HasSignals)
+        {
+            // What was killed is missed only when it has been silent for a while.
+            Assert.Equal(3, (await shop.Run("cell status " + Config)).Exit);
+        }
 
         // Who approves within what is part of the evidence.
         var trail = (await shop.Run("audit export " + Config)).Output;
@@ -36,7 +41,7 @@ public sealed class SampleCellTests
             trail,
             StringComparison.Ordinal);
         Assert.Equal(
-            !OperatingSystem.IsWindows(),
+            ConsoleRun.HasSignals,
             trail.Contains("\"cell\",\"stopped\",\"Sample cell\",\"told to stop\"", StringComparison.Ordinal));
     }
 

@@ -4,6 +4,7 @@ using ErrorMatching.Testing;
 namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Every command of the documentation runs as it is written and prints what the page shows.</summary>
+[Trait("Runs", "Console")]
 public sealed partial class DocumentationTests
 {
     private const string Quickstart = "dotnet run --project src/ErrorMatching.Console -- ";

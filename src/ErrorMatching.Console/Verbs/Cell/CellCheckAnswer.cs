@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -22,7 +23,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         Array(json, "machines", check.Machines, m => WriteMachine(json, m));
         json.WriteStartObject("store");
         json.WriteString("kind", settings.Store is SqliteSettings ? "sqlite" : "postgresql");
-        json.WriteString("place", StorePlace(p => p));
+        json.WriteString("place", StorePlace(PathText.Of));
         json.WriteBoolean("exists", check.Store.IsThere);
         json.WriteNumber("form", check.Store.Form);
         json.WriteNumber("latestForm", check.Store.Latest);
@@ -142,7 +143,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     private static void WriteGauge(Utf8JsonWriter json, CheckedGauge gauge)
     {
         json.WriteString("name", gauge.Gauge.Name);
-        json.WriteString("incoming", gauge.Gauge.Incoming);
+        json.WriteString("incoming", gauge.Gauge.Incoming is { } folder ? PathText.Of(folder) : null);
         json.WriteString("machine", gauge.Gauge.Machine);
         json.WriteBoolean("ok", gauge.Problem is null);
         json.WriteNumber("waiting", gauge.Files.Count + gauge.More);
@@ -175,7 +176,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     private static void WriteMachine(Utf8JsonWriter json, CheckedMachine machine)
     {
         json.WriteString("name", machine.Machine.Name);
-        json.WriteString("transport", Transport(machine.Machine.Transport, p => p));
+        json.WriteString("transport", Transport(machine.Machine.Transport, PathText.Of));
         json.WriteBoolean("ok", machine.Problem is null);
         json.WriteBoolean("needsPassword", machine.NeedsPassword);
         if (machine.State is { } state)
@@ -197,8 +198,8 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     private static void WriteJob(Utf8JsonWriter json, CheckedJob job)
     {
         json.WriteString("name", job.Job.Name);
-        json.WriteString("file", job.Job.File);
-        json.WriteString("program", job.Program);
+        json.WriteString("file", PathText.Of(job.Job.File));
+        json.WriteString("program", job.Program is { } program ? PathText.Of(program) : null);
         json.WriteBoolean("ok", job.Problem is null);
         if (job.Motions is { } motions)
         {
@@ -251,10 +252,10 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
         state.LocalFile is { } file ? shown(file) : state.Address;
 
     // Paths below the current folder are shown relative to it.
-    private static string Shown(string path) =>
+    private static string Shown(string path) => PathText.Of(
         Path.GetRelativePath(Directory.GetCurrentDirectory(), path) is var relative && !relative.StartsWith("..", StringComparison.Ordinal)
             ? relative
-            : path;
+            : path);
 
     private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 }
