@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The expected measurement of the finished surface, if nothing changes except the compensation.</summary>
@@ -54,7 +56,7 @@ public sealed record SurfacePrediction(
     // This approximation (Abramowitz and Stegun, 26.2.23, error below 4.5e-4) is far finer than the prediction, so this suffices.
     private static double NormalQuantile(double p)
     {
-        var t = Math.Sqrt(-2 * Math.Log(1 - p));
+        var t = Math.Sqrt(-2 * Elementary.Log(1 - p));
         return Math.Max(
             0, t - ((2.515517 + (0.802853 * t) + (0.010328 * t * t)) / (1 + (1.432788 * t) + (0.189269 * t * t) + (0.001308 * t * t * t))));
     }

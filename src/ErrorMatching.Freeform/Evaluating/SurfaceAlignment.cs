@@ -30,7 +30,7 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
 
         // Rodrigues' formula.
         var axis = r * (1 / angle);
-        var (sin, cos) = Math.SinCos(angle);
+        var (sin, cos) = Elementary.SinCos(angle);
         return Center + (arm * cos) + (axis.Cross(arm) * sin) + (axis * (axis.Dot(arm) * (1 - cos))) + TranslateMm;
     }
 

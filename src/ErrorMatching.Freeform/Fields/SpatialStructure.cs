@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Whether values on a grid have a structure or are noise: Moran's I, and several tests with one error rate.</summary>
@@ -160,7 +162,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// and Stegun, Handbook of Mathematical Functions, 26.2.11 and 26.2.14).</summary>
     internal static double NormalTail(double x)
     {
-        var density = Math.Exp(-0.5 * x * x) / Math.Sqrt(2 * Math.PI);
+        var density = Elementary.Exp(-0.5 * x * x) / Math.Sqrt(2 * Math.PI);
         if (Math.Abs(x) < 3)
         {
             var (term, sum) = (x, x);

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Spreads points along a curve. It blends equal shares of the turning angle with equal shares of the length, so that straight
@@ -80,7 +82,7 @@ internal sealed class CurveSpacing
             if (line.IsInside((_t[i] + _t[i + 1]) / 2))
             {
                 var (a, b) = (curve.Tangent(before), curve.Tangent(behind));
-                angles[i] = Math.Atan2(a.Cross(b).Length, a.Dot(b));
+                angles[i] = Elementary.Atan2(a.Cross(b).Length, a.Dot(b));
                 lengths[i] = (behind.Position - before.Position).Length;
                 angle += angles[i];
                 length += lengths[i];

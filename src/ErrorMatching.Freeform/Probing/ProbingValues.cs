@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -52,7 +53,7 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, string? orde
     // The axis of the measuring move, if the other coordinates stay within half an increment.
     private char? AxisOf(PlanPoint point)
     {
-        var half = 0.5 * Math.Pow(10, -dialect.MetricDecimals) / (plan.Measuring.ApproachMm + plan.Measuring.OvertravelMm);
+        var half = 0.5 * Elementary.Pow(10, -dialect.MetricDecimals) / (plan.Measuring.ApproachMm + plan.Measuring.OvertravelMm);
         var (x, y, z) = (Math.Abs(point.Normal.X) <= half, Math.Abs(point.Normal.Y) <= half, Math.Abs(point.Normal.Z) <= half);
         return (x, y, z) switch { (false, true, true) => 'x', (true, false, true) => 'y', (true, true, false) => 'z', _ => null };
     }
@@ -79,12 +80,12 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, string? orde
         Mm(value) is var text and not "0.0" ? text : throw InputException.At("rounds-to-zero", template, string.Create(
         CultureInfo.InvariantCulture,
         $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, "
-            + $"{Math.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
+            + $"{Elementary.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
 
     // In least increments, always with a decimal point: without one, some controls count increments.
     private string Mm(double value, bool up = false)
     {
-        var increments = Math.Pow(10, dialect.MetricDecimals);
+        var increments = Elementary.Pow(10, dialect.MetricDecimals);
         var rounded = up ? Math.Ceiling(Math.Round(value * increments, 3)) / increments : Math.Round(value, dialect.MetricDecimals);
         return (rounded + 0.0).ToString("0.0" + new string('#', dialect.MetricDecimals - 1), CultureInfo.InvariantCulture);
     }

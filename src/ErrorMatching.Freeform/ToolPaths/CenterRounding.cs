@@ -24,7 +24,7 @@ internal sealed class CenterRounding
     /// <param name="finestMm">The smallest tolerance for rounded places.</param>
     public CenterRounding(int decimals, double tipBelowMm, double finestMm)
     {
-        (_scale, _tipBelow) = (Math.Pow(10, decimals), tipBelowMm);
+        (_scale, _tipBelow) = (Elementary.Pow(10, decimals), tipBelowMm);
         IncrementMm = 1 / _scale;
         _good = finestMm / 5;
     }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -62,7 +63,8 @@ internal sealed class FinishingValues(ToolPath path, FreeformJob job, CuttingSta
             "rounds-to-zero",
             job.File,
             string.Create(
-                CultureInfo.InvariantCulture, $"{key} of {value} would be written as 0; at least {Math.Pow(10, -decimals)} is expected"));
+                CultureInfo.InvariantCulture,
+                $"{key} of {value} would be written as 0; at least {Elementary.Pow(10, -decimals)} is expected"));
 
     private static string Number(double value, int decimals) =>
         Math.Round(value, decimals).ToString("0." + new string('#', decimals), CultureInfo.InvariantCulture);

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Writes moves as blocks directly to bytes: words only if they change, numbers as exact decimals.</summary>
@@ -26,7 +28,7 @@ internal sealed class MoveWriter
     public MoveWriter(Stream stream, int decimals, double tipBelowMm, byte[] feed, double travelCenterZ)
     {
         (_stream, _decimals, _tipBelow, _feed) = (stream, decimals, tipBelowMm, feed);
-        _scale = Math.Pow(10, decimals);
+        _scale = Elementary.Pow(10, decimals);
         _z = Steps(travelCenterZ - tipBelowMm);
     }
 

@@ -62,7 +62,7 @@ internal sealed class SurfaceFaults(PlanningContext context)
                     return new("edge-in-surface", string.Create(
                         CultureInfo.InvariantCulture,
                         $"at {context.Named(behind)} the surface has an edge: its normal turns by "
-                            + $"{2 * Math.Asin(Math.Min(1, turn / 2)) * 180 / Math.PI:0.000} degrees at once. Give the faces on both "
+                            + $"{2 * Elementary.Asin(Math.Min(1, turn / 2)) * 180 / Math.PI:0.000} degrees at once. Give the faces on both "
                                 + $"sides as "
                             + $"surfaces of their own."));
                 }

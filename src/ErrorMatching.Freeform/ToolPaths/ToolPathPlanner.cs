@@ -76,7 +76,7 @@ public static class ToolPathPlanner
             throw new ArgumentOutOfRangeException(nameof(stockMm), stockMm, "The stock is at least 0.");
         }
 
-        var increment = Math.Pow(10, -dialect.MetricDecimals);
+        var increment = Elementary.Pow(10, -dialect.MetricDecimals);
         var finest = Math.Min(toolpath.ChordMm, toolpath.ScallopMm);
         if (increment > finest * (1 + 1e-9))
         {

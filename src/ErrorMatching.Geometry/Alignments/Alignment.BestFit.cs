@@ -72,14 +72,23 @@ public sealed partial class Alignment
                 GeometryError.RankDeficient, "Every rotation fits the points alike: they do not tell the rotation.");
         }
 
-        return Angle.FromRadians(oneLocked ? LowestMinimum(p, q, d, f) : Math.Atan2(f, d));
+        return Angle.FromRadians(oneLocked ? LowestMinimum(p, q, d, f) : Elementary.Atan2(f, d));
     }
 
     /// <summary>The angle in (-pi, pi] at which <c>p cos 2a + q sin 2a - 2 (d cos a + f sin a)</c> is smallest.</summary>
     private static double LowestMinimum(double p, double q, double d, double f)
     {
-        double Value(double a) => (p * Math.Cos(2 * a)) + (q * Math.Sin(2 * a)) - (2 * ((d * Math.Cos(a)) + (f * Math.Sin(a))));
-        double Slope(double a) => (2 * ((q * Math.Cos(2 * a)) - (p * Math.Sin(2 * a)))) + (2 * ((d * Math.Sin(a)) - (f * Math.Cos(a))));
+        double Value(double a)
+        {
+            var ((sin, cos), (sinTwice, cosTwice)) = (Elementary.SinCos(a), Elementary.SinCos(2 * a));
+            return (p * cosTwice) + (q * sinTwice) - (2 * ((d * cos) + (f * sin)));
+        }
+
+        double Slope(double a)
+        {
+            var ((sin, cos), (sinTwice, cosTwice)) = (Elementary.SinCos(a), Elementary.SinCos(2 * a));
+            return (2 * ((q * cosTwice) - (p * sinTwice))) + (2 * ((d * sin) - (f * cos)));
+        }
 
         // The slope has at most four zeros per turn. This grid separates them unless two meet, which is a flat point, not another minimum.
         const int steps = 360;

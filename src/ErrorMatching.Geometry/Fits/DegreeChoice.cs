@@ -65,7 +65,7 @@ internal static class DegreeChoice
         {
             for (var degree = 0; degree <= highest; degree++)
             {
-                expected[degree] += weight * Math.Log(MeanSquare(polynomials[degree], course) + variance);
+                expected[degree] += weight * Elementary.Log(MeanSquare(polynomials[degree], course) + variance);
             }
         }
 
@@ -140,15 +140,15 @@ internal static class DegreeChoice
             for (var ofRatio = -6.0; ofRatio <= 6; ofRatio++)
             {
                 // The mapped abscissae extend from -1 to 1.
-                var length = 2 * Length * Math.Exp(LengthDeviation * ofLength);
-                var ratio = Ratio * Math.Exp(RatioDeviation * ofRatio);
+                var length = 2 * Length * Elementary.Exp(LengthDeviation * ofLength);
+                var ratio = Ratio * Elementary.Exp(RatioDeviation * ofRatio);
                 var process = new SmoothProcess(points.Places, points.Values, points.Counts, length, ratio, uncertainty);
                 pairs.Add((process, process.LogEvidence - (((ofLength * ofLength) + (ofRatio * ofRatio)) / 2)));
             }
         }
 
         var most = pairs.Max(p => p.Evidence);
-        var kept = pairs.Select(p => (p.Process, Weight: Math.Exp(p.Evidence - most))).Where(p => p.Weight > Negligible).ToArray();
+        var kept = pairs.Select(p => (p.Process, Weight: Elementary.Exp(p.Evidence - most))).Where(p => p.Weight > Negligible).ToArray();
         var sum = kept.Sum(p => p.Weight);
         foreach (var (process, weight) in kept)
         {

@@ -122,7 +122,7 @@ public sealed class ExtremeCircle
     public static Angle LargestGap(Point2 center, IReadOnlyList<Point2> points)
     {
         ArgumentNullException.ThrowIfNull(points);
-        double[] angles = [.. points.Select(p => Math.Atan2(p.Y - center.Y, p.X - center.X)).Order()];
+        double[] angles = [.. points.Select(p => Elementary.Atan2(p.Y - center.Y, p.X - center.X)).Order()];
         return Angle.FromRadians(angles.Select((a, i) => i + 1 < angles.Length ? angles[i + 1] - a : angles[0] + (2 * Math.PI) - a).Max());
     }
 
@@ -167,7 +167,7 @@ public sealed class ExtremeCircle
     {
         int[] order = [
             .. Enumerable.Range(0, u.Length).OrderBy(
-                i => Math.Atan2(u[0].Cross(u[i]), u[0].Dot(u[i])) is var angle && angle < 0 ? angle + (2 * Math.PI) : angle)];
+                i => Elementary.Atan2(u[0].Cross(u[i]), u[0].Dot(u[i])) is var angle && angle < 0 ? angle + (2 * Math.PI) : angle)];
         var behind = Array.FindIndex(order, i => u[0].Cross(u[i]) < 0);
         if (behind > 1 && u[order[behind - 1]].Cross(u[order[behind]]) > 0)
         {

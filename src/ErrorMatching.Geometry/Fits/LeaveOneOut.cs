@@ -30,7 +30,7 @@ internal sealed class LeaveOneOut
     public static double Shrink(int k, double ridge) => 1 / (1 + (ridge * ((double)k * k * k * k)));
 
     /// <summary>The weights tried for an automatic ridge: 0, and 10^-6 to 1 in half decades.</summary>
-    public static double[] Grid() => [0, .. Enumerable.Range(0, 13).Select(i => Math.Pow(10, -6 + (i / 2.0)))];
+    public static double[] Grid() => [0, .. Enumerable.Range(0, 13).Select(i => Elementary.Pow(10, -6 + (i / 2.0)))];
 
     /// <summary>Root mean square of the leave-one-out errors; null if a point determines its own value.</summary>
     public double? Rms(int degree, double ridge)

@@ -57,8 +57,8 @@ internal sealed class SmoothProcess
 
         var known = uncertainty > 0 ? Known : 0;
         var (sum, freedom) = (Math.Max(Dot(_rest, _rest) + (known * uncertainty * uncertainty), Nothing), places.Length - 1 + known);
-        var logDeterminant = 2 * _factor.Select((row, i) => Math.Log(row[i])).Sum();
-        LogEvidence = -(logDeterminant + Math.Log(_sumOfOnes) + (freedom * Math.Log(sum))) / 2;
+        var logDeterminant = 2 * _factor.Select((row, i) => Elementary.Log(row[i])).Sum();
+        LogEvidence = -(logDeterminant + Elementary.Log(_sumOfOnes) + (freedom * Elementary.Log(sum))) / 2;
         _variance = sum / Math.Max(1, freedom - 2);
     }
 
@@ -136,5 +136,5 @@ internal sealed class SmoothProcess
         return sum;
     }
 
-    private double Covariance(double distance) => _squaredRatio * Math.Exp(-distance * distance / (2 * _length * _length));
+    private double Covariance(double distance) => _squaredRatio * Elementary.Exp(-distance * distance / (2 * _length * _length));
 }

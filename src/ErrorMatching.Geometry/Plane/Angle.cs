@@ -32,7 +32,7 @@ public readonly record struct Angle : IComparable<Angle>
 
     /// <summary>The unsigned angle between two directions, 0 to 180 degrees (equation 1 of Wang 2021, with the arc tangent to keep digits
     /// near 0 and 180).</summary>
-    public static Angle Between(Vector2 a, Vector2 b) => new(Math.Atan2(Math.Abs(a.Cross(b)), a.Dot(b)));
+    public static Angle Between(Vector2 a, Vector2 b) => new(Elementary.Atan2(Math.Abs(a.Cross(b)), a.Dot(b)));
 
     /// <summary>The angle in degrees as culture-independent text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Degrees} deg");

@@ -26,7 +26,7 @@ public readonly record struct RigidTransform2(Mirror Mirror, Angle Rotation, Vec
     public Vector2 Apply(Vector2 vector)
     {
         var (x, y) = Mirror switch { Mirror.X => (-vector.X, vector.Y), Mirror.Y => (vector.X, -vector.Y), _ => (vector.X, vector.Y) };
-        var (sin, cos) = Math.SinCos(Rotation.Radians);
+        var (sin, cos) = Elementary.SinCos(Rotation.Radians);
         return new((x * cos) - (y * sin), (x * sin) + (y * cos));
     }
 

@@ -17,10 +17,10 @@ public readonly record struct Vector2(double X, double Y)
     public Vector2 Left => new(-Y, X);
 
     /// <summary>The direction, counterclockwise from the first axis, in (-180, 180] degrees; zero for the zero vector.</summary>
-    public Angle Direction => Angle.FromRadians(Math.Atan2(Y, X));
+    public Angle Direction => Angle.FromRadians(Elementary.Atan2(Y, X));
 
     /// <summary>The unit vector at an angle, counterclockwise from the first axis.</summary>
-    public static Vector2 FromDirection(Angle angle) => new(Math.Cos(angle.Radians), Math.Sin(angle.Radians));
+    public static Vector2 FromDirection(Angle angle) => new(Elementary.Cos(angle.Radians), Elementary.Sin(angle.Radians));
 
     /// <summary>Scalar product.</summary>
     public double Dot(Vector2 other) => (X * other.X) + (Y * other.Y);

@@ -1,5 +1,3 @@
-using MathNet.Numerics.Distributions;
-
 namespace ErrorMatching.Geometry;
 
 /// <summary>Probabilities of conformance: how likely a true value is within its limits, given a measured value and its standard
@@ -36,7 +34,9 @@ public static class Conformance
         var (lower, upper) = ((limits.LowerMm - measuredMm) / standardUncertaintyMm, (limits.UpperMm - measuredMm) / standardUncertaintyMm);
 
         // Both limits on one side: subtract the small tails, not numbers close to 1.
-        return lower > 0 ? Below(-lower) - Below(-upper) : Below(upper) - Below(lower);
+        return lower > 0
+            ? NormalDistribution.Below(-lower) - NormalDistribution.Below(-upper)
+            : NormalDistribution.Below(upper) - NormalDistribution.Below(lower);
     }
 
     /// <summary>The probability that all of several values are within their limits if their errors are independent: the product.</summary>
@@ -47,7 +47,4 @@ public static class Conformance
         ArgumentNullException.ThrowIfNull(probabilities);
         return probabilities.Aggregate((double?)null, (all, one) => one is null ? all : (all ?? 1) * one);
     }
-
-    /// <summary>The probability that a standard normal value is below a number.</summary>
-    public static double Below(double z) => Normal.CDF(0, 1, z);
 }

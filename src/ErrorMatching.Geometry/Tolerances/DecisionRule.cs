@@ -1,5 +1,3 @@
-using MathNet.Numerics.Distributions;
-
 namespace ErrorMatching.Geometry;
 
 /// <summary>How measured values are accepted near their limits (JCGM 106:2012, section 8; ISO 14253-1).</summary>
@@ -32,7 +30,7 @@ public sealed record DecisionRule
     /// <summary>The distance by which the limits move inward; 0 without a guard band.</summary>
     /// <param name="standardUncertaintyMm">Standard uncertainty of a measured value.</param>
     public double GuardMm(double standardUncertaintyMm) =>
-        RiskPercent is { } risk ? standardUncertaintyMm * Normal.InvCDF(0, 1, 1 - (risk / 100)) : 0;
+        RiskPercent is { } risk ? -standardUncertaintyMm * NormalDistribution.Quantile(risk / 100) : 0;
 
     /// <summary>The limits up to which a measured value is accepted.</summary>
     /// <param name="limits">The limits of the tolerance. Limits without width have no guard band: nothing lies between them.</param>

@@ -172,7 +172,7 @@ internal sealed class SeriesPlot : PlotArea
         var step = RoundNumber.AtLeast(DrawnSizes.TicksApart / view.ScaleY);
         var (low, high) = (view.ToPlot(new(0, inside.Bottom)).Y, view.ToPlot(new(0, inside.Top)).Y);
         var (first, last) = (Math.Ceiling(low / step), Math.Floor(high / step));
-        var decimals = new string('0', Math.Max(0, (int)Math.Ceiling(-Math.Log10(step) - 1e-9)));
+        var decimals = new string('0', Math.Max(0, (int)Math.Ceiling(-Elementary.Log10(step) - 1e-9)));
         var numbers = new List<(double Value, string Text)> { (0, "0") };
         numbers.AddRange(Drawing!.Bands.SelectMany(b => new[] { b.Low, b.High }).Distinct().Select(l => (l, Number(l, "####"))));
 

@@ -342,7 +342,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerWheelChanged(e);
-        Zoom(Math.Pow(WheelFactor, e.Delta.Y), e.GetPosition(this));
+        Zoom(Elementary.Pow(WheelFactor, e.Delta.Y), e.GetPosition(this));
         e.Handled = true;
     }
 
@@ -386,7 +386,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         }
     }
 
-    private void ZoomStep(int steps) => Zoom(Math.Pow(StepFactor, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
+    private void ZoomStep(int steps) => Zoom(Elementary.Pow(StepFactor, steps), new Point(Bounds.Width / 2, Bounds.Height / 2));
 
     // Crosshair lines across the whole plot, and a box with the values next to the datum if there is room.
     private void Crosshair(DrawingContext context, PlotDatum datum)

@@ -221,7 +221,7 @@ public sealed class MovePicture
         var arc = _motions[motion];
         var radius = Math.Max(arc.Arc.Radius * Math.Max(seeing.View.ScaleX, seeing.View.ScaleY) / seeing.Pixel, ChordError);
         var chords = (int)Math.Clamp(
-            Math.Ceiling(Math.Abs(arc.Arc.Sweep.Radians) / (2 * Math.Acos(1 - (ChordError / radius)))), 1, MostChords);
+            Math.Ceiling(Math.Abs(arc.Arc.Sweep.Radians) / (2 * Elementary.Acos(1 - (ChordError / radius)))), 1, MostChords);
         foreach (var chord in Chords(arc, chords))
         {
             if (!seeing.Add(chord.Start, chord.End, block, isRapid))

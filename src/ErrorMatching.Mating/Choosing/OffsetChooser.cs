@@ -1,7 +1,6 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
-using MathNet.Numerics.Distributions;
 
 namespace ErrorMatching.Mating;
 
@@ -212,8 +211,8 @@ internal sealed class OffsetChooser
 
         var squares = left.Sum(r => r * r) / (_uncertaintyMm * _uncertaintyMm);
         var most = left.Max(Math.Abs) / _uncertaintyMm;
-        return squares <= ChiSquared.InvCDF(left.Length - 1, 1 - ErrorRate)
-            && most <= Normal.InvCDF(0, 1, 1 - (ErrorRate / (2 * left.Length)))
+        return ChiSquaredDistribution.Above(squares, left.Length - 1) >= ErrorRate
+            && NormalDistribution.Below(-most) >= ErrorRate / (2 * left.Length)
             && !_places.Where((p, k) => differences[k] > ShareOfTolerance * LimitsOf(p).WidthMm || IsDrivenOut(p, _wanted[k], errors[k]))
                 .Any();
     }

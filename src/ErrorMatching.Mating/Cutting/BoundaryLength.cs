@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
@@ -39,6 +40,6 @@ internal static class BoundaryLength
     private static double Turn(NcPath path, int before, int behind)
     {
         var (from, to) = (path.Motions[before].TangentAt(1), path.Motions[behind].TangentAt(0));
-        return Math.Atan2(from.Cross(to), from.Dot(to));
+        return Elementary.Atan2(from.Cross(to), from.Dot(to));
     }
 }

@@ -46,8 +46,8 @@ internal static class Significance
     }
 
     private static bool IsSilent(IReadOnlyList<(ToleranceBand Acceptance, int Points)> features, double u, double factor) =>
-        features.Sum(f => f.Points * Math.Log(1 - Alarm(f.Acceptance.LowerMm / u, f.Acceptance.UpperMm / u, factor)))
-            >= Math.Log(1 - FalseAlarms);
+        features.Sum(f => f.Points * Elementary.Log(1 - Alarm(f.Acceptance.LowerMm / u, f.Acceptance.UpperMm / u, factor)))
+            >= Elementary.Log(1 - FalseAlarms);
 
     // The probability of a standard normal value outside the limits and beyond the factor on either side.
     private static double Alarm(double lower, double upper, double factor) =>
@@ -56,8 +56,8 @@ internal static class Significance
     // The part of it above the factor.
     private static double Beyond(double factor, double lower, double upper)
     {
-        var beyond = Conformance.Below(-factor);
+        var beyond = NormalDistribution.Below(-factor);
         var from = Math.Max(lower, factor);
-        return upper <= from ? beyond : beyond - Conformance.Below(-from) + Conformance.Below(-upper);
+        return upper <= from ? beyond : beyond - NormalDistribution.Below(-from) + NormalDistribution.Below(-upper);
     }
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>What is known about the deviation of an element before it is measured: a Gaussian process over the length along the boundary.
@@ -57,7 +59,7 @@ internal sealed class DeviationPrior
     public double Covariance(double along, double other) => OfShape(along, other) + OfForm(along, other);
 
     /// <summary>The squared exponential: correlation of form errors at a distance.</summary>
-    public static double Correlation(double distanceMm, double lengthMm) => Math.Exp(-Square(distanceMm / lengthMm) / 2);
+    public static double Correlation(double distanceMm, double lengthMm) => Elementary.Exp(-Square(distanceMm / lengthMm) / 2);
 
     private double OfShape(double along, double other)
     {
@@ -66,10 +68,10 @@ internal sealed class DeviationPrior
         {
             var half = Math.Min(_element.Sweep, Math.PI) / 2;
             var (a, b) = (t * _element.Sweep / 2, v * _element.Sweep / 2);
-            var (sine, bend) = (Math.Sin(half), 1 - Math.Cos(half));
+            var (sine, bend) = (Elementary.Sin(half), 1 - Elementary.Cos(half));
             return Square(_deviations[0])
-                + (Square(_deviations[1] / sine) * Math.Sin(a) * Math.Sin(b))
-                + (Square(_deviations[2] / bend) * (1 - Math.Cos(a)) * (1 - Math.Cos(b)));
+                + (Square(_deviations[1] / sine) * Elementary.Sin(a) * Elementary.Sin(b))
+                + (Square(_deviations[2] / bend) * (1 - Elementary.Cos(a)) * (1 - Elementary.Cos(b)));
         }
 
         if (_terms.Length == 0)
@@ -129,7 +131,7 @@ internal sealed class DeviationPrior
 
     // The ridge divides the coefficient of an orthonormal polynomial of degree k by 1 + weight k^4, as this variance does.
     private static double OfTerm(int k, double ridge, double uncertaintyMm) =>
-        ridge == 0 || k == 0 ? VagueMm : uncertaintyMm / Math.Sqrt(ridge * Math.Pow(k, 4));
+        ridge == 0 || k == 0 ? VagueMm : uncertaintyMm / Math.Sqrt(ridge * Elementary.Pow(k, 4));
 
     private static double Square(double value) => value * value;
 }

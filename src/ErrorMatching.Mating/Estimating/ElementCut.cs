@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>The displacement that the cut of an element follows: the field of a free element, else the line or circle nearest to
@@ -64,7 +66,7 @@ internal sealed class ElementCut
         foreach (var (place, weight) in _nodes)
         {
             var (value, angle) = (field(AlongOf(element, place)), place * element.Sweep / 2);
-            var (sine, bend) = (Math.Sin(angle), 1 - Math.Cos(angle));
+            var (sine, bend) = (Elementary.Sin(angle), 1 - Elementary.Cos(angle));
             n += weight;
             nb += weight * bend;
             bb += weight * bend * bend;
@@ -79,7 +81,7 @@ internal sealed class ElementCut
         return new(along =>
         {
             var angle = element.Relative(along) * element.Sweep / 2;
-            return growth + (across * Math.Sin(angle)) + (bending * (1 - Math.Cos(angle)));
+            return growth + (across * Elementary.Sin(angle)) + (bending * (1 - Elementary.Cos(angle)));
         });
     }
 

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>How well a normal distribution explains measured values.</summary>
@@ -38,7 +40,7 @@ internal static class Evidence
 
             row[i] = Math.Sqrt(Math.Max(pivot, double.Epsilon));
             solved[i] = value / row[i];
-            sum += (solved[i] * solved[i]) + (2 * Math.Log(row[i]));
+            sum += (solved[i] * solved[i]) + (2 * Elementary.Log(row[i]));
         }
 
         return -sum / 2;

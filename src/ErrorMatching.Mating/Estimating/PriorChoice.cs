@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Mating;
 
 /// <summary>Chooses the priors of a boundary's elements by the evidence of its key points. A curve has an amplitude and lengths of
@@ -96,7 +98,7 @@ internal static class PriorChoice
     }
 
     private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) =>
-        [(Math.Pow(LeastError * noise, 2), _formLengths[2])];
+        [(Elementary.Pow(LeastError * noise, 2), _formLengths[2])];
 
     private static (double, double)[] FormOf(BoundaryElement element, IReadOnlyList<(double Variance, double Part)> form) =>
         [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];
@@ -112,10 +114,10 @@ internal static class PriorChoice
             for (; from < tried.Count && tried[from].Length == length; from++)
             {
                 weight += weights[from];
-                sum += weights[from] * Math.Log(tried[from].Scale);
+                sum += weights[from] * Elementary.Log(tried[from].Scale);
             }
 
-            var scale = weight > 0 ? Math.Exp(sum / weight) : 0;
+            var scale = weight > 0 ? Elementary.Exp(sum / weight) : 0;
             if (weight > LeastWeight)
             {
                 form.Add((weight * scale * scale, length));
@@ -139,7 +141,7 @@ internal static class PriorChoice
 
     // The mean of the logarithms of a scale, weighted by its evidence.
     private static double MeanOf(double[] scales, Func<double, double> log) =>
-        Math.Exp(Weights(scales.Select(log)).Select((w, i) => w * Math.Log(scales[i])).Sum());
+        Elementary.Exp(Weights(scales.Select(log)).Select((w, i) => w * Elementary.Log(scales[i])).Sum());
 
     // Amplitude and lengths of a curve's form.
     private static List<(double Variance, double Length)> FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
@@ -189,14 +191,14 @@ internal static class PriorChoice
     {
         double[] logs = [.. evidence];
         var best = logs.Max();
-        double[] weights = [.. logs.Select(l => Math.Exp(l - best))];
+        double[] weights = [.. logs.Select(l => Elementary.Exp(l - best))];
         var sum = weights.Sum();
         return [.. weights.Select(w => w / sum)];
     }
 
     // Equal ratios from one value to another.
     private static double[] Steps(double from, double to, int count) =>
-        [.. Enumerable.Range(0, count).Select(i => from * Math.Pow(to / from, (double)i / (count - 1)))];
+        [.. Enumerable.Range(0, count).Select(i => from * Elementary.Pow(to / from, (double)i / (count - 1)))];
 
     // A line, a flank or an arc with more points than it needs: what they say, and their covariance without form errors.
     private sealed record StraightRows(BoundaryElement Element, BoundaryRow[] Rows, double[] Smooth, double[] Values);

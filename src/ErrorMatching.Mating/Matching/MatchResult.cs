@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
@@ -39,7 +40,7 @@ public sealed record MatchResult(
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 
     /// <summary>Increment to which new coordinates are rounded, mm.</summary>
-    public double LeastIncrementMm => Rewrite?.LeastIncrementMm ?? Math.Pow(10, -Before.Dialect.MetricDecimals);
+    public double LeastIncrementMm => Rewrite?.LeastIncrementMm ?? Elementary.Pow(10, -Before.Dialect.MetricDecimals);
 
     /// <summary>The key points on rounded corners: each says something about both elements together.</summary>
     public IEnumerable<KeyPointFoot> OnCorners => Maps.SelectMany(m => m.Passes[0].Feet).Where(f => f.OnCorner);

@@ -240,7 +240,7 @@ public static class Matcher
         MatingPrediction? predicted = null)
     {
         var nothing = DisplacementWish.OfElements([]);
-        var proof = Prover.Check(path, path.Program, nothing, Math.Pow(10, -path.Dialect.MetricDecimals));
+        var proof = Prover.Check(path, path.Program, nothing, Elementary.Pow(10, -path.Dialect.MetricDecimals));
         var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
         var prediction = predicted ?? estimator.Predict(path);
         if (correction is null && input.Job.Correction.AllowsOffsets)

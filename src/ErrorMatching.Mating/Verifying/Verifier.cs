@@ -97,7 +97,7 @@ internal static class Verifier
     {
         var at = value(p => p.After);
         return Math.Sqrt(points.SelectMany(p => new[] { (Point: p, By: new Vector2(u, 0)), (Point: p, By: new Vector2(0, u)) }).Sum(
-            m => Math.Pow(value(p => p.Label == m.Point.Label ? p.After + m.By : p.After) - at, 2)));
+            m => Elementary.Pow(value(p => p.Label == m.Point.Label ? p.After + m.By : p.After) - at, 2)));
     }
 
     private static VerifiedPoint[] Select(IReadOnlyList<string> labels, Dictionary<string, VerifiedPoint> byLabel) =>

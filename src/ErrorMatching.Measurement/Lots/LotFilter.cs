@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>Follows the error of a process from piece to piece, over all histories that are still likely.</summary>
@@ -99,7 +101,7 @@ internal sealed class LotFilter
     private double[] Weights()
     {
         var best = _histories.Max(h => h.LogWeight);
-        double[] weights = [.. _histories.Select(h => Math.Exp(h.LogWeight - best))];
+        double[] weights = [.. _histories.Select(h => Elementary.Exp(h.LogWeight - best))];
         var sum = weights.Sum();
         return [.. weights.Select(w => w / sum)];
     }

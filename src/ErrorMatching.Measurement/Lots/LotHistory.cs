@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>One possible history of a lot: at which pieces the process moved, and which pieces were outliers. Holds a Kalman filter of the
@@ -63,12 +65,12 @@ internal sealed class LotHistory
         for (var m = 0; m < logs.Length; m++)
         {
             var innovation = _variances[m].Error + _models[m].Noise + surprise.Variance;
-            logs[m] = _logs[m] - (freedom * (Math.Log(innovation) + (squares[m] / innovation)) / 2);
+            logs[m] = _logs[m] - (freedom * (Elementary.Log(innovation) + (squares[m] / innovation)) / 2);
         }
 
         var best = logs.Max();
-        var evidence = best + Math.Log(logs.Sum(l => Math.Exp(l - best)));
-        return new(surprise, logs, evidence, LogWeight + evidence + Math.Log(surprise.Probability));
+        var evidence = best + Elementary.Log(logs.Sum(l => Elementary.Exp(l - best)));
+        return new(surprise, logs, evidence, LogWeight + evidence + Elementary.Log(surprise.Probability));
     }
 
     /// <summary>The history one piece later.</summary>
@@ -121,13 +123,13 @@ internal sealed class LotHistory
         Add(weight, _drifts, m => _variances[m].Drift, means, squares);
 
     /// <summary>The expected variance of a measured value about the error of the process.</summary>
-    public double Noise => _models.Zip(_logs, (model, log) => Math.Exp(log) * model.Noise).Sum();
+    public double Noise => _models.Zip(_logs, (model, log) => Elementary.Exp(log) * model.Noise).Sum();
 
     private void Add(double weight, double[] states, Func<int, double> variance, double[] means, double[] squares)
     {
         for (var m = 0; m < _models.Length; m++)
         {
-            var part = weight * Math.Exp(_logs[m]);
+            var part = weight * Elementary.Exp(_logs[m]);
             for (var i = 0; i < means.Length; i++)
             {
                 var state = states[(m * means.Length) + i];

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Measurement;
 
 /// <summary>An assumption about the error of a process from piece to piece. The error drifts at a constant rate and walks at random; a
@@ -35,6 +37,6 @@ internal readonly record struct LotModel(double Noise, double Start, double Walk
                    start.Square * unit,
                    walk.Square * unit,
                    drift.Square * unit,
-                   Math.Log(noise.Probability * start.Probability * walk.Probability * drift.Probability))];
+                   Elementary.Log(noise.Probability * start.Probability * walk.Probability * drift.Probability))];
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Measurement;
 
@@ -22,7 +23,7 @@ internal readonly record struct DecimalNumber
     public bool IsZero => Mantissa.IsZero;
 
     /// <summary>The value of one unit in the last digit.</summary>
-    public double LastPlace => Math.Pow(10, _exponent - _fraction);
+    public double LastPlace => Elementary.Pow(10, _exponent - _fraction);
 
     /// <summary>The number times exactly 25.4, as the nearest double. The product is calculated in integers and rounded once.</summary>
     public double InchesInMillimeters =>

@@ -113,8 +113,8 @@ internal sealed class CertificateWriter : IDisposable
     private void WriteIncrement()
     {
         var task = _certificate.Task;
-        var decimals = Math.Round(-Math.Log10(task.Increment));
-        var isInch = Math.Abs((task.Increment * Math.Pow(10, decimals)) - 1) > 1e-9;
+        var decimals = Math.Round(-Elementary.Log10(task.Increment));
+        var isInch = Math.Abs((task.Increment * Elementary.Pow(10, decimals)) - 1) > 1e-9;
         Member("unit", json => json.WriteStringValue(isInch ? "inch" : "mm"));
         Member("leastIncrementMm", json => Number(json, task.Increment, 12));
         Member("toleranceMm", json =>

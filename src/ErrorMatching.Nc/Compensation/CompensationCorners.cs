@@ -8,8 +8,8 @@ namespace ErrorMatching.Nc;
 /// <param name="trace">The tool's center.</param>
 internal sealed class CompensationCorners(CompensationRule rule, CompensationModes modes, CenterTrace trace)
 {
-    private readonly double _straightSine = Math.Sin(rule.StraightDegrees * Math.PI / 180);
-    private readonly double _sharpCosine = Math.Cos(rule.SharpDegrees * Math.PI / 180) - 1e-9;
+    private readonly double _straightSine = Elementary.Sin(rule.StraightDegrees * Math.PI / 180);
+    private readonly double _sharpCosine = Elementary.Cos(rule.SharpDegrees * Math.PI / 180) - 1e-9;
 
     /// <summary>How the contour turns from one element to the next, seen from the tool.</summary>
     /// <param name="last">The element before the corner.</param>

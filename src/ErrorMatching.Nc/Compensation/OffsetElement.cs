@@ -108,7 +108,7 @@ internal readonly record struct OffsetElement(
     private double Turned(Point2 from, Point2 to)
     {
         var (a, b) = (from - Center, to - Center);
-        var angle = Math.Atan2(a.Cross(b), a.Dot(b));
+        var angle = Elementary.Atan2(a.Cross(b), a.Dot(b));
         return IsCounterClockwise ? angle : -angle;
     }
 

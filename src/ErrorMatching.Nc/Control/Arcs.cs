@@ -156,13 +156,13 @@ internal sealed class Arcs(
         if (center is { } c)
         {
             var from = start - c;
-            var (sin, cos) = Math.SinCos((counterClockwise ? degrees : -degrees) * Math.PI / 180);
+            var (sin, cos) = Elementary.SinCos((counterClockwise ? degrees : -degrees) * Math.PI / 180);
             return new(
                 kind, c, MotionFlags.OtherArcForm, c + new Vector2((from.X * cos) - (from.Y * sin), (from.X * sin) + (from.Y * cos)));
         }
 
         var chord = end - start;
-        var height = chord.Length / 2 / Math.Tan(degrees * Math.PI / 360);
+        var height = chord.Length / 2 / Elementary.Tan(degrees * Math.PI / 360);
         return chord.Length > 0
             ? new(
                 kind, start.Lerp(end, 0.5) + (chord.Left / chord.Length * (counterClockwise ? height : -height)), MotionFlags.OtherArcForm)

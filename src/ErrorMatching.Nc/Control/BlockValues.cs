@@ -28,7 +28,7 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
 
     /// <summary>Length of the corner word, as programmed.</summary>
     public double CornerLength() =>
-        Words.CornerValue / (Dialect.IntegersAreIncrements && Words.CornerIsInteger ? Math.Pow(10, control.LeastDecimals) : 1);
+        Words.CornerValue / (Dialect.IntegersAreIncrements && Words.CornerIsInteger ? Elementary.Pow(10, control.LeastDecimals) : 1);
 
     /// <summary>True if the block has a word that moves an axis in the active mode.</summary>
     public bool MovesAxes()
@@ -71,7 +71,7 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
         var value = Words.Value(letter);
         if (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0)
         {
-            value /= Math.Pow(10, control.LeastDecimals);
+            value /= Elementary.Pow(10, control.LeastDecimals);
         }
 
         return control.State.Inch ? Sum(0, value * ControlState.MmPerInch) : value;
@@ -82,7 +82,7 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>A word as an angle in degrees. Without a decimal point it counts thousandths, or finer units if lengths do.</summary>
     public double Degrees(char letter) =>
         Words.Value(letter) / (Dialect.IntegersAreIncrements && (Words.Integers & BlockWords.Bit(letter)) != 0
-            ? Math.Pow(10, Dialect.MetricDecimals) : 1);
+            ? Elementary.Pow(10, Dialect.MetricDecimals) : 1);
 
     /// <summary>The place to which a block moves from another one.</summary>
     /// <param name="at">The tool's place.</param>

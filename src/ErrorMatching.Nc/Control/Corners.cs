@@ -126,7 +126,7 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         if (letter != 'R')
         {
             // A chamfer by its leg length or by its width.
-            var leg = letter == 'C' ? value : value / (2 * Math.Cos(Math.Atan2(Math.Abs(turn), a.Dot(b)) / 2));
+            var leg = letter == 'C' ? value : value / (2 * Elementary.Cos(Elementary.Atan2(Math.Abs(turn), a.Dot(b)) / 2));
             return before.IsArc || behind.IsArc || leg >= before.PlaneLength || leg >= behind.PlaneLength
                 ? null
                 : (MotionKind.Line, vertex - (a * leg), vertex + (b * leg), default);

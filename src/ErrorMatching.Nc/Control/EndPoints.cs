@@ -31,14 +31,14 @@ internal sealed class EndPoints(ControlState control, BlockValues values, Coordi
     public (Point3 End, AxisSet Unknown) PolarWordsTarget(Point3 at, AxisSet unknown)
     {
         var from = new Vector2(at.X, at.Y);
-        var (distance, degrees) = (from.Length, Math.Atan2(from.Y, from.X) * 180 / Math.PI);
+        var (distance, degrees) = (from.Length, Elementary.Atan2(from.Y, from.X) * 180 / Math.PI);
         var (grown, turned) = (values.Words.PolarDistance * (control.State.Inch ? ControlState.MmPerInch : 1), values.Words.PolarAngle);
         distance = control.State.Incremental ? distance + (grown ?? 0) : grown ?? distance;
         degrees = control.State.Incremental ? degrees + (turned ?? 0) : turned ?? degrees;
         var flat = AxisSet.X | AxisSet.Y;
         var isUnknown = double.IsNaN(distance) || double.IsNaN(degrees)
             || ((control.State.Incremental || grown is null || turned is null) && (unknown & flat) != AxisSet.None);
-        var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
+        var (sin, cos) = Elementary.SinCos(degrees * Math.PI / 180);
         var z = values.Words.Has('Z') ? (control.State.Incremental ? BlockValues.Sum(at.Z, values.Length('Z')) : values.Length('Z')) : at.Z;
         var unknownZ = values.Words.Has('Z') && !control.State.Incremental ? AxisSet.None : unknown & AxisSet.Z;
         return isUnknown ? (new(at.X, at.Y, z), flat | unknownZ | values.UnknownWords())

@@ -1,4 +1,5 @@
 using System.Numerics;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
@@ -46,7 +47,7 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
             var dialect = values.Dialect;
             var counts = dialect.IntegersAreIncrements;
             var unit = counts ? "least increments" : "millimeters or inches";
-            var hundred = counts ? 100 / Math.Pow(10, dialect.MetricDecimals) : 100;
+            var hundred = counts ? 100 / Elementary.Pow(10, dialect.MetricDecimals) : 100;
             var reading = FormattableString.Invariant($"Dialect {dialect.Name} reads them in {unit}: X100 is {hundred} mm.");
             yield return new("number-without-point", _first, Count, FormattableString.Invariant(
                 $"{Count} coordinates are written without a point, the first in {program.NameOf(program[_first])}. {reading} {Otherwise}"));

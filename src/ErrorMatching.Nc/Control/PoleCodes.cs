@@ -44,7 +44,7 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
     {
         var (plane, pole) = (control.State.Plane, control.State.Pole.Place);
         var at = plane.Project(control.State.Position) - pole;
-        var (distance, degrees) = (at.Length, Math.Atan2(at.Y, at.X) * 180 / Math.PI);
+        var (distance, degrees) = (at.Length, Elementary.Atan2(at.Y, at.X) * 180 / Math.PI);
         var (r, angle) = (values.Words.PolarDistance * control.Unit, values.Words.PolarAngle);
         distance = values.Words.PolarDistanceGrows ? distance + r!.Value : r ?? distance;
         degrees = values.Words.PolarAngleGrows ? degrees + angle!.Value : angle ?? degrees;
@@ -58,7 +58,7 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
         var isUnknown = !IsKnown || double.IsNaN(distance) || double.IsNaN(degrees)
             || (isRelative && (control.State.Unknown & plane.Axes()) != AxisSet.None)
             || (values.GivenAxes() & plane.Axes()) != AxisSet.None;
-        var (sin, cos) = Math.SinCos(degrees * Math.PI / 180);
+        var (sin, cos) = Elementary.SinCos(degrees * Math.PI / 180);
         var end = isUnknown ? plane.Project(control.State.Position) : pole + new Vector2(distance * cos, distance * sin);
         return (plane.Lift(end, height), (isUnknown ? plane.Axes() : AxisSet.None) | (unknownHeight & third));
     }

@@ -105,7 +105,7 @@ internal sealed class ProgramFrame
             90 => (1, 0),
             -90 => (-1, 0),
             180 or -180 => (0, -1),
-            _ => Math.SinCos(turned * Math.PI / 180),
+            _ => Elementary.SinCos(turned * Math.PI / 180),
         };
     }
 

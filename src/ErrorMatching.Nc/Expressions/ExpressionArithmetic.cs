@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Computes operators and functions. A result is unknown if an operand is unknown. An undefined result gives an error message,
@@ -61,7 +63,7 @@ internal static class ExpressionArithmetic
         var (a, b) = (arguments[0].Number, arguments.Length > 1 ? arguments[1].Number : 0);
         var value = what switch
         {
-            ExpressionFunction.ArcTangentOfTurn when arguments.Length == 1 => Degrees(Math.Atan(a)),
+            ExpressionFunction.ArcTangentOfTurn when arguments.Length == 1 => Degrees(Elementary.Atan(a)),
             ExpressionFunction.Bound =>
                 a > b ? Fail("the bounds are the wrong way round", ref error) : Math.Clamp(arguments[2].Number, a, b),
             _ => Compute(what, a, b, decimals, ref error),
@@ -141,9 +143,9 @@ internal static class ExpressionArithmetic
                 return Math.Abs(a) > 1
                     ? Fail("the argument of an arc sine or arc cosine is not between -1 and 1", ref error)
                     : ArcOf(what, a);
-            case ExpressionFunction.ArcTangent: return Degrees(Math.Atan(a));
-            case ExpressionFunction.ArcTangentOfPoint: return Degrees(Math.Atan2(a, b));
-            case ExpressionFunction.ArcTangentOfTurn: return Turn(Degrees(Math.Atan2(a, b)));
+            case ExpressionFunction.ArcTangent: return Degrees(Elementary.Atan(a));
+            case ExpressionFunction.ArcTangentOfPoint: return Degrees(Elementary.Atan2(a, b));
+            case ExpressionFunction.ArcTangentOfTurn: return Turn(Degrees(Elementary.Atan2(a, b)));
             case ExpressionFunction.SquareRoot: return a < 0 ? Fail("square root of a negative number", ref error) : Math.Sqrt(a);
             case ExpressionFunction.Square: return a * a;
             case ExpressionFunction.Absolute: return Math.Abs(a);
@@ -152,8 +154,9 @@ internal static class ExpressionArithmetic
             case ExpressionFunction.AwayFromZero: return a < 0 ? Math.Floor(a) : Math.Ceiling(a);
             case ExpressionFunction.Floor: return Math.Floor(a);
             case ExpressionFunction.Ceiling: return Math.Ceiling(a);
-            case ExpressionFunction.Logarithm: return a <= 0 ? Fail("logarithm of a number that is not positive", ref error) : Math.Log(a);
-            case ExpressionFunction.Exponential: return Math.Exp(a);
+            case ExpressionFunction.Logarithm:
+                return a <= 0 ? Fail("logarithm of a number that is not positive", ref error) : Elementary.Log(a);
+            case ExpressionFunction.Exponential: return Elementary.Exp(a);
             case ExpressionFunction.Power: return Power(a, b, ref error);
             case ExpressionFunction.FromDecimalCode: return Recode(Whole(a, ref error), 16, 10, ref error);
             case ExpressionFunction.ToDecimalCode: return Recode(Whole(a, ref error), 10, 16, ref error);
@@ -165,9 +168,9 @@ internal static class ExpressionArithmetic
 
     private static double ArcOf(ExpressionFunction what, double a) => what switch
     {
-        ExpressionFunction.ArcCosine => Degrees(Math.Acos(a)),
-        ExpressionFunction.ArcSineOfTurn => Turn(Degrees(Math.Asin(a))),
-        _ => Degrees(Math.Asin(a)),
+        ExpressionFunction.ArcCosine => Degrees(Elementary.Acos(a)),
+        ExpressionFunction.ArcSineOfTurn => Turn(Degrees(Elementary.Asin(a))),
+        _ => Degrees(Elementary.Asin(a)),
     };
 
     // Exact at the quarter turns, where a program may check whether a sine is zero.
@@ -182,7 +185,7 @@ internal static class ExpressionArithmetic
             270 => -1,
             30 or 150 => 0.5,
             210 or 330 => -0.5,
-            _ => Math.Sin(angle * Math.PI / 180),
+            _ => Elementary.Sin(angle * Math.PI / 180),
         };
     }
 
@@ -192,7 +195,7 @@ internal static class ExpressionArithmetic
 
     private static double Round(double value) => Math.Round(value, MidpointRounding.AwayFromZero);
 
-    private static double Scale(int decimals) => Math.Pow(10, decimals);
+    private static double Scale(int decimals) => Elementary.Pow(10, decimals);
 
     private static double Power(double a, double b, ref string? error)
     {
@@ -201,7 +204,7 @@ internal static class ExpressionArithmetic
             return Fail("a negative number has no power that is not whole", ref error);
         }
 
-        return a == 0 && b < 0 ? Fail("division by zero", ref error) : Math.Pow(a, b);
+        return a == 0 && b < 0 ? Fail("division by zero", ref error) : Elementary.Pow(a, b);
     }
 
     private static long Whole(double value, ref string? error)

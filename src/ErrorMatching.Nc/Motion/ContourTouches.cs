@@ -68,7 +68,7 @@ internal sealed class ContourTouches
         var count = 1;
         if (motion.IsArc && motion.Arc.Radius > ChordMm)
         {
-            var step = 2 * Math.Acos(1 - (ChordMm / motion.Arc.Radius));
+            var step = 2 * Elementary.Acos(1 - (ChordMm / motion.Arc.Radius));
             count = (int)Math.Clamp(Math.Ceiling(Math.Abs(motion.Arc.Sweep.Radians) / step), 1, 10_000);
         }
 

@@ -60,7 +60,7 @@ internal sealed class IncrementGrid(PathChange change, bool isInch, int decimals
             place.Y + (Steps(joint, (byte)'Y') * Increment),
             place.Z + (Steps(joint, (byte)'Z') * Increment)));
 
-    private static double Size(bool isInch, int decimals) => Math.Pow(10, -decimals) * (isInch ? 25.4 : 1);
+    private static double Size(bool isInch, int decimals) => Elementary.Pow(10, -decimals) * (isInch ? 25.4 : 1);
 
     /// <summary>A coordinate of a place.</summary>
     public static double Coordinate(Point3 point, byte axis) => axis switch { (byte)'X' => point.X, (byte)'Y' => point.Y, _ => point.Z };

@@ -36,7 +36,7 @@ internal sealed class PolarEndWords(NcPath path, IncrementGrid grid)
 
         var degrees = grows
             ? Sweep(start, wanted, arc.Kind == MotionKind.ArcCounterClockwise)
-            : Math.Atan2(wanted.Y, wanted.X) * 180 / Math.PI;
+            : Elementary.Atan2(wanted.Y, wanted.X) * 180 / Math.PI;
         degrees += grows ? 0 : 360 * Math.Round((old - degrees) / 360);
         var value = NcNumber.Round(degrees, Math.Max(AngleDecimals, token.Number.Decimals)).Trim();
         end = center + EndOf(start, value.Value, grows);
@@ -66,7 +66,7 @@ internal sealed class PolarEndWords(NcPath path, IncrementGrid grid)
     // A full turn if start and end are one direction.
     private static double Sweep(Vector2 start, Vector2 end, bool counterClockwise)
     {
-        var degrees = Math.Atan2(start.Cross(end), start.Dot(end)) * 180 / Math.PI;
+        var degrees = Elementary.Atan2(start.Cross(end), start.Dot(end)) * 180 / Math.PI;
         const double Nothing = 1e-6;
         return counterClockwise
             ? (degrees > Nothing ? degrees : degrees + 360)

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>A displaced program and the changes that produced it.</summary>
@@ -10,5 +12,5 @@ public sealed record Rewrite(
     NcProgram Program, IReadOnlyList<NcPatch> Patches, IReadOnlyList<int> ChangedBlocks, int ChangedWords, double LeastIncrementMm)
 {
     /// <summary>The unchanged program: nothing had to change.</summary>
-    internal static Rewrite None(NcPath path) => new(path.Program, [], [], 0, Math.Pow(10, -path.Dialect.MetricDecimals));
+    internal static Rewrite None(NcPath path) => new(path.Program, [], [], 0, Elementary.Pow(10, -path.Dialect.MetricDecimals));
 }

@@ -52,7 +52,8 @@ internal static class WishReader
     public static void CheckAgainst(WishFile wish, NcPath before, string file)
     {
         var problems = new List<Refusal>();
-        var coarsest = Math.Max(Math.Pow(10, -before.Dialect.MetricDecimals), 25.4 * Math.Pow(10, -before.Dialect.InchDecimals));
+        var coarsest = Math.Max(
+            Elementary.Pow(10, -before.Dialect.MetricDecimals), 25.4 * Elementary.Pow(10, -before.Dialect.InchDecimals));
         if (!(wish.LeastIncrementMm <= coarsest * 1.000001))
         {
             problems.Add(Problem(

@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Reporting;
 
@@ -36,7 +37,7 @@ public static class DivergingColors
     private static string Hex(double share, double atZero, double atEnd)
     {
         var lightness = atZero + ((atEnd - atZero) * Math.Abs(share));
-        var (sin, cos) = Math.SinCos((share < 0 ? BlueHueDegrees : OrangeHueDegrees) * Math.PI / 180);
+        var (sin, cos) = Elementary.SinCos((share < 0 ? BlueHueDegrees : OrangeHueDegrees) * Math.PI / 180);
         var chroma = ChromaAtEnd * Math.Abs(share);
         var (r, g, b) = ToRgb(lightness, chroma * cos, chroma * sin);
         return string.Create(CultureInfo.InvariantCulture, $"#{Byte(r):x2}{Byte(g):x2}{Byte(b):x2}");
@@ -60,6 +61,6 @@ public static class DivergingColors
     private static int Byte(double linear)
     {
         var value = Math.Clamp(linear, 0, 1);
-        return (int)Math.Round(255 * (value <= 0.0031308 ? 12.92 * value : (1.055 * Math.Pow(value, 1 / 2.4)) - 0.055));
+        return (int)Math.Round(255 * (value <= 0.0031308 ? 12.92 * value : (1.055 * Elementary.Pow(value, 1 / 2.4)) - 0.055));
     }
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Reporting;
 
 /// <summary>Round numbers for axes: 1, 2 or 5 times a power of ten.</summary>
@@ -11,11 +13,11 @@ public static class RoundNumber
 
     private static double Search(double value, Func<double, bool> fits, ReadOnlySpan<int> mantissas)
     {
-        var exponent = (int)Math.Floor(Math.Log10(value));
+        var exponent = (int)Math.Floor(Elementary.Log10(value));
         foreach (var mantissa in mantissas)
         {
             // A division by a power of ten is rounded once, so that 0.1 is the nearest double.
-            var number = exponent < 0 ? mantissa / Math.Pow(10, -exponent) : mantissa * Math.Pow(10, exponent);
+            var number = exponent < 0 ? mantissa / Elementary.Pow(10, -exponent) : mantissa * Elementary.Pow(10, exponent);
             if (fits(number))
             {
                 return number;

@@ -34,7 +34,7 @@ public static class ReportInputs
             row.Code(input.File);
             row.Code(input.Sha256);
         });
-        html.Put("p", "To make this report again from these files:");
+        html.Put("p", "The same files make the same result, on any machine. To make it again:");
         var command = $"errormatch {verb} {Quoted(job.File)}";
         foreach (var (option, role) in options)
         {

@@ -103,7 +103,7 @@ internal sealed class IgesCurves(IgesFile file)
         var p = parameters.Reals("height, center, start and end of the arc", 7);
         var (x, y) = (p[3] - p[1], p[4] - p[2]);
         var radius = Math.Sqrt((x * x) + (y * y));
-        var sweep = Math.Atan2((x * (p[6] - p[2])) - (y * (p[5] - p[1])), (x * (p[5] - p[1])) + (y * (p[6] - p[2])));
+        var sweep = Elementary.Atan2((x * (p[6] - p[2])) - (y * (p[5] - p[1])), (x * (p[5] - p[1])) + (y * (p[6] - p[2])));
         if (!(radius > 0))
         {
             throw parameters.Fail("bad-curve", "an arc of radius 0");
@@ -126,7 +126,7 @@ internal sealed class IgesCurves(IgesFile file)
 
         var (x0, y0) = (((b * e) - (2 * c * d)) / det, ((b * d) - (2 * a * e)) / det);
         var level = -(f + (((d * x0) + (e * y0)) / 2));
-        var (sin, cos) = Math.SinCos(0.5 * Math.Atan2(b, a - c));
+        var (sin, cos) = Elementary.SinCos(0.5 * Elementary.Atan2(b, a - c));
         var (along, across) = (
             level / ((a * cos * cos) + (b * cos * sin) + (c * sin * sin)), level / ((a * sin * sin) - (b * cos * sin) + (c * cos * cos)));
         if (!(along > 0 && across > 0))
@@ -136,7 +136,7 @@ internal sealed class IgesCurves(IgesFile file)
 
         var (first, second) = (Math.Sqrt(along), Math.Sqrt(across));
         double Angle(double x, double y) =>
-            Math.Atan2((-((x - x0) * sin) + ((y - y0) * cos)) / second, (((x - x0) * cos) + ((y - y0) * sin)) / first);
+            Elementary.Atan2((-((x - x0) * sin) + ((y - y0) * cos)) / second, (((x - x0) * cos) + ((y - y0) * sin)) / first);
         var (from, to) = (Angle(p[7], p[8]), Angle(p[9], p[10]));
         var sweep = to - from;
         sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);

@@ -115,7 +115,7 @@ internal static class StepCurves
         double Angle(Point3 p)
         {
             var d = new Vector3(p.X, p.Y, p.Z) - center;
-            return Math.Atan2(d.Dot(frame.Y) / second, d.Dot(frame.X) / first);
+            return Elementary.Atan2(d.Dot(frame.Y) / second, d.Dot(frame.X) / first);
         }
 
         var (a, b) = (Angle(from), Angle(to));

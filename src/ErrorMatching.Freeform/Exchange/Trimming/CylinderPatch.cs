@@ -16,7 +16,7 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
     public SurfaceMap Map => new(At, (p, near) =>
     {
         var d = p - Origin;
-        var angle = Math.Atan2(d.Dot(Y), d.Dot(X));
+        var angle = Elementary.Atan2(d.Dot(Y), d.Dot(X));
         return new(near is { } n ? angle + (Math.Tau * Math.Round((n.X - angle) / Math.Tau)) : angle, d.Dot(Axis));
     });
 
@@ -57,5 +57,5 @@ internal sealed record CylinderPatch(Point3 Origin, Vector3 X, Vector3 Y, Vector
         return turns == 0 ? loop : [.. loop.Select(q => new Point2(q.X + turns, q.Y))];
     }
 
-    private Point3 At(Point2 q) => Origin + (X * (Radius * Math.Cos(q.X))) + (Y * (Radius * Math.Sin(q.X))) + (Axis * q.Y);
+    private Point3 At(Point2 q) => Origin + (X * (Radius * Elementary.Cos(q.X))) + (Y * (Radius * Elementary.Sin(q.X))) + (Axis * q.Y);
 }

@@ -23,8 +23,8 @@ internal static class SplineArc
         {
             var middle = i % 2 == 1;
             var angle = middle ? (breaks[i / 2] + breaks[(i / 2) + 1]) / 2 : breaks[i / 2];
-            weights[i] = middle ? Math.Cos(half) : 1;
-            var p = center + (((x * Math.Cos(angle)) + (y * Math.Sin(angle))) * (1 / weights[i]));
+            weights[i] = middle ? Elementary.Cos(half) : 1;
+            var p = center + (((x * Elementary.Cos(angle)) + (y * Elementary.Sin(angle))) * (1 / weights[i]));
             poles[i] = new(p.X, p.Y, p.Z);
         }
 
@@ -38,7 +38,7 @@ internal static class SplineArc
         var piece = Math.Clamp((int)((angle - from) / (to - from) * (breaks.Length - 1)), 0, breaks.Length - 2);
         var (a, b) = (breaks[piece], breaks[piece + 1]);
         var (middle, half) = ((a + b) / 2, (b - a) / 2);
-        return middle + (half * Math.Tan((angle - middle) / 2) / Math.Tan(half / 2));
+        return middle + (half * Elementary.Tan((angle - middle) / 2) / Elementary.Tan(half / 2));
     }
 
     private static int Pieces(double from, double to) => Math.Clamp((int)Math.Ceiling(((to - from) / (Math.PI / 2)) - 1e-9), 1, 4);

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Moves the breaks of a polynomial to minimize the sum of squares with fixed terms: Gauss-Newton with step halving.</summary>
@@ -88,7 +90,7 @@ internal static class BreakRefinement
                 {
                     // d/dxi of ((t - xi) / (1 - xi))^p.
                     var x = (t - at) / (1 - at);
-                    result[i] += model.Coefficients[k] * other.At(s) * one.Power * Math.Pow(x, one.Power - 1) * (x - 1) / (1 - at);
+                    result[i] += model.Coefficients[k] * other.At(s) * one.Power * Elementary.Pow(x, one.Power - 1) * (x - 1) / (1 - at);
                 }
             }
         }

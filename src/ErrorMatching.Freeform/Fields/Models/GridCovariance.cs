@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The covariance of values on a rectangular grid: the Kronecker product of one small matrix per direction, decomposed separately
@@ -37,7 +39,7 @@ internal sealed class GridCovariance : Covariance
             var sum = 0.0;
             foreach (var value in _values)
             {
-                sum += Math.Log(value);
+                sum += Elementary.Log(value);
             }
 
             return sum;

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The correlation of two places, a product of one function for each direction, and the noise variance as a share of the process
@@ -27,5 +29,5 @@ internal readonly record struct Kernel(
     public double AlongV(double a, double b) => Along(a - b, (a - b) / LengthV, WaveV);
 
     private double Along(double distance, double x, double wave) =>
-        Constant + (Math.Exp(-0.5 * x * x) * (wave == 0 ? 1 : Math.Cos(wave * distance)));
+        Constant + (Elementary.Exp(-0.5 * x * x) * (wave == 0 ? 1 : Elementary.Cos(wave * distance)));
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>A family of kernels: how a vector of parameters becomes one, and where a search starts.</summary>
@@ -20,9 +22,9 @@ internal sealed record KernelShape(double Constant, bool IsWave)
     /// <summary>The kernel of parameters: the logarithms of both lengths, the decimal logarithm of the noise, and of a wave both angular
     /// frequencies. A wave shorter than two spaces of the lines would look like a longer one.</summary>
     public Kernel Of(double[] x, FieldData data) => new(
-        Math.Exp(Math.Clamp(x[0], -3, 3)),
-        Math.Exp(Math.Clamp(x[1], -3, 3)),
-        Math.Pow(10, Math.Clamp(x[2], -13, 2)),
+        Elementary.Exp(Math.Clamp(x[0], -3, 3)),
+        Elementary.Exp(Math.Clamp(x[1], -3, 3)),
+        Elementary.Pow(10, Math.Clamp(x[2], -13, 2)),
         Constant,
         IsWave ? Wave(x[3], data.Crossings) : 0,
         IsWave ? Wave(x[4], data.Curves) : 0);
@@ -41,7 +43,7 @@ internal sealed record KernelShape(double Constant, bool IsWave)
         {
             foreach (var noise in noises)
             {
-                double[] smooth = [Math.Log(length), Math.Log(length), noise];
+                double[] smooth = [Elementary.Log(length), Elementary.Log(length), noise];
                 if (!IsWave)
                 {
                     yield return smooth;

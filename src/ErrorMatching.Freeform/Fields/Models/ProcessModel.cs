@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>A Gaussian process about a low-degree polynomial whose coefficients are estimated together with it (universal kriging;
@@ -38,8 +40,8 @@ internal sealed class ProcessModel : FieldModel
         var form = Math.Max(LeastSquares.Product(solution, rest), 1e-26);
         var free = data.Count - _trend.Length;
         _variance = form / free;
-        Criterion = (data.Count * Math.Log(form / data.Count)) + covariance.LogDeterminant + (2 * _trend.Length);
-        Likelihood = -0.5 * ((free * Math.Log(_variance)) + covariance.LogDeterminant + factor.LogDeterminant);
+        Criterion = (data.Count * Elementary.Log(form / data.Count)) + covariance.LogDeterminant + (2 * _trend.Length);
+        Likelihood = -0.5 * ((free * Elementary.Log(_variance)) + covariance.LogDeterminant + factor.LogDeterminant);
     }
 
     public override FieldModelKind Kind => FieldModelKind.GaussianProcess;

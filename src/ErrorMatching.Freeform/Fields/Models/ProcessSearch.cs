@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Finds the kernel of greatest likelihood: the best of a few starts, refined by a simplex. It is deterministic.</summary>
@@ -102,7 +104,8 @@ internal static class ProcessSearch
         var model = Moved(data, place.Kernel, Covariance.Of(data, place.Kernel), place.AlongU, place.At, place.Reach, Roughly);
         for (var round = 0; round < 2 && model is not null; round++)
         {
-            double[] start = [Math.Log(model.Kernel.LengthU), Math.Log(model.Kernel.LengthV), Math.Log10(model.Kernel.Noise)];
+            var last = model.Kernel;
+            double[] start = [Elementary.Log(last.LengthU), Elementary.Log(last.LengthV), Elementary.Log10(last.Noise)];
             var kernel = ProcessTrend.Of(data.Thinned(FieldData.EnoughLines), Broken(place.AlongU, At(model))) is { } trend
                 ? Improved(trend, KernelShape.Smooth, start)
                 : KernelShape.Smooth.Of(start, data);

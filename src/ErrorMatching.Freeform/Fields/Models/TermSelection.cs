@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Selects the terms of a polynomial with given breaks. Forward selection takes the term that reduces the sum of squares most,
@@ -60,7 +62,7 @@ internal sealed class TermSelection
     {
         var (n, k) = (data.Count, terms + breaks + 1);
         return n - k - 1 > 0
-            ? (n * Math.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1))
+            ? (n * Elementary.Log((squareSum / n) + Rounding(data.Z))) + (2 * k) + (2.0 * k * (k + 1) / (n - k - 1))
             : double.PositiveInfinity;
     }
 

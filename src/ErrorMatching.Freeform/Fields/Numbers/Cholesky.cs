@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>The factor L of a symmetric positive definite band matrix A = L L' (Golub and Van Loan, Matrix Computations, 4th edition,
@@ -16,7 +18,7 @@ internal sealed class Cholesky
             var sum = 0.0;
             foreach (var row in _rows)
             {
-                sum += 2 * Math.Log(row[^1]);
+                sum += 2 * Elementary.Log(row[^1]);
             }
 
             return sum;

@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Freeform;
 
 /// <summary>Waves over values at places: the products of cosine and sine along u and along v, for a grid of frequencies.</summary>
@@ -127,7 +129,7 @@ internal sealed class WaveBasis
         var left = Math.Max(1 - share, 1e-15);
         var pairs = (functions + 1) / 2;
         var half = ((_count - 1) / 2.0) - pairs;
-        return -(half * Math.Log(left)) - (pairs > 1 ? Math.Log(1 + (half * share)) : 0);
+        return -(half * Elementary.Log(left)) - (pairs > 1 ? Elementary.Log(1 + (half * share)) : 0);
     }
 
     private static double[] Frequencies(int places)
@@ -145,8 +147,8 @@ internal sealed class WaveBasis
         for (var f = 0; f < frequencies.Length; f++)
         {
             var turns = Math.PI * frequencies[f];
-            result[2 * f] = Array.ConvertAll(places, x => Math.Cos(turns * x));
-            result[(2 * f) + 1] = Array.ConvertAll(places, x => Math.Sin(turns * x));
+            result[2 * f] = Array.ConvertAll(places, x => Elementary.Cos(turns * x));
+            result[(2 * f) + 1] = Array.ConvertAll(places, x => Elementary.Sin(turns * x));
         }
 
         return result;

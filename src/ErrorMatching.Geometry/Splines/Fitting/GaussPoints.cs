@@ -26,7 +26,7 @@ internal static class GaussPoints
         var (nodes, weights) = (new double[n], new double[n]);
         for (var i = 0; i < n; i++)
         {
-            var x = Math.Cos(Math.PI * (i + 0.75) / (n + 0.5));
+            var x = Elementary.Cos(Math.PI * (i + 0.75) / (n + 0.5));
             var slope = 0.0;
             for (var step = 0; step < 8; step++)
             {

@@ -56,7 +56,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         }
 
         var unit = Trace(_points) / Trace(_bending);
-        var scores = Enumerable.Range(0, Decades).Select(d => Score(unit * Math.Pow(10, d - (Decades - 5)))).ToArray();
+        var scores = Enumerable.Range(0, Decades).Select(d => Score(unit * Elementary.Pow(10, d - (Decades - 5)))).ToArray();
         var best = Array.IndexOf(scores, scores.Min());
         if (double.IsPositiveInfinity(scores[best]))
         {
@@ -64,7 +64,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         }
 
         var exponent = Refined(unit, best - (Decades - 5.0));
-        return Solve(unit * Math.Pow(10, exponent));
+        return Solve(unit * Elementary.Pow(10, exponent));
     }
 
     /// <summary>Golden section search around the best power of ten.</summary>
@@ -94,7 +94,7 @@ internal sealed class PenalizedFit(int poles, int reach)
         var middle = scoreA <= scoreB ? a : b;
         return Math.Min(scoreA, scoreB) <= At(best) ? middle : best;
 
-        double At(double exponent) => Score(unit * Math.Pow(10, exponent));
+        double At(double exponent) => Score(unit * Elementary.Pow(10, exponent));
     }
 
     private double Score(double weight)

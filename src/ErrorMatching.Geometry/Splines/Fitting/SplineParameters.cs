@@ -105,7 +105,7 @@ public static class SplineParameters
                 throw new GeometryException(GeometryError.CoincidentPoints, $"points {i} and {i + 1} of the curve coincide");
             }
 
-            result[i] = result[i - 1] + Math.Pow(chord, power);
+            result[i] = result[i - 1] + Elementary.Pow(chord, power);
         }
 
         for (var i = 1; i < result.Length; i++)

@@ -56,9 +56,9 @@ public static partial class SplineSurfaceFit
                 product.MoveTo(u, v, 2);
                 var poles = product.Poles();
                 var area = weightU * weightV * scaleU * scaleV;
-                fit.AddBending(poles, product.Of(2, 0), area / Math.Pow(scaleU, 4));
-                fit.AddBending(poles, product.Of(1, 1), 2 * area / Math.Pow(scaleU * scaleV, 2));
-                fit.AddBending(poles, product.Of(0, 2), area / Math.Pow(scaleV, 4));
+                fit.AddBending(poles, product.Of(2, 0), area / Elementary.Pow(scaleU, 4));
+                fit.AddBending(poles, product.Of(1, 1), 2 * area / Elementary.Pow(scaleU * scaleV, 2));
+                fit.AddBending(poles, product.Of(0, 2), area / Elementary.Pow(scaleV, 4));
             }
         }
 

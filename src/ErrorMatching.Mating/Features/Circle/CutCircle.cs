@@ -74,7 +74,7 @@ internal sealed record CutCircle(Circle2 Path, Circle2 Boundary, IReadOnlyList<V
     // At the far side of such a circle the errors of center and radius add up, so round the center to what a word can express.
     private static Vector2 InWholeIncrements(Vector2 shift, NcDialect dialect)
     {
-        var increment = Math.Pow(10, -dialect.MetricDecimals);
+        var increment = Elementary.Pow(10, -dialect.MetricDecimals);
         return new(Math.Round(shift.X / increment) * increment, Math.Round(shift.Y / increment) * increment);
     }
 }

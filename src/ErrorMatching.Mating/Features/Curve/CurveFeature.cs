@@ -110,7 +110,7 @@ internal sealed record CurveFeature(
 
     /// <summary>Length of the fitted curve: the integral of sqrt(1 + f'^2) over its chord by Gauss-Legendre quadrature.</summary>
     private static double ArcLength(CurveFit curve) => GaussLegendreRule.Integrate(
-        along => Math.Sqrt(1 + Math.Pow(curve.Polynomial.Derivative(along), 2)), 0, curve.Chord.Length, QuadratureOrder);
+        along => Math.Sqrt(1 + Elementary.Pow(curve.Polynomial.Derivative(along), 2)), 0, curve.Chord.Length, QuadratureOrder);
 
     private static double Polyline(IReadOnlyList<Point2> points) => points.Zip(points.Skip(1), (a, b) => a.DistanceTo(b)).Sum();
 

@@ -64,7 +64,7 @@ public sealed class CurveKind : FeatureKind
             count > 1 ? [.. Enumerable.Range(0, ((count - 1) * Pieces) + 1).Select(i => At((double)i / Pieces))] : points,
             step * (count + 0.5));
 
-        Point2 At(double i) => new(step * i, height * Math.Sin(Math.PI * i / Math.Max(1, count - 1)));
+        Point2 At(double i) => new(step * i, height * Elementary.Sin(Math.PI * i / Math.Max(1, count - 1)));
     }
 
     internal override JobFeature Read(FeatureReading reading)

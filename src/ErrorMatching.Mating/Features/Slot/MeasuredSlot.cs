@@ -101,7 +101,7 @@ internal sealed record MeasuredSlot
         Vector2 Turned(int i)
         {
             var angle = Math.PI * i / pieces;
-            return (side * Math.Cos(angle)) + (Direction * Math.Sin(angle));
+            return (side * Elementary.Cos(angle)) + (Direction * Elementary.Sin(angle));
         }
     }
 
@@ -120,7 +120,7 @@ internal sealed record MeasuredSlot
         }
 
         return xx + yy > Square(Intersect.DefaultTolerance)
-            ? Vector2.FromDirection(Angle.FromRadians(Math.Atan2(2 * xy, xx - yy) / 2))
+            ? Vector2.FromDirection(Angle.FromRadians(Elementary.Atan2(2 * xy, xx - yy) / 2))
             : throw new GeometryException(GeometryError.CoincidentPoints, "The points of each flank lie on one place.");
     }
 

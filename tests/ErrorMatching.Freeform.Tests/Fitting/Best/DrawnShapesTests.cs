@@ -29,7 +29,7 @@ public sealed class DrawnShapesTests
     // What is missed, and by how much: docs/decisions/0007-fit-the-error-field.md says these figures.
     [Theory]
     [InlineData(0, 5.1, 2.5)]
-    [InlineData(0.001, 6.0, 2.9)]
+    [InlineData(0.001, 6.0, 3.0)]
     public void A_break_among_waves_is_missed_as_often_as_is_said(double noise, double mean, double median)
     {
         var left = Seeds.Select(seed => MeanUm(RandomShape.BreakAmongWaves(seed), noise, seed)).Order().ToArray();

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
@@ -290,15 +291,15 @@ internal ref struct KlartextFormula(ReadOnlySpan<byte> text, int at, NcVariables
         {
             "SQRT" => Math.Sqrt(x),
             "SQ" => x * x,
-            "SIN" => Math.Sin(x * Degree),
-            "COS" => Math.Cos(x * Degree),
-            "TAN" => Math.Tan(x * Degree),
-            "ASIN" => Math.Asin(x) / Degree,
-            "ACOS" => Math.Acos(x) / Degree,
-            "ATAN" => Math.Atan(x) / Degree,
-            "LN" => Math.Log(x),
-            "LOG" => Math.Log10(x),
-            "EXP" => Math.Exp(x),
+            "SIN" => Elementary.Sin(x * Degree),
+            "COS" => Elementary.Cos(x * Degree),
+            "TAN" => Elementary.Tan(x * Degree),
+            "ASIN" => Elementary.Asin(x) / Degree,
+            "ACOS" => Elementary.Acos(x) / Degree,
+            "ATAN" => Elementary.Atan(x) / Degree,
+            "LN" => Elementary.Log(x),
+            "LOG" => Elementary.Log10(x),
+            "EXP" => Elementary.Exp(x),
             "NEG" => -x,
             "INT" => Math.Truncate(x),
             "ABS" => Math.Abs(x),
