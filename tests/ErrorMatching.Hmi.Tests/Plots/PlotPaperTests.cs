@@ -21,6 +21,7 @@ public sealed class PlotPaperTests
     {
         // One in a hundred is apart from the rest, and each of them is seen by itself.
         Point2[] points = [.. Noise.Select((p, i) => i % 100 == 50 ? p with { Y = 1 + (i % 700 / 700.0) } : p)];
+        plot.HasLine = false;
         plot.Set(points);
         var pixels = Picture(plot);
         Assert.All(points.Select(plot.View.ToScreen), p => Assert.Equal(Colors.Red.ToUInt32(), pixels[((int)p.Y * Width) + (int)p.X]));
@@ -125,6 +126,8 @@ public sealed class PlotPaperTests
 
         public PlotDatum? Selected => Asked;
 
+        public bool HasLine { get; set; } = true;
+
         protected override PlotBox Extent => PlotBox.Of(Points);
 
         protected override bool IsTrueToScale => false;
@@ -137,7 +140,11 @@ public sealed class PlotPaperTests
 
         protected override void Draw(DrawingContext context, PlotView view)
         {
-            Line(context, new Pen(Ink, 2), Points, view);
+            if (HasLine)
+            {
+                Line(context, new Pen(Ink, 2), Points, view);
+            }
+
             Dots(context, Ink, 2, Points, view);
         }
     }
