@@ -1,4 +1,6 @@
 using System.Diagnostics;
+using System.Globalization;
+using Avalonia;
 using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Benchmarks;
@@ -15,6 +17,21 @@ internal sealed record FrameTimes(double[] Ordered, double Processor)
     public double Longest => Ordered[^1];
 
     public double NinetyNine => Ordered[Ordered.Length * 99 / 100];
+
+    /// <summary>Writes the head of a table of <see cref="Report"/>.</summary>
+    public static void Head() => Console.WriteLine(
+        "| size | what | median | 99 of 100 | longest | processor time |\n|---|---|---|---|---|---|");
+
+    /// <summary>Writes a row of the table.</summary>
+    public static void Report(Size size, string what, FrameTimes times) => Console.WriteLine(string.Create(
+        CultureInfo.InvariantCulture,
+        $"| {Shown(size)} | {what} | {times.Median:0.0} | {times.NinetyNine:0.0} | {times.Longest:0.0} | {times.Processor:0.0} |"));
+
+    /// <summary>A size in words.</summary>
+    public static string Shown(Size size) => string.Create(CultureInfo.InvariantCulture, $"{size.Width:0}x{size.Height:0}");
+
+    /// <summary>How far to pan before a frame: to and fro.</summary>
+    public static double Step(int i) => i % 100 < 50 ? 9 : -9;
 
     /// <summary>Does something and draws a frame, again and again.</summary>
     public static FrameTimes Of(ScreenUser user, Action<int> act)

@@ -56,6 +56,11 @@ if (args is ["station", .. var station])
     return await StationFrames.RunAsync(station.FirstOrDefault());
 }
 
+if (args is ["plots", .. var plots])
+{
+    return await PlotFrames.RunAsync(plots.FirstOrDefault());
+}
+
 if (args is ["frames"])
 {
     return await ScreenFrames.RunAsync();

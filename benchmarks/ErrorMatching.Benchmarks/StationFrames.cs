@@ -4,7 +4,6 @@ using System.Text;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.VisualTree;
-using ErrorMatching.Geometry;
 using ErrorMatching.Hmi;
 using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Nc;
@@ -15,8 +14,6 @@ namespace ErrorMatching.Benchmarks;
 /// screen with software rendering.</summary>
 internal static class StationFrames
 {
-    private const int Points = 100_000;
-
     private static readonly Size[] Sizes = [new(1280, 800), new(1920, 1080), new(3840, 2160)];
 
     /// <summary>Runs the figures.</summary>
@@ -32,9 +29,8 @@ internal static class StationFrames
             var session = OffScreenSession.Start(() => AppBuilder.Configure<App>());
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{count} blocks, a plot of {Points} points; times of the thread of the screen in ms"));
-            Console.WriteLine("| size | what | median | 99 of 100 | longest | processor time |");
-            Console.WriteLine("|---|---|---|---|---|---|");
+                $"{count} blocks, a plot of {PlotFrames.Points} points; times of the thread of the screen in ms"));
+            FrameTimes.Head();
             foreach (var size in Sizes)
             {
                 await session.RunAsync(() => MeasureAsync(size, file));
@@ -71,27 +67,18 @@ internal static class StationFrames
             await OpenAsync(window, user, size, file, "");
             var (text, path) = (
                 window.GetVisualDescendants().OfType<ProgramText>().Single(), window.GetVisualDescendants().OfType<PathPlot>().Single());
-            Report(size, "scrolling by a row", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.RowHeight)));
-            Report(size, "scrolling by a page", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
-            Report(size, "lighting the next block", FrameTimes.Of(user, _ => text.Picture!.Move(1, isExtending: false)));
-            Report(size, "panning all of the path", FrameTimes.Of(user, i => path.Pan(new(Step(i), Step(i)))));
+            FrameTimes.Report(size, "scrolling by a row", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.RowHeight)));
+            FrameTimes.Report(size, "scrolling by a page", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
+            FrameTimes.Report(size, "lighting the next block", FrameTimes.Of(user, _ => text.Picture!.Move(1, isExtending: false)));
+            FrameTimes.Report(size, "panning all of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
             path.Zoom(30, new(path.Bounds.Width / 2, path.Bounds.Height / 2));
-            Report(size, "panning a thirtieth of the path", FrameTimes.Of(user, i => path.Pan(new(Step(i), Step(i)))));
-            Report(
+            FrameTimes.Report(size, "panning a thirtieth of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
+            FrameTimes.Report(
                 size,
                 "zooming the path",
                 FrameTimes.Of(user, i => path.Zoom(i % 100 < 50 ? 0.95 : 1 / 0.95, new(path.Bounds.Width / 2, path.Bounds.Height / 2))));
 
-            var noise = Enumerable.Range(0, Points)
-                .Select(i => new Point2(i, Math.Sin(0.001 * i) + (0.3 * Math.Sin(1.0 * i * i))))
-                .ToArray();
-            var plot = new PointsPlot(noise);
-            window.Content = plot;
-            user.Settle();
-            plot.Zoom(1.2, new(plot.Bounds.Width / 2, plot.Bounds.Height / 2));
-            Report(size, "panning nearly all points", FrameTimes.Of(user, i => plot.Pan(new(Step(i), Step(i)))));
-            plot.Zoom(25, new(plot.Bounds.Width / 2, plot.Bounds.Height / 2));
-            Report(size, "panning a thirtieth of the points", FrameTimes.Of(user, i => plot.Pan(new(Step(i), Step(i)))));
+            PlotFrames.Measure(size, window, user);
         }
         finally
         {
@@ -131,16 +118,8 @@ internal static class StationFrames
         user.Settle(1);
         Console.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"| {Shown(size)} | {which}opening: in the background {read.TotalMilliseconds:0}, until the text is seen "
+            $"| {FrameTimes.Shown(size)} | {which}opening: in the background {read.TotalMilliseconds:0}, until the text is seen "
                 + $"{text.TotalMilliseconds:0}, until the path is seen {watch.Elapsed.TotalMilliseconds:0} | | | "
                 + $"{Math.Max((text - read).TotalMilliseconds, (watch.Elapsed - painted).TotalMilliseconds):0.0} | |"));
     }
-
-    private static double Step(int i) => i % 100 < 50 ? 9 : -9;
-
-    private static void Report(Size size, string what, FrameTimes times) => Console.WriteLine(string.Create(
-        CultureInfo.InvariantCulture,
-        $"| {Shown(size)} | {what} | {times.Median:0.0} | {times.NinetyNine:0.0} | {times.Longest:0.0} | {times.Processor:0.0} |"));
-
-    private static string Shown(Size size) => string.Create(CultureInfo.InvariantCulture, $"{size.Width:0}x{size.Height:0}");
 }

@@ -16,7 +16,7 @@ internal static class NativeLibraries
         {
             throw new PlatformNotSupportedException(
                 $"The operator station needs libraries of the system, and some are missing here. Install them: apt-get install "
-                    + $"{string.Join(" ", missing)} fonts-noto-cjk");
+                    + $"{string.Join(" ", missing)}");
         }
     }
 

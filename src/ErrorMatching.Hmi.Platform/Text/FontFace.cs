@@ -12,6 +12,7 @@ namespace ErrorMatching.Hmi.Platform;
 /// <param name="Style">Upright or slanted.</param>
 /// <param name="IsSans">True for a face without serifs.</param>
 /// <param name="IsTraditional">True if the face states that it covers Traditional Chinese (Big5).</param>
+/// <param name="IsOwn">True if the station brings it along.</param>
 internal sealed record FontFace(
     string File,
     int Index,
@@ -21,7 +22,8 @@ internal sealed record FontFace(
     int Width,
     FontStyle Style,
     bool IsSans,
-    bool IsTraditional)
+    bool IsTraditional,
+    bool IsOwn = false)
 {
     private CharacterMap? _characters;
 

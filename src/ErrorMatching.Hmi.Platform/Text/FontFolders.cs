@@ -9,6 +9,9 @@ internal static class FontFolders
     private const int MostFiles = 5_000, MostDepth = 8;
     private static readonly string[] Endings = [".ttf", ".otf", ".ttc", ".otc"];
 
+    /// <summary>The folder of the fonts that the station brings along.</summary>
+    public static string Own => Path.Combine(AppContext.BaseDirectory, "fonts");
+
     /// <summary>The folders of the system and of the user.</summary>
     public static IReadOnlyList<string> Usual
     {

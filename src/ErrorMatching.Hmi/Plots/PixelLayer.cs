@@ -12,7 +12,6 @@ namespace ErrorMatching.Hmi;
 internal sealed class PixelLayer
 {
     private WriteableBitmap? _bitmap;
-    private PixelRect[] _taken = [];
 
     public PixelCanvas Canvas { get; } = new();
 
@@ -20,19 +19,19 @@ internal sealed class PixelLayer
     public static int ColorOf(IBrush? brush) =>
         brush is ISolidColorBrush { Color: var c } ? unchecked((int)((0xFFu << 24) | ((uint)c.R << 16) | ((uint)c.G << 8) | c.B)) : 0;
 
-    /// <summary>Copies the canvas to the bitmap.</summary>
+    /// <summary>Copies the canvas to the bitmap, after each of its drawings.</summary>
     public void Take()
     {
         var size = new PixelSize(Canvas.Width, Canvas.Height);
-        if (_bitmap?.PixelSize != size)
+        var isNew = _bitmap?.PixelSize != size;
+        if (_bitmap is null || isNew)
         {
             _bitmap?.Dispose();
             _bitmap = new(size, new(96, 96), PixelFormat.Bgra8888, AlphaFormat.Premul);
         }
 
-        _taken = [.. Canvas.Touched];
         using var locked = _bitmap.Lock();
-        foreach (var rect in _taken)
+        foreach (var rect in isNew ? [new(size)] : Canvas.Changed)
         {
             for (var row = rect.Y; row < rect.Bottom; row++)
             {
@@ -52,23 +51,16 @@ internal sealed class PixelLayer
             return;
         }
 
-        // Only what was copied; the rest of the bitmap may be of an earlier drawing. Sharp edges: smooth ones would show between parts.
+        // Sharp edges, and the whole bitmap at once: each part by itself would take ten times as long.
         using var options = context.PushRenderOptions(
             new RenderOptions { BitmapInterpolationMode = BitmapInterpolationMode.None, EdgeMode = EdgeMode.Aliased });
-        var (scaleX, scaleY) = (place.Width / _bitmap.PixelSize.Width, place.Height / _bitmap.PixelSize.Height);
-        foreach (var rect in _taken)
-        {
-            context.DrawImage(
-                _bitmap,
-                rect.ToRect(1),
-                new Rect(place.X + (rect.X * scaleX), place.Y + (rect.Y * scaleY), rect.Width * scaleX, rect.Height * scaleY));
-        }
+        context.DrawImage(_bitmap, place);
     }
 
     /// <summary>Releases the bitmap; the next call of <see cref="Take"/> creates a new one.</summary>
     public void LetGo()
     {
         _bitmap?.Dispose();
-        (_bitmap, _taken) = (null, []);
+        _bitmap = null;
     }
 }

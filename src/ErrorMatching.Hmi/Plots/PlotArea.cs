@@ -225,6 +225,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     protected void Renew(IReadOnlyList<Point2> places)
     {
         _index = new(places);
+        ForgetPixels();
         var (isWhole, view) = (ShowsAll, View);
         Ask(null);
         ShowAll();

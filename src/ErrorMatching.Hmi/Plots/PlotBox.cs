@@ -52,6 +52,11 @@ public readonly record struct PlotBox(double Left, double Low, double Right, dou
     /// none.</summary>
     public (Point2 From, Point2 To)? PartOf(Point2 a, Point2 b)
     {
+        if (Contains(a) && Contains(b))
+        {
+            return (a, b);
+        }
+
         var (from, to, way) = (0.0, 1.0, b - a);
         return Cut(-way.X, a.X - Left) && Cut(way.X, Right - a.X) && Cut(-way.Y, a.Y - Low) && Cut(way.Y, High - a.Y)
             ? (from > 0 ? a.Lerp(b, from) : a, to < 1 ? a.Lerp(b, to) : b)

@@ -28,7 +28,10 @@ public abstract class PlotPaper : Control
 
     private readonly HashSet<(string Words, Typeface Typeface)> _words = [];
     private readonly PixelLayer _layer = new();
-    private bool _isLayerUsed;
+
+    // What is drawn pixel by pixel in this drawing, and what the layer shows: mostly the same if only a crosshair has moved.
+    private readonly List<(Strokes What, Action<PixelCanvas> Paint)> _wanted = [];
+    private readonly List<Strokes> _painted = [];
 
     static PlotPaper() => AffectsRender<PlotPaper>(InkProperty, RuleProperty, GroundProperty, LabelSizeProperty);
 
@@ -66,7 +69,11 @@ public abstract class PlotPaper : Control
     private protected IEnumerable<(string Words, Typeface Typeface)> WordsDrawn => _words;
 
     /// <summary>Starts a new drawing.</summary>
-    private protected void Begin() => _words.Clear();
+    private protected void Begin()
+    {
+        _words.Clear();
+        _wanted.Clear();
+    }
 
     /// <summary>Draws a label where room was found, with its leader line if it is away from its place.</summary>
     private protected void Words(DrawingContext context, FormattedText text, LabelRoom room)
@@ -108,21 +115,13 @@ public abstract class PlotPaper : Control
     {
         ArgumentNullException.ThrowIfNull(context);
         ArgumentNullException.ThrowIfNull(pen);
-        var points = PlotThinning.Of(line, view);
-        if (points.Count > MostLinePoints && pen.Brush is ISolidColorBrush)
+        var (scale, thick) = (1 / Pixel, (int)Math.Max(1, Math.Round(pen.Thickness / Pixel)));
+        var strokes = new Strokes(line, view, Pixel, PixelLayer.ColorOf(pen.Brush), thick, pen.DashStyle is not null, AreDots: false);
+        var points = IsPainted(strokes) ? null : PlotThinning.Of(line, view);
+        if (points is null || (points.Count > MostLinePoints && pen.Brush is ISolidColorBrush))
         {
-            var (scale, color, thick) = (1 / Pixel, PixelLayer.ColorOf(pen.Brush), (int)Math.Max(1, Math.Round(pen.Thickness / Pixel)));
-            ByPixel(view, canvas =>
-            {
-                for (var i = 1; i < points.Count; i++)
-                {
-                    if (!points[i].Begins)
-                    {
-                        var (a, b) = (points[i - 1].At, points[i].At);
-                        canvas.Line(a.X * scale, a.Y * scale, b.X * scale, b.Y * scale, color, thick, isDashed: pen.DashStyle is not null);
-                    }
-                }
-            });
+            _wanted.Add((strokes, canvas =>
+                canvas.Lines(points ?? PlotThinning.Of(line, view), scale, strokes.Color, thick, strokes.IsDashed)));
             return;
         }
 
@@ -162,7 +161,8 @@ public abstract class PlotPaper : Control
         bool IsSeen(Point2 at) =>
             at.X >= -radius && at.X <= view.Width + radius && at.Y >= -radius && at.Y <= view.Height + radius;
 
-        var seen = 0;
+        var strokes = new Strokes(points, view, Pixel, PixelLayer.ColorOf(brush), radius, IsDashed: false, AreDots: true);
+        var seen = IsPainted(strokes) ? int.MaxValue : 0;
         for (var i = 0; i < points.Count && seen <= MostDots; i++)
         {
             seen += IsSeen(view.ToScreen(points[i])) ? 1 : 0;
@@ -170,18 +170,19 @@ public abstract class PlotPaper : Control
 
         if (seen > MostDots && brush is ISolidColorBrush)
         {
-            var (scale, color) = (1 / Pixel, PixelLayer.ColorOf(brush));
-            ByPixel(view, canvas =>
+            void Paint(PixelCanvas canvas)
             {
-                var disk = PixelCanvas.Disk(radius * scale);
+                var (scale, disk) = (1 / strokes.Pixel, PixelCanvas.Disk(radius * (1 / strokes.Pixel)));
                 for (var i = 0; i < points.Count; i++)
                 {
                     if (view.ToScreen(points[i]) is var at && IsSeen(at))
                     {
-                        canvas.Dot((int)(at.X * scale), (int)(at.Y * scale), color, disk);
+                        canvas.Dot((int)(at.X * scale), (int)(at.Y * scale), strokes.Color, disk);
                     }
                 }
-            });
+            }
+
+            _wanted.Add((strokes, Paint));
             return;
         }
 
@@ -219,30 +220,42 @@ public abstract class PlotPaper : Control
     /// <summary>Shows everything that was drawn pixel by pixel since <see cref="Begin"/>.</summary>
     private protected void ShowPixels(DrawingContext context)
     {
-        if (_isLayerUsed)
+        if (_wanted.Count == 0)
         {
-            _layer.Take();
-            _layer.Show(context, new Rect(0, 0, _layer.Canvas.Width * Pixel, _layer.Canvas.Height * Pixel));
-            _isLayerUsed = false;
+            return;
         }
+
+        var ((_, view, pixel, _, _, _, _), _) = _wanted[0];
+        var canvas = _layer.Canvas;
+        if (!_wanted.Select(w => w.What).SequenceEqual(_painted))
+        {
+            canvas.Clear((int)Math.Ceiling(view.Width / pixel), (int)Math.Ceiling(view.Height / pixel));
+            _wanted.ForEach(w => w.Paint(canvas));
+            _layer.Take();
+            _painted.Clear();
+            _painted.AddRange(_wanted.Select(w => w.What));
+        }
+
+        // One bitmap laid over the rest: drawing even one bitmap is slow without a graphics processor.
+        _layer.Show(context, new Rect(0, 0, canvas.Width * pixel, canvas.Height * pixel));
+        _wanted.Clear();
     }
+
+    /// <summary>Call this when points that were drawn have changed.</summary>
+    private protected void ForgetPixels() => _painted.Clear();
 
     /// <inheritdoc/>
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
         base.OnDetachedFromVisualTree(e);
         _layer.LetGo();
+        ForgetPixels();
     }
 
-    // All pixel drawing goes into one bitmap laid over the rest: drawing even one bitmap is slow without a graphics processor.
-    private void ByPixel(PlotView view, Action<PixelCanvas> paint)
-    {
-        if (!_isLayerUsed)
-        {
-            _layer.Canvas.Clear((int)Math.Ceiling(view.Width / Pixel), (int)Math.Ceiling(view.Height / Pixel));
-            _isLayerUsed = true;
-        }
+    // True if the layer shows these strokes at this place of the order.
+    private bool IsPainted(Strokes strokes) => _wanted.Count < _painted.Count && _painted[_wanted.Count] == strokes;
 
-        paint(_layer.Canvas);
-    }
+    // What the pixels of a line or of dots depend on. The points are the same if they are the same list.
+    private readonly record struct Strokes(
+        object Points, PlotView View, double Pixel, int Color, double Size, bool IsDashed, bool AreDots);
 }

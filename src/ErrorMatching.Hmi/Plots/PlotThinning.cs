@@ -11,7 +11,11 @@ internal sealed class PlotThinning
     private readonly PlotBox _seen;
     private readonly List<(Point2 At, bool Begins)> _points = [];
     private Point2? _end;
-    private (Point2 First, Point2 Low, Point2 High, Point2 Last, bool LowFirst)? _column;
+
+    // The points of the current column; none if it has no number.
+    private double _column = double.NaN;
+    private Point2 _first, _low, _high, _last;
+    private bool _isLowFirst;
 
     private PlotThinning(PlotView view) =>
         (_view, _seen) = (
@@ -43,27 +47,36 @@ internal sealed class PlotThinning
         }
 
         var at = _view.ToScreen(place);
-        if (_column is { } c && Math.Floor(c.First.X) == Math.Floor(at.X))
+        var column = Math.Floor(at.X);
+        if (column != _column)
         {
-            var (isLower, isHigher) = (at.Y < c.Low.Y, at.Y > c.High.Y);
-            _column = (c.First, isLower ? at : c.Low, isHigher ? at : c.High, at, isHigher || (!isLower && c.LowFirst));
+            EndColumn();
+            (_column, _first, _low, _high, _last, _isLowFirst) = (column, at, at, at, at, true);
             return;
         }
 
-        EndColumn();
-        _column = (at, at, at, at, true);
+        if (at.Y < _low.Y)
+        {
+            (_low, _isLowFirst) = (at, false);
+        }
+        else if (at.Y > _high.Y)
+        {
+            (_high, _isLowFirst) = (at, true);
+        }
+
+        _last = at;
     }
 
     private void EndColumn()
     {
-        if (_column is { } c)
+        if (!double.IsNaN(_column))
         {
-            var (one, other) = c.LowFirst ? (c.Low, c.High) : (c.High, c.Low);
-            To(c.First);
+            var (one, other) = _isLowFirst ? (_low, _high) : (_high, _low);
+            To(_first);
             To(one);
             To(other);
-            To(c.Last);
-            _column = null;
+            To(_last);
+            _column = double.NaN;
         }
     }
 

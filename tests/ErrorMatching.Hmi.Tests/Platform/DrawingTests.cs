@@ -86,7 +86,7 @@ public sealed class DrawingTests
     public Task Fonts_stay_where_HarfBuzz_and_Skia_read_them() => Drawing.Needed().RunAsync(() =>
     {
         // A soak: memory that moved or was freed ended in a segmentation fault after some collections.
-        var fonts = new InstalledFonts(FontFolders.Usual);
+        var fonts = new StationFonts(FontFolders.Own, FontFolders.Usual);
         var shaper = new HarfBuzzShaper();
         for (var i = 0; i < 30; i++)
         {

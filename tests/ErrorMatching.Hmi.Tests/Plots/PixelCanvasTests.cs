@@ -1,3 +1,5 @@
+using ErrorMatching.Geometry;
+
 namespace ErrorMatching.Hmi.Tests;
 
 public sealed class PixelCanvasTests
@@ -32,7 +34,7 @@ public sealed class PixelCanvasTests
     public void What_was_drawn_before_is_wiped_also_at_another_size() => Assert.Equal("...", Drawn(3, 1, c => c.Clear(3, 1)));
 
     [Fact]
-    public void Everything_drawn_is_in_the_parts_that_are_shown_and_close_to_where_it_belongs()
+    public void Everything_drawn_is_in_the_parts_that_are_copied_and_close_to_where_it_belongs()
     {
         var random = new Random(3);
         var canvas = new PixelCanvas();
@@ -45,7 +47,7 @@ public sealed class PixelCanvasTests
             Assert.False(canvas.Pixels.ContainsAnyExcept(0));
             canvas.Line(x1, y1, x2, y2, Cut, thick, isDashed: n % 5 == 0);
             canvas.Dot((int)At(width), (int)At(height), Rapid, PixelCanvas.Disk(thick));
-            var touched = canvas.Touched.ToArray();
+            var touched = canvas.Changed.ToArray();
             for (var i = 0; i < width * height; i++)
             {
                 var (x, y) = (i % width, i / width);
@@ -65,6 +67,43 @@ public sealed class PixelCanvasTests
                 var (dx, dy) = (x2 - x1, y2 - y1);
                 var t = Math.Clamp((((x - x1) * dx) + ((y - y1) * dy)) / Math.Max(1e-12, (dx * dx) + (dy * dy)), 0, 1);
                 return Math.Sqrt(Math.Pow(x1 + (t * dx) - x, 2) + Math.Pow(y1 + (t * dy) - y, 2));
+            }
+        }
+    }
+
+    [Fact]
+    public void Many_lines_at_once_are_the_same_pixels_as_one_after_the_other()
+    {
+        var random = new Random(4);
+        var (atOnce, oneByOne) = (new PixelCanvas(), new PixelCanvas());
+        for (var n = 0; n < 300; n++)
+        {
+            var (width, height, thick) = (random.Next(1, 150), random.Next(1, 150), random.Next(1, 6));
+            var (wide, scale) = (random.Next(2) == 0 ? 1.2 : 0.02, 0.5 + random.NextDouble());
+            var points = Enumerable.Range(0, random.Next(1, 40))
+                .Select(i => (
+                    At: new Point2(
+                        width * ((wide * random.NextDouble()) + (n % 3 * 0.3)),
+                        random.Next(8) == 0 ? random.Next(-5, height) : height * ((3 * random.NextDouble()) - 1)),
+                    Begins: random.Next(6) == 0))
+                .ToArray();
+            atOnce.Clear(width, height);
+            oneByOne.Clear(width, height);
+            atOnce.Lines(points, scale, Cut, thick, isDashed: n % 7 == 0);
+            for (var i = 1; i < points.Length; i++)
+            {
+                if (!points[i].Begins)
+                {
+                    var (a, b) = (points[i - 1].At, points[i].At);
+                    oneByOne.Line(a.X * scale, a.Y * scale, b.X * scale, b.Y * scale, Cut, thick, isDashed: n % 7 == 0);
+                }
+            }
+
+            Assert.True(oneByOne.Pixels.SequenceEqual(atOnce.Pixels));
+            var copied = atOnce.Changed.ToArray();
+            for (var i = 0; i < width * height; i++)
+            {
+                Assert.True(atOnce.Pixels[i] == 0 || copied.Any(r => r.ContainsExclusive(new Avalonia.PixelPoint(i % width, i / width))));
             }
         }
     }

@@ -5,8 +5,10 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The fonts installed on the computer, and fonts from streams.</summary>
-internal sealed class InstalledFonts : IFontManagerImpl
+/// <summary>The fonts that the station brings along, those installed on the computer, and fonts from streams. For what the station's own have,
+/// they come first: so it looks the same on every computer, also on one that has no fonts. Others show what they lack, such as rare
+/// characters in names.</summary>
+internal sealed class StationFonts : IFontManagerImpl
 {
     private const int Sample = '誤';
     private const string Usual = "DejaVu Sans";
@@ -16,10 +18,19 @@ internal sealed class InstalledFonts : IFontManagerImpl
     private readonly Lock _lock = new();
 
     /// <summary>Looks for fonts.</summary>
-    /// <param name="folders">Where; see <see cref="FontFolders.Usual"/>.</param>
-    public InstalledFonts(IReadOnlyList<string> folders)
+    /// <param name="own">Where the station's own are; see <see cref="FontFolders.Own"/>.</param>
+    /// <param name="folders">Where installed ones are; see <see cref="FontFolders.Usual"/>.</param>
+    /// <exception cref="FileNotFoundException">The station's own fonts are not where they belong.</exception>
+    public StationFonts(string own, IReadOnlyList<string> folders)
     {
-        _faces = [.. FontFolders.Files(folders).SelectMany(FacesOf)];
+        FontFace[] faces = [.. FontFolders.Files([own]).SelectMany(FacesOf).Select(f => f with { IsOwn = true })];
+        if (!faces.Any(f => f.Has(Sample)) || !faces.Any(f => f.IsMono))
+        {
+            throw new FileNotFoundException(
+                $"Fonts that belong to the station are missing in {own}: one with Chinese, or one for programs. Install the station again.");
+        }
+
+        _faces = [.. faces, .. FontFolders.Files(folders).SelectMany(FacesOf)];
         _families = [
             .. _faces
                 .SelectMany(f => f.Families)
@@ -28,22 +39,19 @@ internal sealed class InstalledFonts : IFontManagerImpl
         ];
     }
 
-    /// <summary>The family for Han characters, by name, in the forms of Taiwan where there is such a font; empty if no font has them. For a
-    /// family that Avalonia knows, it requests each weight separately; for a family that it got for a single character, it uses the first
-    /// weight that it encountered for all others.</summary>
-    public IReadOnlyList<FontFallback> HanFallbacks =>
-        Best(_faces, Sample, FontStyle.Normal, FontWeight.Normal, FontStretch.Normal) is { } face
-            ? [
-                new()
-                {
-                    FontFamily = new(face.Family),
-                    UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)])
-                }]
-            : [];
-
-    /// <summary>What to install so that texts are complete; null if nothing is missing.</summary>
-    public string? Advice => HanFallbacks.Count > 0 ? null
-        : "No font with Chinese characters is installed; they are shown as empty boxes. Install one: apt-get install fonts-noto-cjk";
+    /// <summary>The families for Han characters, by name: the station's own, then the installed one with all characters that is best, in the
+    /// forms of Taiwan where there is such a font. For a family that Avalonia knows, it requests each weight separately; for a family that it
+    /// got for a single character, it uses the first weight that it encountered for all others.</summary>
+    public IReadOnlyList<FontFallback> HanFallbacks => [
+        .. _faces
+            .GroupBy(f => f.IsOwn)
+            .Select(g => Best(g, Sample, FontStyle.Normal, FontWeight.Normal, FontStretch.Normal))
+            .OfType<FontFace>()
+            .Select(f => new FontFallback
+            {
+                FontFamily = new(f.Family),
+                UnicodeRange = new([new(0x2E80, 0x9FFF), new(0xF900, 0xFAFF), new(0xFE30, 0xFE4F), new(0xFF00, 0xFFEF)])
+            })];
 
     public string GetDefaultFontFamilyName() => Usual;
 
@@ -62,7 +70,7 @@ internal sealed class InstalledFonts : IFontManagerImpl
         [NotNullWhen(true)] out IPlatformTypeface? platformTypeface)
     {
         // The closest face of the family, and of no other: Avalonia then tries the next name.
-        var face = Named(familyName).OrderBy(f => Distance(f, style, weight, stretch)).FirstOrDefault();
+        var face = Named(familyName).OrderBy(f => f.IsOwn ? 0 : 1).ThenBy(f => Distance(f, style, weight, stretch)).FirstOrDefault();
         platformTypeface = face is null ? null : Open(face, style, weight);
         return platformTypeface is not null;
     }
@@ -103,7 +111,8 @@ internal sealed class InstalledFonts : IFontManagerImpl
     private static FontFace? Best(IEnumerable<FontFace> faces, int character, FontStyle style, FontWeight weight, FontStretch stretch)
     {
         foreach (var face in faces
-            .OrderBy(f => (
+            .OrderBy(f => f.IsOwn ? 0 : 1)
+            .ThenBy(f => (
                 IsHan(character) ? f.FarFromTaiwan : f.Families.Contains(Usual) ? 0 : 1, f.IsSans ? 0 : 1, f.IsMono ? 1 : 0))
             .ThenBy(f => f.Family, StringComparer.Ordinal)
             .ThenBy(f => Distance(f, style, weight, stretch)))
