@@ -26,7 +26,7 @@ internal static class ArcTangent
             (height, width) = (double.IsInfinity(height) ? 1 : 0, double.IsInfinity(width) ? 1 : 0);
         }
 
-        return Math.CopySign(Angle((height, 0), (width, 0), double.IsNegative(x)), y);
+        return Math.CopySign(OfPoint((height, 0), (width, 0), double.IsNegative(x)), y);
     }
 
     /// <summary>The arc sine.</summary>
@@ -34,7 +34,7 @@ internal static class ArcTangent
     {
         var size = Math.Abs(sine);
         return size < TinySine ? sine + (sine * sine * sine / 6)
-            : size <= 1 ? Math.CopySign(Angle((size, 0), Other(size), false), sine)
+            : size <= 1 ? Math.CopySign(OfPoint((size, 0), Other(size), false), sine)
             : double.NaN;
     }
 
@@ -42,7 +42,7 @@ internal static class ArcTangent
     public static double Cosine(double cosine)
     {
         var size = Math.Abs(cosine);
-        return size <= 1 ? Angle(Other(size), (size, 0), cosine < 0) : double.NaN;
+        return size <= 1 ? OfPoint(Other(size), (size, 0), cosine < 0) : double.NaN;
     }
 
     // The other leg of a right triangle with hypotenuse 1.
@@ -57,7 +57,7 @@ internal static class ArcTangent
     }
 
     // The angle of a point above the x axis, or on it.
-    private static double Angle((double High, double Low) height, (double High, double Low) width, bool isLeft)
+    private static double OfPoint((double High, double Low) height, (double High, double Low) width, bool isLeft)
     {
         var isSteep = height.High > width.High;
         var (small, large) = isSteep ? (width, height) : (height, width);

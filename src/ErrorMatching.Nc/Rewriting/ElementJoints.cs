@@ -106,11 +106,11 @@ internal sealed class ElementJoints(DisplacedElements elements)
                     + $"{right.ToString(decimals, CultureInfo.InvariantCulture)} mm). {advice}");
         }
 
+        var degrees = Elementary.Atan2(Math.Abs(sine), cosine) * 180 / Math.PI;
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"they turn by {Elementary.Atan2(Math.Abs(sine), cosine) * 180 / Math.PI:0.0} degrees there, and the displaced ones come "
-                + $"together only further away than {Nearby} times the displacement, or not at all. Displace less, or name one of the "
-                + "two.");
+            $"they turn by {degrees:0.0} degrees there, and the displaced ones come together "
+                + $"only further away than {Nearby} times the displacement, or not at all. Displace less, or name one of the two.");
     }
 
     // If one element is round, the tangents at the old joint meet away from the new joint. So the concentric circles through the displaced

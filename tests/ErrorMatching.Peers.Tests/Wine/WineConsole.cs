@@ -32,8 +32,8 @@ public sealed class WineConsole : IAsyncLifetime
             await prefix;
 
             // As long as one program runs, Wine's own services go on; without it, each run would start them again, which takes 2 s. They
-            // inherit the streams of the program that started them, so that must be this one: to wait for the end of such a stream is to wait for
-            // the services.
+            // inherit the streams of the program that started them, so that must be this one: to wait for the end of such a stream is to
+            // wait for the services.
             var keeping = Windows("cmd", "/c", "echo begun & more");
             keeping.RedirectStandardInput = keeping.RedirectStandardOutput = keeping.RedirectStandardError = true;
             _keeper = Process.Start(keeping)!;
