@@ -80,6 +80,22 @@ internal sealed unsafe class X11Window : PlatformWindow
         _ = Xlib.XFlush(X11Connection.Display);
     }
 
+    public override void SetMinMaxSize(Size minSize, Size maxSize)
+    {
+        // No window of the station has a largest size.
+        var hints = new XSizeHints
+        {
+            Flags = XSizeHints.HasLeast,
+            LeastWidth = Whole(minSize.Width),
+            LeastHeight = Whole(minSize.Height),
+        };
+        Xlib.XSetWMNormalHints(X11Connection.Display, _window, ref hints);
+        _ = Xlib.XFlush(X11Connection.Display);
+
+        // Rounded up, as a smaller window would cut something off; but not because of the last digit of a product.
+        int Whole(double units) => Math.Max(1, (int)Math.Ceiling((units * RenderScaling) - 1e-6));
+    }
+
     public override void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application)
     {
         var size = PixelSize.FromSize(clientSize, RenderScaling);

@@ -78,6 +78,7 @@ internal static unsafe partial class Xlib
         nint display, nint window, nint property, nint type, int format, int mode, nint* data, int elements);
     [LibraryImport(Library)] public static partial int XDeleteProperty(nint display, nint window, nint property);
     [LibraryImport(Library)] public static partial int XSetWMProtocols(nint display, nint window, nint* protocols, int count);
+    [LibraryImport(Library)] public static partial void XSetWMNormalHints(nint display, nint window, ref XSizeHints hints);
     [LibraryImport(Library)] public static partial int XSendEvent(nint display, nint window, int propagate, nint mask, ref XEvent e);
     [LibraryImport(Library)] public static partial int XNextEvent(nint display, out XEvent e);
     [LibraryImport(Library)] public static partial int XGetEventData(nint display, ref XEvent e);

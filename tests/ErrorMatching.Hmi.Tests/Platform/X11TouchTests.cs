@@ -112,6 +112,19 @@ public sealed class X11TouchTests
         Assert.Equal(["moved Mouse", "pressed Mouse", "moved Mouse", "released Mouse", "lost Mouse"], seen.Events);
     });
 
+    [Theory]
+    [InlineData(1.0, 350, 301)]
+    [InlineData(1.1, 385, 331)]
+    [InlineData(1.5, 525, 451)]
+    public Task The_window_manager_is_told_the_least_size_in_pixels(double scaling, int width, int height) => On(scaling, (seen, _) =>
+    {
+        (seen.Window.MinWidth, seen.Window.MinHeight) = (350, 300.4);
+        var hints = XServer.Property(Seen.Title, "WM_NORMAL_HINTS");
+
+        // ICCCM 4.1.2.3: flags, of which 16 means that the least size is given, then four fields of old, then that size.
+        Assert.Equal((16, width, height), (hints[0], hints[5], hints[6]));
+    });
+
     [Fact]
     public unsafe void What_a_finger_did_is_read_from_the_layout_of_the_protocol()
     {

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Globalization;
 using ErrorMatching.Hmi.Platform;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -75,6 +76,19 @@ internal static class XServer
         process.WaitForExit();
         Assert.Equal(0, process.ExitCode);
         return answer;
+    }
+
+    /// <summary>A property of a window with a title, as the numbers of 32 bits that it has.</summary>
+    public static unsafe long[] Property(string title, string name)
+    {
+        var window = nint.Parse(Do("search", "--name", title), CultureInfo.InvariantCulture);
+        var display = X11Connection.Display;
+        _ = Xlib.XGetWindowProperty(
+            display, window, Xlib.XInternAtom(display, name, 0), 0, 100, 0, 0, out _, out var format, out var items, out _, out var data);
+        Assert.Equal(32, format);
+        var values = new ReadOnlySpan<long>(data, (int)items).ToArray();
+        _ = Xlib.XFree(data);
+        return values;
     }
 
     private static void Demand(string program, bool isThere)
