@@ -24,7 +24,7 @@ public static class LinuxPlatform
         NativeLibraries.Demand(NativeLibraries.ForWindows);
         return builder.UseSkia()
             .UseWindowingSubsystem(
-                () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling), new X11Clipboard()), "X11");
+                () => Windowing.Initialize(new DispatcherRenderTimer(), () => new X11Window(scaling, advise), new X11Clipboard()), "X11");
     }
 
     /// <summary>Draws with Skia; windows come from another subsystem.</summary>

@@ -20,7 +20,8 @@ internal static class NativeLibraries
         }
     }
 
-    private static bool IsThere(string library)
+    /// <summary>True if a library can be loaded.</summary>
+    public static bool IsThere(string library)
     {
         if (!NativeLibrary.TryLoad(library, out var handle))
         {

@@ -133,7 +133,7 @@ internal abstract partial class PlatformWindow
     {
     }
 
-    public void SetMinMaxSize(Size minSize, Size maxSize)
+    public virtual void SetMinMaxSize(Size minSize, Size maxSize)
     {
     }
 

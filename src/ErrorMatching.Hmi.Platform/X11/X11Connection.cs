@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi.Platform;
 /// round trips until the next event.</remarks>
 internal static class X11Connection
 {
-    private static readonly Dictionary<nint, Action<XEvent>> Windows = [];
+    private static readonly Dictionary<nint, (Action<XEvent> OnEvent, Action<XInputEvent>? OnInput)> Windows = [];
     private const int ErrorCode = 32, BadWindow = 3;
     private static unsafe delegate* unmanaged[Cdecl]<nint, byte*, int> _otherwise;
     private static readonly AutoResetEvent Drained = new(false);
@@ -19,10 +19,11 @@ internal static class X11Connection
     /// <summary>The message with which a window manager asks a window to close.</summary>
     public static nint DeleteWindow { get; private set; }
 
-    /// <summary>Registers a window's event handler.</summary>
-    public static void Add(nint window, Action<XEvent> onEvent) => Windows[window] = onEvent;
+    /// <summary>Registers a window's event handlers.</summary>
+    public static void Add(nint window, Action<XEvent> onEvent, Action<XInputEvent>? onInput = null) =>
+        Windows[window] = (onEvent, onInput);
 
-    /// <summary>Removes a window's event handler.</summary>
+    /// <summary>Removes a window's event handlers.</summary>
     public static void Remove(nint window) => Windows.Remove(window);
 
     /// <summary>Connects, once.</summary>
@@ -91,9 +92,16 @@ internal static class X11Connection
         while (Xlib.XPending(Display) > 0)
         {
             _ = Xlib.XNextEvent(Display, out var e);
-            if (Windows.TryGetValue(e.Window, out var onEvent))
+            if (e.Type == Xlib.GenericEvent)
             {
-                onEvent(e);
+                if (X11Pointing.Read(ref e) is { } input && Windows.TryGetValue(input.Window, out var target))
+                {
+                    target.OnInput?.Invoke(input);
+                }
+            }
+            else if (Windows.TryGetValue(e.Window, out var window))
+            {
+                window.OnEvent(e);
             }
         }
     }

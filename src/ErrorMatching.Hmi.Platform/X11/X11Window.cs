@@ -10,13 +10,16 @@ namespace ErrorMatching.Hmi.Platform;
 internal sealed unsafe class X11Window : PlatformWindow
 {
     private readonly int _screen;
+    private readonly X11Fingers _fingers;
     private nint _window;
     private bool _isShown;
     private PixelSize _normal;
 
     /// <summary>Creates a window that is not shown yet.</summary>
+    /// <param name="scaling">Pixels per device-independent unit.</param>
+    /// <param name="advise">Told once if something is missing without which windows open nevertheless.</param>
     /// <exception cref="PlatformNotSupportedException">There is no X server, or its screen has less than 24 bits.</exception>
-    public X11Window(double scaling)
+    public X11Window(double scaling, Action<string>? advise = null)
         : base(scaling)
     {
         X11Connection.Open();
@@ -28,7 +31,9 @@ internal sealed unsafe class X11Window : PlatformWindow
         _ = Xlib.XSelectInput(X11Connection.Display, _window, Xlib.EventMask);
         var protocol = X11Connection.DeleteWindow;
         _ = Xlib.XSetWMProtocols(X11Connection.Display, _window, &protocol, 1);
-        X11Connection.Add(_window, OnEvent);
+        _fingers = new(scaling, Touch);
+        X11Connection.Add(_window, OnEvent, OnInput);
+        X11Pointing.Select(_window, advise);
     }
 
     public override WindowState WindowState
@@ -61,6 +66,7 @@ internal sealed unsafe class X11Window : PlatformWindow
 
     public override void Hide()
     {
+        _fingers.Cancel();
         _ = Xlib.XUnmapWindow(X11Connection.Display, _window);
         _ = Xlib.XFlush(X11Connection.Display);
         base.Hide();
@@ -72,6 +78,22 @@ internal sealed unsafe class X11Window : PlatformWindow
     {
         _ = Xlib.XDefineCursor(X11Connection.Display, _window, X11Cursors.Of((cursor as ShapeCursor)?.Shape ?? StandardCursorType.Arrow));
         _ = Xlib.XFlush(X11Connection.Display);
+    }
+
+    public override void SetMinMaxSize(Size minSize, Size maxSize)
+    {
+        // No window of the station has a largest size.
+        var hints = new XSizeHints
+        {
+            Flags = XSizeHints.HasLeast,
+            LeastWidth = Whole(minSize.Width),
+            LeastHeight = Whole(minSize.Height),
+        };
+        Xlib.XSetWMNormalHints(X11Connection.Display, _window, ref hints);
+        _ = Xlib.XFlush(X11Connection.Display);
+
+        // Rounded up, as a smaller window would cut something off; but not because of the last digit of a product.
+        int Whole(double units) => Math.Max(1, (int)Math.Ceiling((units * RenderScaling) - 1e-6));
     }
 
     public override void Resize(Size clientSize, WindowResizeReason reason = WindowResizeReason.Application)
@@ -99,6 +121,7 @@ internal sealed unsafe class X11Window : PlatformWindow
             return;
         }
 
+        _fingers.Cancel();
         X11Connection.Remove(_window);
         _ = Xlib.XDestroyWindow(X11Connection.Display, _window);
         _ = Xlib.XFlush(X11Connection.Display);
@@ -120,6 +143,7 @@ internal sealed unsafe class X11Window : PlatformWindow
                 OnResized(new PixelSize(e.Width, e.Height).ToSize(RenderScaling), WindowResizeReason.User);
                 break;
             case Xlib.MotionNotify:
+                // While a button is held, or without XInput.
                 Mouse(RawPointerEventType.Move, at, modifiers);
                 break;
             case Xlib.LeaveNotify:
@@ -129,6 +153,12 @@ internal sealed unsafe class X11Window : PlatformWindow
                 Activated?.Invoke();
                 break;
             case Xlib.FocusOut:
+                // Without a window manager the focus follows the pointer, and a finger may move out of the window as a held mouse may.
+                if (e.FocusDetail != Xlib.FocusOfPointer)
+                {
+                    _fingers.Cancel();
+                }
+
                 LostFocus?.Invoke();
                 Deactivated?.Invoke();
                 break;
@@ -154,6 +184,19 @@ internal sealed unsafe class X11Window : PlatformWindow
             case Xlib.KeyPress or Xlib.KeyRelease:
                 OnKey(e, modifiers);
                 break;
+        }
+    }
+
+    /// <summary>Handles an event of the X Input Extension.</summary>
+    public void OnInput(XInputEvent e)
+    {
+        if (e.Kind != XInput.Motion)
+        {
+            _fingers.On(e);
+        }
+        else if (!e.IsMarked)
+        {
+            Mouse(RawPointerEventType.Move, new Point(e.X, e.Y) / RenderScaling, X11Keys.Modifiers(e.State));
         }
     }
 

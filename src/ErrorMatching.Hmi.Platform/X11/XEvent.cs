@@ -9,6 +9,14 @@ internal struct XEvent
     [FieldOffset(0)] public int Type;
     [FieldOffset(32)] public nint Window;
 
+    // An event with data of an extension: whose, which, and where the data are.
+    [FieldOffset(32)] public int Extension;
+    [FieldOffset(36)] public int ExtensionKind;
+    [FieldOffset(48)] public nint Cookie;
+
+    // Which window lost the focus, and to which.
+    [FieldOffset(44)] public int FocusDetail;
+
     // A message's type and data.
     [FieldOffset(40)] public nint MessageType;
     [FieldOffset(48)] public int Format;

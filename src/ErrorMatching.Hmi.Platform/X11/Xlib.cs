@@ -9,7 +9,11 @@ internal static unsafe partial class Xlib
     public const int KeyPress = 2, KeyRelease = 3, ButtonPress = 4, ButtonRelease = 5, MotionNotify = 6, LeaveNotify = 8, FocusIn = 9,
         FocusOut = 10;
     public const int Expose = 12, ConfigureNotify = 22, PropertyNotify = 28, SelectionClear = 29, SelectionRequest = 30,
-        SelectionNotify = 31, ClientMessage = 33;
+        SelectionNotify = 31, ClientMessage = 33, GenericEvent = 35;
+
+    /// <summary>The focus is that of the window under the pointer, and the pointer left.</summary>
+    public const int FocusOfPointer = 5;
+
     public const int SubstructureMask = (1 << 19) | (1 << 20);
 
     /// <summary>Keys, buttons, motion, leaving, exposure, structure and focus.</summary>
@@ -74,8 +78,14 @@ internal static unsafe partial class Xlib
         nint display, nint window, nint property, nint type, int format, int mode, nint* data, int elements);
     [LibraryImport(Library)] public static partial int XDeleteProperty(nint display, nint window, nint property);
     [LibraryImport(Library)] public static partial int XSetWMProtocols(nint display, nint window, nint* protocols, int count);
+    [LibraryImport(Library)] public static partial void XSetWMNormalHints(nint display, nint window, ref XSizeHints hints);
     [LibraryImport(Library)] public static partial int XSendEvent(nint display, nint window, int propagate, nint mask, ref XEvent e);
     [LibraryImport(Library)] public static partial int XNextEvent(nint display, out XEvent e);
+    [LibraryImport(Library)] public static partial int XGetEventData(nint display, ref XEvent e);
+    [LibraryImport(Library)] public static partial void XFreeEventData(nint display, ref XEvent e);
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    public static partial int XQueryExtension(nint display, string name, out int opcode, out int firstEvent, out int firstError);
+    [LibraryImport(Library)] public static partial int XSync(nint display, int discards);
     [LibraryImport(Library)] public static partial int XFlush(nint display);
     [LibraryImport(Library)] public static partial int XLookupString(ref XEvent e, byte* buffer, int size, out nuint keysym, nint compose);
     [LibraryImport(Library)] public static partial nint XCreateFontCursor(nint display, uint shape);

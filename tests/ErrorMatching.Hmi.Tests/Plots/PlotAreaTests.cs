@@ -166,7 +166,7 @@ public sealed class PlotAreaTests
     private static Button Button(PlotArea plot, string part) =>
         plot.GetVisualDescendants().OfType<Button>().Single(b => AutomationProperties.GetAutomationId(b) == "gap-" + part);
 
-    private static GapDrawing Gap(double from = 0) => new(
+    internal static GapDrawing Gap(double from = 0) => new(
         [[new(from, 0), new(from + 100, 1)]],
         [[new(from, 1), new(from + 100, 0)]],
         [("A", new(from, 0), new(from, 1), 0.0005, 0.01, false), ("B", new(from + 100, 1), new(from + 100, 0), -0.0125, 0.02, false)],
