@@ -1,20 +1,54 @@
 #!/usr/bin/env python3
-"""Draws the station's icon for Windows: two pieces that fit, on a rounded square. Usage: icon.py FILE.ico
+"""Draws the icon of deploy/icon.svg as Windows and packages want it. Usage: icon.py FILE..., each FILE.ico or FILE.png
 
-Needs no other package. Each pixel is the mean of 8 by 8 samples. Small pictures are bitmaps, which every program reads; the largest is a PNG.
+Needs no other package. Each pixel is the mean of 8 by 8 samples. In an .ico, small pictures are bitmaps, which every program reads; the largest is a PNG.
 """
+import functools
+import os
+import re
 import struct
 import sys
+import xml.etree.ElementTree
 import zlib
 
-SIDE = 128.0
-ROUND = 24.0
-GROUND, PIECE, COUNTERPART = (0x0B, 0x5C, 0xAD), (0xFF, 0xFF, 0xFF), (0xF5, 0xA3, 0x5C)
-POLYGONS = [
-    (PIECE, [(16, 20), (112, 20), (112, 50), (88, 50), (78, 74), (50, 74), (40, 50), (16, 50)]),
-    (COUNTERPART, [(16, 58), (34, 58), (44, 82), (84, 82), (94, 58), (112, 58), (112, 108), (16, 108)]),
-]
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "deploy", "icon.svg")
 SAMPLES = 8
+
+
+def rgb(text):
+    return tuple(bytes.fromhex(text.removeprefix("#")))
+
+
+def corners(path):
+    """The corners of a path of straight lines: M and L, H and V, each absolute or relative, and z."""
+    found, x, y = [], 0.0, 0.0
+    for command, numbers in re.findall(r"([A-Za-z])([^A-Za-z]*)", path):
+        values = [float(n) for n in re.findall(r"-?[0-9.]+", numbers)]
+        kind, relative = command.upper(), command.islower()
+        if kind == "Z":
+            continue
+        if kind not in "MLHV":
+            raise ValueError(f"{command} in {path}; expected M, L, H, V or z")
+        while values:
+            if kind != "V":
+                x = values.pop(0) + (x if relative else 0)
+            if kind != "H":
+                y = values.pop(0) + (y if relative else 0)
+            found.append((x, y))
+    return found
+
+
+def read():
+    """Side, radius of the corners, color of the ground, and the polygons with their colors, the topmost first."""
+    root = xml.etree.ElementTree.parse(SOURCE).getroot()
+    rect, *paths = root
+    side = float(rect.get("width"))
+    if not rect.tag.endswith("rect") or [float(v) for v in root.get("viewBox").split()] != [0, 0, side, side]:
+        raise ValueError(f"{SOURCE}: expected a square that fills the picture, and paths on it")
+    return side, float(rect.get("rx")), rgb(rect.get("fill")), [(rgb(p.get("fill")), corners(p.get("d"))) for p in reversed(paths)]
+
+
+SIDE, ROUND, GROUND, POLYGONS = read()
 
 
 def inside(polygon, x, y):
@@ -33,6 +67,7 @@ def color(x, y):
     return next((c for c, polygon in POLYGONS if inside(polygon, x, y)), GROUND)
 
 
+@functools.cache
 def picture(size):
     """Rows of (red, green, blue, opacity), from the top."""
     rows = []
@@ -86,7 +121,8 @@ def icon():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2 or any(name[-4:] not in (".ico", ".png") for name in sys.argv[1:]):
         sys.exit(__doc__)
-    with open(sys.argv[1], "wb") as file:
-        file.write(icon())
+    for name in sys.argv[1:]:
+        with open(name, "wb") as file:
+            file.write(icon() if name.endswith(".ico") else png(picture(int(SIDE))))

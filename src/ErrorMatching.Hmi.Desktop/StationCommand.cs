@@ -84,7 +84,7 @@ internal static class StationCommand
                         Busy = t => TellBusy(t, log),
                         Icon = Icon,
                     });
-                return StationPlatform.Use(builder, scaling).StartWithClassicDesktopLifetime([]);
+                return StationPlatform.Use(builder, scaling, log.Tell).StartWithClassicDesktopLifetime([]);
             }
             finally
             {

@@ -5,5 +5,5 @@ namespace ErrorMatching.Hmi.Desktop;
 
 internal static partial class StationPlatform
 {
-    static partial void UseX11(ref AppBuilder builder, double scaling) => builder = builder.UseX11(scaling);
+    static partial void UseX11(ref AppBuilder builder, double scaling, Action<string> tell) => builder = builder.UseX11(scaling, tell);
 }

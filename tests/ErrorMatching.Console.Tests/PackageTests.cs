@@ -16,7 +16,7 @@ public sealed class PackageTests
 
     public static TheoryData<string> Scripts =>
     [
-        "pack", "try-packages",
+        "licenses", "pack", "try-packages",
         .. Directory.EnumerateFiles(Repository.PathTo("deploy", "debian"))
             .Where(f => Path.GetExtension(f) is ".postinst" or ".prerm" or ".postrm")
             .Select(f => "debian/" + Path.GetFileName(f))
@@ -117,4 +117,84 @@ public sealed class PackageTests
         Assert.Contains("Icon=errormatch", lines);
         Assert.Contains(lines, l => l.StartsWith("Name[zh_TW]=", StringComparison.Ordinal));
     }
+
+    [Fact]
+    public void The_icon_is_drawn_from_its_only_source()
+    {
+        Python.IsNeeded();
+        using var folder = new TemporaryFolder();
+        string[] files = ["deploy/icon.png", "src/ErrorMatching.Hmi.Desktop/station.ico"];
+        Assert.Equal(0, Python.Run(folder.Path, "tools/icon.py", files.Select(Path.GetFileName).OfType<string>()).Exit);
+        Assert.All(
+            files, f => Assert.Equal(File.ReadAllBytes(Repository.PathTo(f)), File.ReadAllBytes(folder[Path.GetFileName(f)])));
+        Assert.Contains(
+            "\"_appLogoPath\": \"deploy/icon.svg\"", File.ReadAllText(Repository.PathTo("docfx.json")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_package_without_a_license_text_gets_that_of_the_license_that_it_names()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Packages are made on Linux.");
+        using var folder = new TemporaryFolder();
+        Package(folder, "own", "<license type=\"file\">LICENSE.md</license>", "LICENSE.md");
+        Package(folder, "named", "<license type=\"expression\">MS-PL OR MIT</license><copyright>Jones &amp; Sons</copyright>", "NOTICE");
+
+        Assert.Equal((0, ""), Licenses(folder, "Own", "Named"));
+        Assert.Equal(["LICENSE.md"], Texts(folder, "Own"));
+        Assert.Equal(["LICENSE.txt", "NOTICE"], Texts(folder, "Named"));
+        var text = File.ReadAllText(Path.Combine(folder["out"], "Named", "LICENSE.txt"));
+        Assert.StartsWith("Named 1.0.0\nJones & Sons\n\nMIT License\n", text, StringComparison.Ordinal);
+        Assert.Contains("\nPermission is hereby granted, free of charge, ", text, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("<license type=\"expression\">Nobody-1.0</license>", "deploy/license-texts has none of its license: Nobody-1.0.")]
+    [InlineData("<license type=\"expression\">MIT AND Nobody-1.0</license>", "has none of its license: MIT AND Nobody-1.0.")]
+    [InlineData("<licenseUrl>https://localhost/license</licenseUrl>", "has none of its license: it names none.")]
+    public void A_package_without_any_license_text_is_refused_by_name(string license, string said)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Packages are made on Linux.");
+        using var folder = new TemporaryFolder();
+        Package(folder, "own", "", "LICENSE");
+        Package(folder, "bare", license, "README.md");
+        var (exit, error) = Licenses(folder, "Own", "Bare");
+        Assert.Equal(1, exit);
+        Assert.StartsWith("Bare 1.0.0 brings no license text, and ", error, StringComparison.Ordinal);
+        Assert.EndsWith(said + "\n", error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_part_of_the_bill_that_is_no_package_here_is_refused_by_name()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Packages are made on Linux.");
+        using var folder = new TemporaryFolder();
+        Directory.CreateDirectory(folder["packages"]);
+        var (exit, error) = Licenses(folder, "Gone");
+        Assert.Equal(1, exit);
+        Assert.Contains("Gone 1.0.0 is in the bill of materials, but not in ", error, StringComparison.Ordinal);
+    }
+
+    private static void Package(TemporaryFolder folder, string name, string license, string file)
+    {
+        var package = Directory.CreateDirectory(Path.Combine(folder["packages"], name, "1.0.0")).FullName;
+        File.WriteAllText(Path.Combine(package, name + ".nuspec"), license.Replace("><", ">\n<", StringComparison.Ordinal) + "\n");
+        File.WriteAllText(Path.Combine(package, file), "text");
+    }
+
+    private static (int Exit, string Error) Licenses(TemporaryFolder folder, params IEnumerable<string> packages)
+    {
+        var bill = folder.File("bill.json", string.Concat(packages.Select(p => $"  \"purl\": \"pkg:nuget/{p}@1.0.0\",\n")));
+        using var process = Process.Start(
+            new ProcessStartInfo(Repository.PathTo("deploy", "licenses"), [bill, folder["packages"], folder["out"]])
+            {
+                UseShellExecute = false,
+                RedirectStandardError = true,
+            })!;
+        var error = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, error);
+    }
+
+    private static IEnumerable<string?> Texts(TemporaryFolder folder, string package) =>
+        Directory.EnumerateFiles(Path.Combine(folder["out"], package)).Select(Path.GetFileName).Order(StringComparer.Ordinal);
 }

@@ -42,15 +42,4 @@ public sealed class StationLogTests
         Assert.Equal(StationLog.MostBytes + 1, new FileInfo(file + ".old").Length);
         Assert.EndsWith(" Second start\n", File.ReadAllText(file), StringComparison.Ordinal);
     }
-
-    [Fact]
-    public void The_icon_is_what_its_script_draws()
-    {
-        Python.IsNeeded();
-        using var folder = new TemporaryFolder();
-        Assert.Equal(0, Python.Run(folder.Path, "tools/icon.py", "station.ico").Exit);
-        Assert.Equal(
-            File.ReadAllBytes(Repository.PathTo("src", "ErrorMatching.Hmi.Desktop", "station.ico")),
-            File.ReadAllBytes(folder["station.ico"]));
-    }
 }

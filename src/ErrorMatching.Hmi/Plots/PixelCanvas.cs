@@ -1,7 +1,6 @@
-using System.Numerics;
+using System.Runtime.Intrinsics;
 using Avalonia;
 using ErrorMatching.Geometry;
-using Lanes = System.Numerics.Vector;
 
 namespace ErrorMatching.Hmi;
 
@@ -46,14 +45,14 @@ internal sealed class PixelCanvas
             }
         }
 
-        if (_pixels.Length < (width * height) + Vector<int>.Count)
+        if (_pixels.Length < (width * height) + Vector256<int>.Count)
         {
-            _pixels = new int[(width * height) + Vector<int>.Count];
+            _pixels = new int[(width * height) + Vector256<int>.Count];
         }
 
         if (Width != width)
         {
-            (_low, _high) = (new int[width + Vector<int>.Count], new int[width + Vector<int>.Count]);
+            (_low, _high) = (new int[width + Vector256<int>.Count], new int[width + Vector256<int>.Count]);
             Array.Fill(_low, int.MaxValue);
             Array.Fill(_high, -1);
         }
@@ -240,12 +239,12 @@ internal sealed class PixelCanvas
     // Several columns at once, row by row, which is the order of the memory.
     private void DrawColumns(int color)
     {
-        var ink = new Vector<int>(color);
-        for (var column = 0; column < Width; column += Vector<int>.Count)
+        var ink = Vector256.Create(color);
+        for (var column = 0; column < Width; column += Vector256<int>.Count)
         {
-            var (lows, highs) = (new Vector<int>(_low, column), new Vector<int>(_high, column));
+            var (lows, highs) = (Vector256.Create(_low, column), Vector256.Create(_high, column));
             var (top, bottom) = (int.MaxValue, -1);
-            for (var i = 0; i < Vector<int>.Count; i++)
+            for (var i = 0; i < Vector256<int>.Count; i++)
             {
                 (top, bottom) = (Math.Min(top, lows[i]), Math.Max(bottom, highs[i]));
             }
@@ -255,17 +254,17 @@ internal sealed class PixelCanvas
                 continue;
             }
 
-            Touch(column, top, Math.Min(column + Vector<int>.Count, Width) - 1, bottom);
+            Touch(column, top, Math.Min(column + Vector256<int>.Count, Width) - 1, bottom);
             for (var row = top; row <= bottom; row++)
             {
-                var place = _pixels.AsSpan((row * Width) + column, Vector<int>.Count);
-                var at = new Vector<int>(row);
-                var isCovered = Lanes.GreaterThanOrEqual(at, lows) & Lanes.LessThanOrEqual(at, highs);
-                Lanes.ConditionalSelect(isCovered, ink, new Vector<int>(place)).CopyTo(place);
+                var place = _pixels.AsSpan((row * Width) + column, Vector256<int>.Count);
+                var at = Vector256.Create(row);
+                var isCovered = Vector256.GreaterThanOrEqual(at, lows) & Vector256.LessThanOrEqual(at, highs);
+                Vector256.ConditionalSelect(isCovered, ink, Vector256.Create<int>(place)).CopyTo(place);
             }
 
-            Array.Fill(_low, int.MaxValue, column, Vector<int>.Count);
-            Array.Fill(_high, -1, column, Vector<int>.Count);
+            Array.Fill(_low, int.MaxValue, column, Vector256<int>.Count);
+            Array.Fill(_high, -1, column, Vector256<int>.Count);
         }
     }
 

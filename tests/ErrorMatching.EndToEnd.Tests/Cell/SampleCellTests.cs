@@ -74,7 +74,8 @@ public sealed class SampleCellTests
 
     private static string Status(Workshop shop) => shop.Run($"cell status {Config} --json").GetAwaiter().GetResult().Output;
 
-    private static async Task Until(Func<bool> holds)
+    /// <summary>Waits until something holds, for at most two minutes.</summary>
+    internal static async Task Until(Func<bool> holds)
     {
         var began = Stopwatch.GetTimestamp();
         while (!holds())
