@@ -21,7 +21,8 @@ SOURCE, FAMILY = "Noto Sans CJK TC", "Station Sans TC"
 # Latin and its signs; punctuation, superscripts, currencies and signs like letters; arrows and signs of mathematics; marks; punctuation of
 # East Asia, Bopomofo, and wide forms.
 RANGES = [
-    (0x20, 0x17F), (0x2000, 0x214F), (0x2190, 0x22FF), (0x2500, 0x27BF), (0x3000, 0x303F), (0x3100, 0x312F), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF)]
+    (0x20, 0x17F), (0x2000, 0x214F), (0x2190, 0x22FF), (0x2500, 0x27BF),
+    (0x3000, 0x303F), (0x3100, 0x312F), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF)]
 KEPT_NAMES = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]
 LINE_LAYOUT = ["BASE", "GDEF", "GPOS", "GSUB", "VORG", "vhea", "vmtx"]
 

@@ -70,9 +70,11 @@ internal static class StationFrames
             FrameTimes.Report(size, "scrolling by a row", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.RowHeight)));
             FrameTimes.Report(size, "scrolling by a page", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
             FrameTimes.Report(size, "lighting the next block", FrameTimes.Of(user, _ => text.Picture!.Move(1, isExtending: false)));
-            FrameTimes.Report(size, "panning all of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
+            FrameTimes.Report(
+                size, "panning all of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
             path.Zoom(30, new(path.Bounds.Width / 2, path.Bounds.Height / 2));
-            FrameTimes.Report(size, "panning a thirtieth of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
+            FrameTimes.Report(
+                size, "panning a thirtieth of the path", FrameTimes.Of(user, i => path.Pan(new(FrameTimes.Step(i), FrameTimes.Step(i)))));
             FrameTimes.Report(
                 size,
                 "zooming the path",

@@ -5,9 +5,9 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The fonts that the station brings along, those installed on the computer, and fonts from streams. For what the station's own have,
-/// they come first: so it looks the same on every computer, also on one that has no fonts. Others show what they lack, such as rare
-/// characters in names.</summary>
+/// <summary>The fonts that the station brings along, those installed on the computer, and fonts from streams. For what the station's own
+/// have, they come first: so it looks the same on every computer, also on one that has no fonts. Others show what they lack, such as
+/// rare characters in names.</summary>
 internal sealed class StationFonts : IFontManagerImpl
 {
     private const int Sample = '誤';
@@ -27,7 +27,8 @@ internal sealed class StationFonts : IFontManagerImpl
         if (!faces.Any(f => f.Has(Sample)) || !faces.Any(f => f.IsMono))
         {
             throw new FileNotFoundException(
-                $"Fonts that belong to the station are missing in {own}: one with Chinese, or one for programs. Install the station again.");
+                $"Fonts that belong to the station are missing in {own}: one with Chinese, or one for programs. "
+                    + "Install the station again.");
         }
 
         _faces = [.. faces, .. FontFolders.Files(folders).SelectMany(FacesOf)];
@@ -39,9 +40,9 @@ internal sealed class StationFonts : IFontManagerImpl
         ];
     }
 
-    /// <summary>The families for Han characters, by name: the station's own, then the installed one with all characters that is best, in the
-    /// forms of Taiwan where there is such a font. For a family that Avalonia knows, it requests each weight separately; for a family that it
-    /// got for a single character, it uses the first weight that it encountered for all others.</summary>
+    /// <summary>The families for Han characters, by name: the station's own, then the best of the installed ones, in the forms of Taiwan
+    /// where there is such a font. For a family that Avalonia knows, it requests each weight separately; for a family that it got for a
+    /// single character, it uses the first weight that it encountered for all others.</summary>
     public IReadOnlyList<FontFallback> HanFallbacks => [
         .. _faces
             .GroupBy(f => f.IsOwn)

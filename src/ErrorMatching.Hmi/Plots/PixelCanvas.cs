@@ -11,8 +11,8 @@ internal sealed class PixelCanvas
     // screen of 3840 x 2160 has 33 MB, and each pass over it takes several milliseconds.
     private const int TileBits = 5;
 
-    // Above this number of rows in each column, a line is drawn column by column.
-    private const double LongRun = 8;
+    // A line that is steeper than this, in rows for a column, is drawn column by column.
+    private const double SteepFactor = 8;
     private int[] _pixels = [];
     private bool[] _tiles = [], _tilesBefore = [];
     private int _tilesAcross;
@@ -93,7 +93,8 @@ internal sealed class PixelCanvas
     }
 
     /// <summary>Draws the same as <see cref="Line"/> from point to point, in less time if the line goes up and down.</summary>
-    /// <param name="points">The points, in units of <paramref name="scale"/> pixels. One that begins is not joined to the one before.</param>
+    /// <param name="points">The points, in units of <paramref name="scale"/> pixels. One that begins is not joined to the one
+    /// before.</param>
     /// <param name="scale">Pixels per unit.</param>
     /// <param name="color">Color.</param>
     /// <param name="thickness">Thickness in pixels.</param>
@@ -109,7 +110,7 @@ internal sealed class PixelCanvas
             }
 
             var (x1, y1, x2, y2) = (a.X * scale, a.Y * scale, b.X * scale, b.Y * scale);
-            if (!isDashed && Math.Abs(y2 - y1) > LongRun * Math.Abs(x2 - x1))
+            if (!isDashed && Math.Abs(y2 - y1) > SteepFactor * Math.Abs(x2 - x1))
             {
                 Columns(x1, y1, x2, y2, color, thickness);
             }

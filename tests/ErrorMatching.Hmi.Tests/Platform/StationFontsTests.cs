@@ -76,7 +76,8 @@ public sealed class StationFontsTests : IDisposable
 
     [Fact]
     public void A_station_without_its_fonts_says_so() => Assert.Equal(
-        $"Fonts that belong to the station are missing in {_folder.Path}: one with Chinese, or one for programs. Install the station again.",
+        $"Fonts that belong to the station are missing in {_folder.Path}: one with Chinese, or one for programs. "
+            + "Install the station again.",
         Assert.Throws<FileNotFoundException>(() => new StationFonts(_folder.Path, FontFolders.Usual)).Message);
 
     [Fact]
