@@ -2,7 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The entry points for pixels in memory that a program shares with the X server on the same computer (Debian: libxext6).</summary>
+/// <summary>The entry points for pixels in memory that a program shares with the X server on the same computer (Debian:
+/// libxext6).</summary>
 internal static unsafe partial class XShm
 {
     public const string Library = "libXext.so.6";
