@@ -66,6 +66,16 @@ if (args is ["frames"])
     return await ScreenFrames.RunAsync();
 }
 
+if (args is ["display"])
+{
+    return await DisplayFrames.RunAsync();
+}
+
+if (args is ["display-window"])
+{
+    return DisplayFrames.Show();
+}
+
 if (args is ["screens", .. var screens])
 {
     return await StationScreens.RunAsync(screens);

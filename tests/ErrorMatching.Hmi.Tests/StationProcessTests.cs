@@ -59,6 +59,23 @@ public sealed partial class StationProcessTests
         }
     }
 
+    [Fact]
+    public async Task A_killed_station_leaves_no_shared_memory()
+    {
+        Drawing.Needed();
+        var display = XServer.Needed("xdotool");
+        using var folder = new TemporaryFolder();
+        using var station = Start(folder.Path, display, "--demo");
+        Assert.NotEqual("", await SizeAsync(display));
+        var isShared = SpinWait.SpinUntil(() => SharedMemory.Of(station.Id).Any(s => s.Attached == 2), Patience);
+        station.Kill();
+        await station.WaitForExitAsync(TestContext.Current.CancellationToken);
+        Assert.True(isShared, "The station never shared its frames.");
+
+        // The server detaches when it sees that the station is gone.
+        Assert.True(SpinWait.SpinUntil(() => SharedMemory.Of(station.Id).Count == 0, Patience), "A segment remains.");
+    }
+
     // Pixels of the window, as another program sees it.
     private static async Task<string> SizeAsync(string display)
     {

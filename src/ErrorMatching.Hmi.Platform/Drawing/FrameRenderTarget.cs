@@ -14,12 +14,13 @@ internal sealed class FrameRenderTarget(FrameSurface surface) : IRenderTarget
         if (!keep)
         {
             surface.Frame?.Dispose();
-            surface.Frame = new SkiaBitmap(sceneInfo.Size, new Vector(96, 96) * sceneInfo.Scaling);
+            surface.Frame = surface.Create(sceneInfo.Size, new Vector(96, 96) * sceneInfo.Scaling);
         }
 
         properties = new RenderTargetDrawingContextProperties { PreviousFrameIsRetained = keep };
         var damage = new Damage(sceneInfo.Size);
-        return surface.Frame!.Draw(1, damage, () => surface.Drawn?.Invoke(damage.Rects));
+        surface.Begins();
+        return surface.Frame!.Draw(1, damage, () => surface.Drawn(damage.Rects));
     }
 
     public void Dispose()

@@ -9,6 +9,12 @@ internal sealed class FrameSurface : IPlatformRenderSurface
     /// <summary>The last frame.</summary>
     public SkiaBitmap? Frame { get; set; }
 
+    /// <summary>Creates the picture that frames of a size are drawn in.</summary>
+    public required Func<PixelSize, Vector, SkiaBitmap> Create { get; init; }
+
+    /// <summary>Called before each frame.</summary>
+    public required Action Begins { get; init; }
+
     /// <summary>Called after each frame with the rectangles that were drawn on.</summary>
-    public Action<IReadOnlyList<PixelRect>>? Drawn { get; set; }
+    public required Action<IReadOnlyList<PixelRect>> Drawn { get; init; }
 }

@@ -13,24 +13,31 @@ internal sealed class SkiaBitmap : IWriteableBitmapImpl, IRenderTargetBitmapImpl
     private const long MostPixels = 64 << 20;
     private readonly double _drawScale;
     private readonly SKBitmap _pixels;
+    private readonly Action? _release;
     private SKImage? _image;
 
     /// <summary>Creates a transparent bitmap.</summary>
     public SkiaBitmap(PixelSize size, Vector dpi, double drawScale = 1, AlphaFormat alpha = Avalonia.Platform.AlphaFormat.Premul)
+        : this(new SKBitmap(Describe(size, alpha), SKBitmapAllocFlags.ZeroPixels), dpi, drawScale, alpha)
     {
-        _pixels = new SKBitmap(
-            new SKImageInfo(
-                Math.Max(1, size.Width),
-                Math.Max(1, size.Height),
-                SKColorType.Bgra8888,
-                alpha switch
-                {
-                    Avalonia.Platform.AlphaFormat.Opaque => SKAlphaType.Opaque,
-                    Avalonia.Platform.AlphaFormat.Unpremul => SKAlphaType.Unpremul,
-                    _ => SKAlphaType.Premul,
-                }),
-            SKBitmapAllocFlags.ZeroPixels);
-        (Dpi, _drawScale, AlphaFormat) = (dpi, drawScale, alpha);
+    }
+
+    /// <summary>Creates a bitmap in memory that is already there, with its rows one after the other.</summary>
+    /// <param name="size">Its size, at least one by one.</param>
+    /// <param name="dpi">Its resolution.</param>
+    /// <param name="memory">The address of the first pixel.</param>
+    /// <param name="release">Called when the bitmap no longer needs the memory.</param>
+    public SkiaBitmap(PixelSize size, Vector dpi, nint memory, Action release)
+        : this(new SKBitmap(), dpi, 1, Avalonia.Platform.AlphaFormat.Premul)
+    {
+        var description = Describe(size, Avalonia.Platform.AlphaFormat.Premul);
+        _ = _pixels.InstallPixels(description, memory, description.RowBytes);
+        (PixelSize, _release) = (size, release);
+    }
+
+    private SkiaBitmap(SKBitmap pixels, Vector dpi, double drawScale, AlphaFormat alpha)
+    {
+        (_pixels, Dpi, _drawScale, AlphaFormat) = (pixels, dpi, drawScale, alpha);
         PixelSize = new PixelSize(_pixels.Width, _pixels.Height);
     }
 
@@ -177,7 +184,19 @@ internal sealed class SkiaBitmap : IWriteableBitmapImpl, IRenderTargetBitmapImpl
         _image?.Dispose();
         _image = null;
         _pixels.Dispose();
+        _release?.Invoke();
     }
+
+    private static SKImageInfo Describe(PixelSize size, AlphaFormat alpha) => new(
+        Math.Max(1, size.Width),
+        Math.Max(1, size.Height),
+        SKColorType.Bgra8888,
+        alpha switch
+        {
+            Avalonia.Platform.AlphaFormat.Opaque => SKAlphaType.Opaque,
+            Avalonia.Platform.AlphaFormat.Unpremul => SKAlphaType.Unpremul,
+            _ => SKAlphaType.Premul,
+        });
 
     // Skia keeps what it made of a picture, such as a smaller one, for as long as it is the same object.
     private void Change()

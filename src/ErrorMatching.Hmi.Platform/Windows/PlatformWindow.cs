@@ -17,7 +17,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
     private readonly IKeyboardDevice _keyboard = AvaloniaLocator.Current.GetRequiredService<IKeyboardDevice>();
     private readonly MouseDevice _mouse = new(new Pointer(Pointer.GetNextFreeId(), PointerType.Mouse, isPrimary: true));
     private readonly TouchDevice _touch = new();
-    private readonly FrameSurface _surface = new();
+    private readonly FrameSurface _surface;
     private readonly Lazy<OneScreen> _screens;
     private IInputRoot? _root;
 
@@ -26,7 +26,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
     protected PlatformWindow(double scaling)
     {
         RenderScaling = scaling;
-        _surface.Drawn = OnFrame;
+        _surface = new() { Create = CreateFrame, Begins = OnFrameBegins, Drawn = OnFrame };
         Surfaces = [_surface];
         _screens = new(() => new OneScreen(ScreenSize, scaling));
     }
@@ -110,6 +110,15 @@ internal abstract partial class PlatformWindow : IWindowImpl
         _touch.Dispose();
         _surface.Frame?.Dispose();
         _surface.Frame = null;
+    }
+
+    /// <summary>Creates the picture that frames of a size are drawn in.</summary>
+    protected virtual SkiaBitmap CreateFrame(PixelSize size, Vector dpi) => new(size, dpi);
+
+    /// <summary>Called before a frame is drawn over the previous one.</summary>
+    protected virtual void OnFrameBegins()
+    {
+        // Off screen, nobody else looks at the previous one.
     }
 
     /// <summary>Called when a frame is complete in <see cref="Frame"/>.</summary>

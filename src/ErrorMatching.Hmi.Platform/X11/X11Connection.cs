@@ -10,6 +10,7 @@ internal static class X11Connection
 {
     private static readonly Dictionary<nint, (Action<XEvent> OnEvent, Action<XInputEvent>? OnInput)> Windows = [];
     private const int ErrorCode = 32, BadWindow = 3;
+    private static bool _isTrying, _isRefused;
     private static unsafe delegate* unmanaged[Cdecl]<nint, byte*, int> _otherwise;
     private static readonly AutoResetEvent Drained = new(false);
 
@@ -60,10 +61,28 @@ internal static class X11Connection
         }
     }
 
+    /// <summary>Sends requests that the server may refuse, and waits for its verdict.</summary>
+    /// <returns>False if it refused one of them.</returns>
+    public static bool Accepts(Action requests)
+    {
+        // Errors of earlier requests are not meant.
+        _ = Xlib.XSync(Display, 0);
+        (_isTrying, _isRefused) = (true, false);
+        requests();
+        _ = Xlib.XSync(Display, 0);
+        _isTrying = false;
+        DrainLater();
+        return !_isRefused;
+    }
+
     // A program that requested the clipboard may have ended before the response. All other errors of the server go to Xlib, which reports
     // them and ends the program.
     [UnmanagedCallersOnly(CallConvs = [typeof(System.Runtime.CompilerServices.CallConvCdecl)])]
-    private static unsafe int OnError(nint display, byte* error) => error[ErrorCode] == BadWindow ? 0 : _otherwise(display, error);
+    private static unsafe int OnError(nint display, byte* error)
+    {
+        _isRefused |= _isTrying;
+        return _isTrying || error[ErrorCode] == BadWindow ? 0 : _otherwise(display, error);
+    }
 
     private static void Watch(Dispatcher ui, int socket)
     {

@@ -21,21 +21,20 @@ internal static unsafe class X11Picture
     }
 
     /// <summary>Copies rectangles of a frame to the same places of a window.</summary>
+    /// <param name="window">The window.</param>
+    /// <param name="screen">Its screen.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="shared">The frame's memory, if the server reads it itself; null if the pixels go through the socket.</param>
+    /// <param name="rects">The rectangles, in pixels.</param>
     /// <exception cref="PlatformNotSupportedException">The screen does not have 8 bits each for red, green and blue.</exception>
-    public static void Put(nint window, int screen, SkiaBitmap frame, IReadOnlyList<PixelRect> rects)
+    public static void Put(nint window, int screen, SkiaBitmap frame, X11SharedPixels? shared, IReadOnlyList<PixelRect> rects)
     {
         var display = X11Connection.Display;
-        var image = Xlib.XCreateImage(
-            display,
-            Xlib.XDefaultVisual(display, screen),
-            (uint)Xlib.XDefaultDepth(display, screen),
-            Together,
-            0,
-            frame.Address,
-            (uint)frame.PixelSize.Width,
-            (uint)frame.PixelSize.Height,
-            Bits,
-            frame.RowBytes);
+        var (visual, depth) = (Xlib.XDefaultVisual(display, screen), (uint)Xlib.XDefaultDepth(display, screen));
+        var (width, height) = ((uint)frame.PixelSize.Width, (uint)frame.PixelSize.Height);
+        var image = shared is null
+            ? Xlib.XCreateImage(display, visual, depth, Together, 0, frame.Address, width, height, Bits, frame.RowBytes)
+            : XShm.XShmCreateImage(display, visual, depth, Together, shared.Address, shared.Segment, width, height);
         try
         {
             if (image is null || image->BitsPerPixel != Bits || (image->RedMask, image->GreenMask, image->BlueMask) != (Red, Green, Blue))
@@ -43,20 +42,16 @@ internal static unsafe class X11Picture
                 throw Unsupported();
             }
 
+            var gc = Xlib.XDefaultGC(display, screen);
             foreach (var rect in rects)
             {
-                _ = Xlib.XPutImage(
-                    display,
-                    window,
-                    Xlib.XDefaultGC(display, screen),
-                    image,
-                    rect.X,
-                    rect.Y,
-                    rect.X,
-                    rect.Y,
-                    (uint)rect.Width,
-                    (uint)rect.Height);
+                var (wide, high) = ((uint)rect.Width, (uint)rect.Height);
+                _ = shared is null
+                    ? Xlib.XPutImage(display, window, gc, image, rect.X, rect.Y, rect.X, rect.Y, wide, high)
+                    : XShm.XShmPutImage(display, window, gc, image, rect.X, rect.Y, rect.X, rect.Y, wide, high, 0);
             }
+
+            shared?.Reads();
         }
         finally
         {

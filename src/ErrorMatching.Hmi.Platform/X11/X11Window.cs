@@ -12,6 +12,7 @@ internal sealed unsafe class X11Window : PlatformWindow
     private readonly int _screen;
     private readonly X11Fingers _fingers;
     private nint _window;
+    private X11SharedPixels? _shared;
     private bool _isShown;
     private PixelSize _normal;
 
@@ -200,11 +201,19 @@ internal sealed unsafe class X11Window : PlatformWindow
         }
     }
 
+    protected override SkiaBitmap CreateFrame(PixelSize size, Vector dpi)
+    {
+        _shared = X11SharedPixels.Create(size);
+        return _shared is { } shared ? new(size, dpi, shared.Address, shared.Dispose) : base.CreateFrame(size, dpi);
+    }
+
+    protected override void OnFrameBegins() => _shared?.Wait();
+
     protected override void OnFrame(IReadOnlyList<PixelRect> rects)
     {
         if (_window != 0 && Frame is { } frame)
         {
-            X11Picture.Put(_window, _screen, frame, rects);
+            X11Picture.Put(_window, _screen, frame, _shared, rects);
             X11Connection.DrainLater();
         }
     }

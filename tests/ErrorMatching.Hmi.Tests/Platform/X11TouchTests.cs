@@ -70,12 +70,14 @@ public sealed class X11TouchTests
         Assert.Equal(0, seen.Clicks);
     });
 
-    [Fact]
-    public Task A_window_that_hides_or_closes_lets_go_of_its_fingers() => On(1, (seen, screen) =>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task A_window_that_hides_or_closes_lets_go_of_its_fingers(bool isClosed) => On(1, (seen, screen) =>
     {
         screen.Begin(0, 100, 50).Begin(1, 150, 50);
         seen.Arrive();
-        seen.Window.Hide();
+        (isClosed ? seen.Window.Close : (Action)seen.Window.Hide)();
         seen.Arrive();
         Assert.Equal(["pressed Touch", "pressed Touch", "lost Touch", "lost Touch"], seen.Events);
         screen.End(0, 100, 50).End(1, 150, 50);

@@ -35,6 +35,7 @@ internal static class Licenses
     public static IReadOnlyList<(string Package, string License)> OfLinux { get; } =
     [
         ("libX11", "MIT"),
+        ("libXext", "MIT"),
         ("libXi", "MIT"),
     ];
 
