@@ -69,9 +69,19 @@ internal static class StationCommand
 
         try
         {
+            if (config is not null && StationAccess.Refusal(config) is { } unreadable)
+            {
+                return Refuse(unreadable, WrongInput, scaling, log);
+            }
+
             // The demonstration creates its cell while the window is prepared: both take a second.
             var demonstration = isDemo ? Task.Run(() => Demonstration.Start(TimeProvider.System)) : null;
             var settings = isDemo ? null : CellSettingsReader.Read(config!);
+            if (settings is not null && StationAccess.Refusal(settings) is { } refusal)
+            {
+                return Refuse(refusal, Outside, scaling, log);
+            }
+
             using var stop = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Leave);
             using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Leave);
             try
@@ -102,6 +112,19 @@ internal static class StationCommand
             log.Fail(e.Message);
             return Outside;
         }
+    }
+
+    // A restart does not help, so the sentence stays until somebody has read it: in a window, if nobody sees the error stream.
+    private static int Refuse(string sentence, int exit, double scaling, StationLog log)
+    {
+        log.Fail(sentence);
+        if (!OperatingSystem.IsWindows() && Console.IsErrorRedirected)
+        {
+            var builder = AppBuilder.Configure(() => new SentenceApp(sentence));
+            StationPlatform.Use(builder, scaling, log.Tell).StartWithClassicDesktopLifetime([]);
+        }
+
+        return exit;
     }
 
     private static Station Open(CellSettings? configured, Demonstration? demonstration)

@@ -76,6 +76,61 @@ public sealed partial class StationProcessTests
         Assert.True(SpinWait.SpinUntil(() => SharedMemory.Of(station.Id).Count == 0, Patience), "A segment remains.");
     }
 
+    [Theory]
+    [InlineData("cell.json", 1)]
+    [InlineData("keys", 3)]
+    public async Task An_account_that_may_not_read_what_a_station_needs_is_told_so_in_a_window(string closed, int exit)
+    {
+        Drawing.Needed();
+        var display = XServer.Needed("xdotool");
+        using var folder = new TemporaryFolder();
+        var sample = File.ReadAllText(Repository.PathTo("samples", "cell", "cell.json"));
+        var job = Repository.PathTo("samples", "complex-mating", "job.json");
+        folder.File("cell.json", sample.Replace("../complex-mating/job.json", job, StringComparison.Ordinal)
+            .Replace("run/keys", "keys", StringComparison.Ordinal));
+        Directory.CreateDirectory(folder["keys"]);
+        Process.Start("chmod", ["-R", "a+rX", folder.Path])!.WaitForExit();
+        Process.Start("chmod", ["000", folder[closed]])!.WaitForExit();
+
+        // To root nothing is closed.
+        string[] other = Environment.IsPrivilegedProcess ? ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "env"] : ["env"];
+        using var station = Start(folder.Path, display, [.. other, "HOME=" + folder.Path], "cell.json");
+        try
+        {
+            using var see = Process.Start(
+                new ProcessStartInfo("timeout", [$"{Patience.TotalSeconds}", "xdotool", "search", "--sync", "--name", "^ErrorMatching$"])
+                {
+                    RedirectStandardOutput = true,
+                    UseShellExecute = false,
+                    Environment = { ["DISPLAY"] = display },
+                })!;
+            await see.WaitForExitAsync(TestContext.Current.CancellationToken);
+            Assert.Equal(0, see.ExitCode);
+
+            // A key that comes before the window takes keys is lost.
+            for (var tries = 0; tries < 100 && !station.WaitForExit(TimeSpan.FromSeconds(1)); tries++)
+            {
+                using var type = Process.Start(
+                    new ProcessStartInfo("xdotool", ["search", "--name", "^ErrorMatching$", "key", "Return"])
+                    {
+                        UseShellExecute = false,
+                        RedirectStandardError = true,
+                        Environment = { ["DISPLAY"] = display },
+                    })!;
+                await type.WaitForExitAsync(TestContext.Current.CancellationToken);
+            }
+
+            Assert.True(station.HasExited);
+            var error = await station.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
+            Assert.Matches($"^The account [^ ]+ may not read [^ ]*{closed}\\. A station decides with the cell's keys", error);
+            Assert.Equal(exit, station.ExitCode);
+        }
+        finally
+        {
+            station.Kill();
+        }
+    }
+
     // Pixels of the window, as another program sees it.
     private static async Task<string> SizeAsync(string display)
     {
@@ -90,13 +145,17 @@ public sealed partial class StationProcessTests
         return Geometry().Match(await look.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken)).Groups["size"].Value;
     }
 
-    private static Process Start(string folder, string display, string arguments)
+    private static Process Start(string folder, string display, string arguments) =>
+        Start(folder, display, ["env"], arguments.Split(' ', StringSplitOptions.RemoveEmptyEntries));
+
+    // By another program that starts it, such as env.
+    private static Process Start(string folder, string display, string[] by, params string[] arguments)
     {
         // Tests and station are built side by side: .../bin/<project>/<configuration>/
         var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
         var executable = Path.Combine(
             configuration.Parent!.Parent!.FullName, "ErrorMatching.Hmi.Desktop", configuration.Name, "errormatch-station");
-        return Process.Start(new ProcessStartInfo(executable, arguments)
+        return Process.Start(new ProcessStartInfo(by[0], [.. by[1..], executable, .. arguments])
         {
             WorkingDirectory = folder,
             RedirectStandardError = true,
