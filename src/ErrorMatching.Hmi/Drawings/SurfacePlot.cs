@@ -115,17 +115,14 @@ internal sealed class SurfacePlot : PlotArea
         using (context.PushTransform(new Matrix(view.ScaleX, 0, 0, -view.ScaleY, origin.X, origin.Y)))
         {
             // Two neighbors each cover a part of the pixels on their border, and together not all of it: the ground would show through as
-            // a seam. So all borders are drawn first, as wide as covers such a pixel wherever the border crosses it.
+            // a seam. So all are filled first with whole pixels, each of which belongs to one of them.
             _shapes ??= ShapesOf(drawing.Cells);
-            foreach (var (color, geometry) in _shapes)
+            using (context.PushRenderOptions(new RenderOptions { EdgeMode = EdgeMode.Aliased }))
             {
-                context.DrawGeometry(null, new Pen(BrushOf(color), DrawnSizes.Seam / view.ScaleX), geometry);
+                Fill(context, _shapes);
             }
 
-            foreach (var (color, geometry) in _shapes)
-            {
-                context.DrawGeometry(BrushOf(color), null, geometry);
-            }
+            Fill(context, _shapes);
 
             // The color for zero is the background's, so the surface needs an outline.
             context.DrawGeometry(null, new Pen(Rule, DrawnSizes.Thin / view.ScaleX), _border ??= BorderOf(drawing.Cells));
@@ -137,6 +134,14 @@ internal sealed class SurfacePlot : PlotArea
 
     /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>
     internal double DotRadius(PlotView view) => Math.Clamp(DotShare * _nearest * view.ScaleX, DrawnSizes.LeastDot, DrawnSizes.Dot);
+
+    private void Fill(DrawingContext context, List<(int Color, StreamGeometry Geometry)> shapes)
+    {
+        foreach (var (color, geometry) in shapes)
+        {
+            context.DrawGeometry(BrushOf(color), null, geometry);
+        }
+    }
 
     private IBrush? BrushOf(int color) => color < 0 ? AreaBrush : MapColors.Scale[color];
 

@@ -19,10 +19,6 @@ internal static class DrawnSizes
     /// <summary>Thickness of highlighted lines.</summary>
     public const double Thick = 3;
 
-    /// <summary>Thickness of the stroke under the border between two neighbors of a map: it covers each pixel that the border
-    /// crosses.</summary>
-    public const double Seam = 2;
-
     /// <summary>Half of a thin line, the offset from a border that aligns it to whole pixels.</summary>
     public const double HalfThin = 0.5;
 
