@@ -51,7 +51,7 @@ public sealed class LayoutTests
                             [new("\u0378", [("1", new(0, 0)), ("2", new(1, 1))], [new(0, 0), new(1, 1)])], IsSchematic: false, 2, 2)
                     }),
                 Drawn("limit", new ColorLegend { LimitMm = 1 }),
-                new MarkedText { Line = "N10 \u0378", Spans = [(4, 1)] },
+                new MarkedText { Line = "N10 \u0378", Spans = [new(4, 1)] },
                 Drawn("marked", new ProgramText { Picture = marked }),
             ],
             "SeriesPlot place has a character without a glyph",

@@ -68,7 +68,7 @@ public sealed class ScreenReaderTests
     [Fact]
     public Task A_changed_line_is_said_whole_and_its_changed_words_beside_it() => Drawing.Needed().RunAsync(() =>
     {
-        var line = new MarkedText { Line = "N130 G1 X1.5 Y2", Spans = [(8, 4), (13, 2)] };
+        var line = new MarkedText { Line = "N130 G1 X1.5 Y2", Spans = [new(8, 4), new(13, 2)] };
         Show(line, _ =>
         {
             var peer = PeerOf(line, AutomationControlType.Text);

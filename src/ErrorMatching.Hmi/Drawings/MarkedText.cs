@@ -3,6 +3,7 @@ using Avalonia.Automation.Peers;
 using Avalonia.Controls;
 using Avalonia.Controls.Documents;
 using Avalonia.Media;
+using ErrorMatching.Mating;
 
 namespace ErrorMatching.Hmi;
 
@@ -11,8 +12,8 @@ internal sealed class MarkedText : TextBlock
 {
     public static readonly StyledProperty<string?> LineProperty = AvaloniaProperty.Register<MarkedText, string?>(nameof(Line));
 
-    public static readonly StyledProperty<IReadOnlyList<(int Start, int Length)>?> SpansProperty =
-        AvaloniaProperty.Register<MarkedText, IReadOnlyList<(int Start, int Length)>?>(nameof(Spans));
+    public static readonly StyledProperty<IReadOnlyList<TextSpan>?> SpansProperty =
+        AvaloniaProperty.Register<MarkedText, IReadOnlyList<TextSpan>?>(nameof(Spans));
 
     public static readonly StyledProperty<IBrush?> MarkProperty = AvaloniaProperty.Register<MarkedText, IBrush?>(nameof(Mark));
 
@@ -22,8 +23,8 @@ internal sealed class MarkedText : TextBlock
         set => SetValue(LineProperty, value);
     }
 
-    /// <summary>The marked spans: start and length.</summary>
-    public IReadOnlyList<(int Start, int Length)>? Spans
+    /// <summary>The marked spans, as reports have them.</summary>
+    public IReadOnlyList<TextSpan>? Spans
     {
         get => GetValue(SpansProperty);
         set => SetValue(SpansProperty, value);

@@ -7,5 +7,6 @@ namespace ErrorMatching.Hmi.Tests;
 internal static class Drawing
 {
     /// <summary>Starts it, or returns the running one.</summary>
-    public static OffScreenSession Needed() => OffScreenSession.Start(() => AppBuilder.Configure<App>());
+    public static OffScreenSession Needed() => OffScreenSession.Start(
+        () => AppBuilder.Configure<App>().AfterSetup(_ => Avalonia.Logging.Logger.Sink = FailedBindings.Seen));
 }

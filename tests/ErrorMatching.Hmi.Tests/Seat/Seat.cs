@@ -68,7 +68,9 @@ internal sealed class Seat : IAsyncDisposable
     {
         Texts.Current.Language = Language.English;
         await using var seat = new Seat(new SeatClock(), idle ?? Station.DefaultIdle, size ?? new(1280, 800), prepare, hasSamples);
+        FailedBindings.Seen.Take();
         await test(seat);
+        Assert.Empty(FailedBindings.Seen.Take());
     });
 
     /// <summary>Does a test at a seat, on the screen's thread.</summary>
