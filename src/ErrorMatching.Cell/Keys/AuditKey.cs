@@ -24,10 +24,15 @@ public static class AuditKey
             ?? throw new PeopleException(PeopleError.KeysMissing, Missing(settings.KeysFolder));
     }
 
-    /// <summary>The message that the key is missing.</summary>
-    internal static string Missing(string keysFolder) =>
-        $"{Path.Combine(keysFolder, FileName)} is not there, and it sealed the audit trail: whether the trail's end was cut off, or all "
-            + $"of it written again, cannot be said. Bring the folder of the keys back from a backup.";
+    /// <summary>The message that the key is missing, or that this account may not see it.</summary>
+    internal static string Missing(string keysFolder)
+    {
+        const string Unknown = "it sealed the audit trail: whether the trail's end was cut off, or all of it written again, cannot be said.";
+        var file = Path.Combine(keysFolder, FileName);
+        return IsClosed(keysFolder)
+            ? $"This account may not read {file}, and {Unknown} Run this with the cell's account."
+            : $"{file} is not there, and {Unknown} Bring the folder of the keys back from a backup.";
+    }
 
     /// <summary>The key; created if there is none yet.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/> or
@@ -61,5 +66,23 @@ public static class AuditKey
 
         var keys = new KeyRing(keysFolder);
         return Convert.FromBase64String(keys.Unprotect(Purposes, keys.Read(FileName), file));
+    }
+
+    // To an account without rights, a file in a closed folder looks as if it were missing.
+    private static bool IsClosed(string folder)
+    {
+        try
+        {
+            _ = Directory.EnumerateFileSystemEntries(folder).FirstOrDefault();
+            return false;
+        }
+        catch (UnauthorizedAccessException)
+        {
+            return true;
+        }
+        catch (IOException)
+        {
+            return false;
+        }
     }
 }

@@ -37,6 +37,11 @@ public sealed class OtherAccountTests : IDisposable
         Assert.True(exit == 0, said);
         Assert.Contains("failed", shown, StringComparison.Ordinal);
 
+        // It is told that it may not read the key, and not that the key is gone.
+        (exit, _, said) = As(OfPerson, Group, ConsoleRun.Executable, "audit", "verify", _cell.Configuration);
+        Assert.Equal(2, exit);
+        Assert.Contains($"This account may not read {_cell["keys"]}/audit.key", said, StringComparison.Ordinal);
+
         var before = File.ReadAllBytes(_cell["store", "cell.db"]);
         (exit, _, said) = As(OfPerson, Group, [ConsoleRun.Executable, .. Reject]);
         Assert.True(exit is 2 or 3, said);
