@@ -27,7 +27,8 @@ public static class AuditKey
     /// <summary>The message that the key is missing, or that this account may not see it.</summary>
     internal static string Missing(string keysFolder)
     {
-        const string Unknown = "it sealed the audit trail: whether the trail's end was cut off, or all of it written again, cannot be said.";
+        const string Unknown =
+            "it sealed the audit trail: whether the trail's end was cut off, or all of it written again, cannot be said.";
         var file = Path.Combine(keysFolder, FileName);
         return IsClosed(keysFolder)
             ? $"This account may not read {file}, and {Unknown} Run this with the cell's account."
