@@ -279,6 +279,12 @@ public sealed class TargetTests
             foreach (var language in Enum.GetValues<Language>())
             {
                 Texts.Current.Language = language;
+
+                // The figures of a surface are put into words in the background, and may take another line.
+                seat.WaitFor(
+                    () => seat.Find("surface-verdict") is null
+                        || seat.TextOf("surface-verdict")!.Any(c => c >= '\u4E00') == (language == Language.TraditionalChinese),
+                    "The surface stays in another language.");
                 Show(seat, calm, null);
                 var before = Targets(seat);
                 Assert.NotEmpty(before);
