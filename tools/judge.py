@@ -184,8 +184,7 @@ class V(namedtuple("V", "x y")):
 class Line(namedtuple("Line", "through direction")):
     def distance(self, point): return abs(self.direction.cross(point - self.through))
     def parallel(self, left): return Line(self.through + self.direction.left() * left, self.direction)
-    def meet(self, o, sine):
-        return self.through + self.direction * ((o.through - self.through).cross(o.direction) / sine)
+    def meet(self, o, sine): return self.through + self.direction * ((o.through - self.through).cross(o.direction) / sine)
     def foot(self, point): return self.through + self.direction * self.direction.dot(point - self.through)
 class Circle(namedtuple("Circle", "center radius")):
     def distance(self, point): return abs((point - self.center).norm() - self.radius)
@@ -199,18 +198,20 @@ def halfway(u, v, left_turn):
     if u == v or along.dot(along) > across.dot(across):
         return (along if (u.cross(v) > 0) == left_turn and u != v else along * -1).unit()
     return across.unit()
-
 class Arc:
-    """An arc about its center with the radius of its start; it is known at its quarters."""
+    """An arc about its center with the radius of its start, known at its quarters."""
     def __init__(self, motion):
         (start, end), self.center, self.is_left = motion.ends(), motion.center, motion.kind == "G3"
-        self.radius, self.is_full = (start - self.center).norm(), start == end
+        self.radius, self.is_full, self.ends = (start - self.center).norm(), start == end, (start, end)
         self.circle, self.mismatch = Circle(self.center, self.radius), abs(self.radius - (end - self.center).norm())
-        u, v = (start - self.center).unit(), (end - self.center).unit()
-        middle = halfway(u, v, self.is_left)
+        middle = halfway(u := (start - self.center).unit(), v := (end - self.center).unit(), self.is_left)
         self.out = [u, halfway(u, middle, self.is_left), middle, halfway(middle, v, self.is_left), v]
-        self.points = [self.center + out * self.radius for out in self.out]
-        self.middle = self.points[2]
+        self.middle = self.center + middle * self.radius
+    def furthest(self, circle):  # the largest distance from a circle: at an end, or where the line of both centers crosses a quarter
+        line, turn = (self.center - circle.center).unit() if self.center != circle.center else None, 1 if self.is_left else -1
+        outs = [out for out in (line, line * -1) for u, v in zip(self.out, self.out[1:])
+                if min(u.cross(out) * turn, out.cross(v) * turn, out.dot(u + v)) >= 0] if line else []
+        return max(circle.distance(place) for place in (*self.ends, *(self.center + out * self.radius for out in outs)))
 
 # The certificate.
 SEAL = re.compile(rb'  "seal": "([0-9a-f]{64})"\n\}\n\Z')
@@ -395,10 +396,9 @@ class Comparison:
         arc, by = self.arc(i), [vector(self.entries[i][n]) for n in ("start", "middle", "end")]
         outward = [out.dot(b) for out, b in zip(arc.out[::2], by)]
         a, b, c = (place + b for place, b in zip((self.was[i].ends()[0], arc.middle, self.was[i].ends()[1]), by))
-        if max(abs(outward[0] - outward[1]), abs(outward[2] - outward[1])) < SAME:
-            circle = Circle(arc.center, arc.radius + outward[1])
-        else:
-            circle = Circle(a.mix(b), (a - b).norm() / 2) if arc.is_full else circle_through(a, b, c)
+        is_offset = max(abs(outward[0] - outward[1]), abs(outward[2] - outward[1])) < SAME
+        circle = Circle(a.mix(b), (a - b).norm() / 2) if arc.is_full else circle_through(a, b, c) if not is_offset else None
+        circle = Circle(arc.center, arc.radius + outward[1]) if is_offset else circle
         self.need(i, circle and circle.radius > 0, "no circle runs where it was wanted")
         return circle
     def tangent(self, i, at_end):
@@ -430,8 +430,8 @@ class Comparison:
         self.check_ends(i, entry)
     def check_arc(self, i, entry):
         self.need(i, self.was[i].is_arc(), "it is no arc")
-        circle, was, points = self.wished_circle(i), self.arc(i), self.arc(i, True).points
-        self.need(i, all(circle.distance(p) <= self.tolerance(i) for p in points), "it does not lie on its displaced circle")
+        circle, was = self.wished_circle(i), self.arc(i)
+        self.need(i, self.arc(i, True).furthest(circle) <= self.tolerance(i), "it does not lie on its displaced circle")
         own = *(circle.center - was.center), circle.radius - was.radius
         self.need(i, near((*vector(entry["center"]), entry["growth"]), own, 10 * NOISE), "center or growth is not that of its wish")
         self.check_ends(i, entry)
@@ -539,17 +539,21 @@ class Comparison:
             self.check_following(i)
     check_slides = check_follows = check_positioning = check_moved
     def check_following(self, i):
-        """An arc passes its old middle, moved by the mean of its ends, or its programmed radius is the one that fits best."""
+        """An arc lies on the circle through its displaced ends and its old middle, moved by their mean, and moves nowhere further."""
         if self.was[i].is_arc():
             was, now, start, end = self.arc(i), self.arc(i, True), self.move(i, False), self.move(i, True)
-            middle, ends = was.middle + start.mix(end), self.now[i].ends()
-            follows = now.circle.distance(middle) <= self.tolerance(i)
             if near(start, end, SAME):
-                follows = near(now.center - was.center, start)
-            elif not follows and self.now[i].radius is not None:
-                fits = circle_through(ends[0], middle, ends[1]) or was.circle
-                follows = min(abs(now.radius - fits.radius) - Decimal("1.5") * self.increment, abs(now.radius - was.radius)) <= NOISE
-            self.need(i, follows, "it does not follow its ends")
+                return self.need(i, near(now.center - was.center, start), "it does not follow its ends")
+            start, end = self.unrounded(i, False, start), self.unrounded(i, True, end)
+            circle = circle_through(was.ends[0] + start, was.middle + start.mix(end), was.ends[1] + end)
+            self.need(i, circle and now.furthest(circle) <= self.tolerance(i), "it does not follow its ends")
+            furthest = now.furthest(was.circle) - max(start.norm(), end.norm())
+            self.need(i, furthest <= self.tolerance(i), "it moves further between its ends than they do")
+    def unrounded(self, i, at_end, moved):  # the wish of an end that is where it puts it
+        k = i - 1 + at_end if self.points else self.beside(i + 1, 1) if at_end else self.beside(i - 1, -1)
+        by = self.named[k].get("by" if self.points else "start" if at_end else "end") if k in self.named else None
+        wish = by and (self.was[i].at(by) if self.points else V(*by))
+        return wish if wish and (moved - wish).norm() <= self.at_place else moved
 
 def take_out_marker(lines, document):
     """The lines of a result without the marker, which is a line of its own before the first block that acts."""
@@ -565,8 +569,7 @@ def take_out_marker(lines, document):
     return lines[:at] + lines[at + 1:]
 
 def compare(base, result, certificate):
-    document = read_certificate(certificate)
-    facts = document["dialect"]
+    facts = (document := read_certificate(certificate))["dialect"]
     for name, data in (("base", base), ("result", result)):
         need(hashlib.sha256(data).hexdigest() == document[name + "Sha256"], f"the {name} is another file")
     need(set(facts["decimals"]) == set(MM) and isinstance(facts["integersAreIncrements"], bool), "the certificate's facts are damaged")
@@ -591,8 +594,7 @@ def judge(base, result, certificate):
     return "yes", ""
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit(print(__doc__) or 2)
+    sys.exit(print(__doc__) or 2) if len(sys.argv) != 4 else None
     answer, reason = judge(*(open(name, "rb").read() for name in sys.argv[1:]))
     print(f"{answer}: {reason}" if reason else answer)
     sys.exit({"yes": 0, "no": 1, "cannot judge": 2}[answer])

@@ -69,6 +69,29 @@ public readonly record struct Arc2(Point2 Center, double Radius, Angle StartAngl
         return fraction is >= 0 and <= 1 ? fraction : point.DistanceTo(Start) <= point.DistanceTo(End) ? 0 : 1;
     }
 
+    /// <summary>The largest distance of any of the arc's points from a circle. Along the arc, the distance from the other center is extreme
+    /// at the ends and where the line of both centers crosses the arc.</summary>
+    public double FurthestFrom(Circle2 circle)
+    {
+        var furthest = Math.Max(Math.Abs(circle.SignedDistance(Start)), Math.Abs(circle.SignedDistance(End)));
+        var between = Center - circle.Center;
+        var length = between.Length;
+        if (length == 0)
+        {
+            return furthest;
+        }
+
+        foreach (var toward in (ReadOnlySpan<Vector2>)[between * (Radius / length), between * (-Radius / length)])
+        {
+            if (Math.Abs(Sweep.Degrees) >= 360 || FractionOf(Center + toward) is >= 0 and <= 1)
+            {
+                furthest = Math.Max(furthest, Math.Abs(circle.SignedDistance(Center + toward)));
+            }
+        }
+
+        return furthest;
+    }
+
     /// <summary>Distance from a point to the nearest point of the arc.</summary>
     public double DistanceTo(Point2 point) => point.DistanceTo(At(NearestFraction(point)));
 }

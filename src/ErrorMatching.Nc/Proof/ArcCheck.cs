@@ -27,9 +27,14 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
         }
     }
 
-    // If both ends moved alike, the whole arc moved. Otherwise it passes through its old middle, moved by the mean of both ends'
-    // displacements.
-    public void CheckFollowing(in NcMotion was, in NcMotion now)
+    /// <summary>Checks that an arc follows its ends everywhere. If both ends moved alike, the whole arc moved. Otherwise it is on the circle
+    /// through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends moved
+    /// by more than they did.</summary>
+    /// <param name="was">The motion in the original.</param>
+    /// <param name="now">The motion in the result.</param>
+    /// <param name="startWish">What was wished for its start, before rounding; null if nothing was.</param>
+    /// <param name="endWish">The same for its end.</param>
+    public void CheckFollowing(in NcMotion was, in NcMotion now, Vector2? startWish, Vector2? endWish)
     {
         if (!was.IsArc)
         {
@@ -43,25 +48,25 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
             return;
         }
 
-        var middle = was.PlaneAt(0.5) + ((start + end) / 2);
-        if (!(now.Has(MotionFlags.ByRadius) && HasFittingRadius(was, now, middle)))
+        (start, end) = (Unrounded(start, startWish), Unrounded(end, endWish));
+        if (CircleThrough(was.PlaneStart + start, was.PlaneAt(0.5) + ((start + end) / 2), was.PlaneEnd + end) is not { } wanted)
         {
-            findings.Measure(was.Block, Math.Abs(now.Arc.Circle.SignedDistance(middle)), task.ArcTolerance + ProofTask.Mismatch(was));
+            findings.Fail(was.Block, "no circle runs where it was wanted.");
+            return;
+        }
+
+        var allowed = task.ArcTolerance + ProofTask.Mismatch(was);
+        findings.Measure(was.Block, ProofTask.Furthest(now, wanted), allowed);
+        if (ProofTask.Moved(was, now) is var moved && moved > Math.Max(start.Length, end.Length) + allowed)
+        {
+            findings.Fail(
+                was.Block, FormattableString.Invariant($"between its ends it moved by {moved:0.0000} mm, further than any of them."));
         }
     }
 
-    // Near half a turn, a radius that is right to an increment leaves the middle of the arc wherever the rounding puts it.
-    private bool HasFittingRadius(in NcMotion was, in NcMotion now, Point2 middle)
-    {
-        if (Math.Abs(now.Arc.Radius - was.Arc.Radius) < 1e-6
-            && Math.Abs(now.Arc.Sweep.Radians - was.Arc.Sweep.Radians) < 0.02 * Math.Abs(was.Arc.Sweep.Radians))
-        {
-            return true;
-        }
-
-        return CircleThrough(now.PlaneStart, middle, now.PlaneEnd) is { } circle
-            && Math.Abs(now.Arc.Radius - circle.Radius) <= (1.5 * task.Increment) + 1e-6;
-    }
+    // An end that is where the wish puts it was wished exactly there, not where rounding put it: at a short chord, that turns the circle.
+    private Vector2 Unrounded(Vector2 moved, Vector2? wish) =>
+        wish is { } exact && (moved - exact).Length <= task.Increment + 1e-6 ? exact : moved;
 
     // Null for points on one line, which have no circle.
     public static Circle2? CircleThrough(Point2 start, Point2 middle, Point2 end)

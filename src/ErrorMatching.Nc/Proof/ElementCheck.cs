@@ -28,13 +28,7 @@ internal sealed class ElementCheck(ProofTask task, ProofFindings findings, ArcCh
         }
         else if (WantedCircle(was, element) is { } wanted)
         {
-            // Measures it where it cuts, at the quarters of its first turn: only these show that the center of a full circle moved
-            // sideways.
-            for (var quarter = 0; quarter <= 4; quarter++)
-            {
-                var place = now.PlaneAt(quarter / (4.0 * (now.Turns + 1)));
-                findings.Measure(was.Block, Math.Abs(wanted.SignedDistance(place)), task.ArcTolerance + ProofTask.Mismatch(was));
-            }
+            findings.Measure(was.Block, ProofTask.Furthest(now, wanted), task.ArcTolerance + ProofTask.Mismatch(was));
         }
         else
         {

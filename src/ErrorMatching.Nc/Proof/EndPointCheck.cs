@@ -22,7 +22,7 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
         }
         else if (task.Wish.IsPointByPoint && startMoved)
         {
-            findings.Note(was, NeighborRole.Follows, now.PlaneStart - was.PlaneStart);
+            findings.Note(was, now, NeighborRole.Follows);
         }
         else if ((startMoved || endMoved) && was.Has(MotionFlags.MachineMove))
         {
@@ -37,13 +37,14 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
                 findings.Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
 
-            findings.Note(
-                was,
-                isRetract ? NeighborRole.Positioning : NeighborRole.Follows,
-                endMoved ? now.PlaneEnd - was.PlaneEnd : now.PlaneStart - was.PlaneStart);
+            findings.Note(was, now, isRetract ? NeighborRole.Positioning : NeighborRole.Follows);
         }
 
         arcs.CheckWords(was, now);
-        arcs.CheckFollowing(was, now);
+        arcs.CheckFollowing(was, now, WishOf(motion - 1, plane), WishOf(motion, plane));
     }
+
+    private Vector2? WishOf(int motion, CoordinatePlane plane) => task.EndPoints.IndexOf(motion) is >= 0 and var index
+        ? plane.Project(default(Point3) + task.Wish.ByOf(index)) - Point2.Origin
+        : null;
 }

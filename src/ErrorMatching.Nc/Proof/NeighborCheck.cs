@@ -19,7 +19,7 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
                 findings.Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
 
-            findings.Note(was, NeighborRole.Positioning, moved);
+            findings.Note(was, now, NeighborRole.Positioning);
             return;
         }
 
@@ -46,11 +46,11 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
 
         if (SlidAlong(was, now))
         {
-            findings.Note(was, NeighborRole.Slides, moved);
+            findings.Note(was, now, NeighborRole.Slides);
         }
         else if (isFillet)
         {
-            findings.Note(was, NeighborRole.Fillet, moved);
+            findings.Note(was, now, NeighborRole.Fillet);
         }
         else
         {
@@ -59,8 +59,8 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
                 findings.Fail(was.Block, "its ends slid along its circle, but its center moved.");
             }
 
-            arcs.CheckFollowing(was, now);
-            findings.Note(was, NeighborRole.Follows, moved);
+            arcs.CheckFollowing(was, now, ways.WishAt(motion, atEnd: false), ways.WishAt(motion, atEnd: true));
+            findings.Note(was, now, NeighborRole.Follows);
         }
 
         if (!was.IsArc && (now.PlaneEnd - now.PlaneStart).Dot(was.PlaneEnd - was.PlaneStart) <= 0)

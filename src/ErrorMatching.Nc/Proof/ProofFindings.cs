@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -36,17 +35,21 @@ internal sealed class ProofFindings(NcPath before)
         }
     }
 
-    // A block that runs several times is one neighbor with its largest displacement.
-    public void Note(in NcMotion was, NeighborRole role, Vector2 moved)
+    /// <summary>Notes a motion that moved along.</summary>
+    public void Note(in NcMotion was, in NcMotion now, NeighborRole role) => Note(was, role, ProofTask.Moved(was, now));
+
+    /// <summary>Notes a motion that moved along by a length, mm. A block that runs several times is one neighbor with its largest
+    /// displacement.</summary>
+    public void Note(in NcMotion was, NeighborRole role, double moved)
     {
         if (_noted.TryAdd((was.Block, role), _neighbors.Count))
         {
-            _neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved.Length));
+            _neighbors.Add(new(before.Program.NameOf(before.Program[was.Block]), was.Block + 1, role, moved));
         }
         else
         {
             var noted = _noted[(was.Block, role)];
-            _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved.Length) };
+            _neighbors[noted] = _neighbors[noted] with { DisplacementMm = Math.Max(_neighbors[noted].DisplacementMm, moved) };
         }
     }
 }

@@ -4,5 +4,5 @@ namespace ErrorMatching.Nc;
 /// <param name="Block">Name of its block, as the setter knows it.</param>
 /// <param name="Line">Its line in the original, from 1.</param>
 /// <param name="Role">How it follows.</param>
-/// <param name="DisplacementMm">Displacement of its moved end, mm.</param>
+/// <param name="DisplacementMm">How far it moved at most, at its ends and between them, mm.</param>
 public sealed record ProofNeighbor(string Block, int Line, NeighborRole Role, double DisplacementMm);

@@ -60,6 +60,20 @@ internal sealed class ProofTask
 
     public static double Mismatch(in NcMotion motion) => ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
 
+    /// <summary>How far the places of a motion are from a circle at most, mm.</summary>
+    public static double Furthest(in NcMotion motion, Circle2 circle) =>
+        Math.Max(motion.Arc.FurthestFrom(circle), Math.Abs(circle.SignedDistance(motion.PlaneEnd)));
+
+    /// <summary>How far a motion moved in its plane at most, mm: how far an end went, or how far any place of an arc is from its old
+    /// circle.</summary>
+    public static double Moved(in NcMotion was, in NcMotion now)
+    {
+        var ends = Math.Max((now.PlaneStart - was.PlaneStart).Length, (now.PlaneEnd - was.PlaneEnd).Length);
+        return was.IsArc && was.PlaneStart != was.Center && now.PlaneStart != now.Center
+            ? Math.Max(ends, now.Arc.FurthestFrom(was.Arc.Circle))
+            : ends;
+    }
+
     /// <summary>The wished line of a named straight element; null for any other motion.</summary>
     public Line2? Flank(int motion) => Elements.IndexOf(motion) is >= 0 and var index && Before.Motions[motion] is { IsArc: false } m
         ? Line2.Through(m.PlaneStart + Wish.Elements[index].Start, m.PlaneEnd + Wish.Elements[index].End)

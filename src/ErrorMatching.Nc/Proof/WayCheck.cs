@@ -116,8 +116,8 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             findings.Fail(was.Block, "a move to a place of the machine ends neither there nor where it comes from.");
         }
 
-        findings.Note(
-            was, NeighborRole.Positioning, was.Plane.Project(default(Point3) + (end == Vector3.Zero ? start : end)) - Point2.Origin);
+        var moved = was.Plane.Project(default(Point3) + (end == Vector3.Zero ? start : end));
+        findings.Note(was, NeighborRole.Positioning, moved.DistanceTo(Point2.Origin));
     }
 
     private static bool StaysOrGoesAlong(double start, double end) =>
@@ -154,7 +154,17 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
 
     // The wished displacement of an end may happen to follow the circle of an arc. The arc did not slide if a move along the tool axis
     // separates it from the named element.
-    public bool TookWish(int motion, Vector2 moved, bool atEnd)
+    public bool TookWish(int motion, Vector2 moved, bool atEnd) =>
+        Math.Abs(Beside(motion, atEnd) - motion) > 1 && WishAt(motion, atEnd) is { } wished
+            && (moved - wished).Length <= task.Increment + 1e-6;
+
+    /// <summary>What is wished for the start of the named element behind a motion, or for the end of the one before it, across moves along
+    /// the tool axis; null if there is none.</summary>
+    public Vector2? WishAt(int motion, bool atEnd) => task.Elements.IndexOf(Beside(motion, atEnd)) is >= 0 and var index
+        ? atEnd ? task.Wish.Elements[index].Start : task.Wish.Elements[index].End
+        : null;
+
+    private int Beside(int motion, bool atEnd)
     {
         var beside = atEnd ? motion + 1 : motion - 1;
         while (beside >= 0 && beside < task.Before.Motions.Length && !task.Before.Motions.MovesInPlane(beside))
@@ -162,7 +172,6 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             beside += atEnd ? 1 : -1;
         }
 
-        return Math.Abs(beside - motion) > 1 && task.Elements.IndexOf(beside) is >= 0 and var index
-            && (moved - (atEnd ? task.Wish.Elements[index].Start : task.Wish.Elements[index].End)).Length <= task.Increment + 1e-6;
+        return beside;
     }
 }

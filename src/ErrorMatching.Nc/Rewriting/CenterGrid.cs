@@ -11,6 +11,9 @@ internal static class CenterGrid
     /// <summary>Largest difference of the two radii that is written if any grid point allows it, mm.</summary>
     public const double WantedMismatchMm = 0.001;
 
+    /// <summary>How far an arc may be from where it is wanted before other radii are tried, in increments.</summary>
+    private const double MostRounding = 1.4;
+
     private const int Reach = 2;
 
     /// <summary>Finds the center words.</summary>
@@ -28,12 +31,12 @@ internal static class CenterGrid
         var (first, second) = (NcNumber.Round(exact.X / increment, 0).Digits, NcNumber.Round(exact.Y / increment, 0).Digits);
         var free = FreeMismatch(start, end, wanted, increment);
         var best = Cheapest(free);
-        if (MiddleError(origin + new Vector2(best.First * increment, best.Second * increment), start, end, wanted) > increment)
+        var found = origin + new Vector2(best.First * increment, best.Second * increment);
+        if (MiddleError(found, start, end, wanted) > increment || WholeError(found, start, end, wanted) > MostRounding * increment)
         {
-            // Beyond half a turn, an arc's middle moves further than its center. Prefer radii that differ slightly, within what controls
-            // accept.
+            // Beyond half a turn, an arc moves further than its center. Prefer radii that differ slightly, within what controls accept.
             free = WantedMismatchMm;
-            best = Cheapest(free);
+            best = Cheapest(free, measuresWhole: true);
         }
 
         if (was is { } old && (old - exact).Length < 1.5 * increment && Cost(origin + old, start, end, wanted, free) is var kept
@@ -44,14 +47,16 @@ internal static class CenterGrid
 
         return (best.First, best.Second);
 
-        (long First, long Second, double Cost) Cheapest(double freeMismatch)
+        (long First, long Second, double Cost) Cheapest(double freeMismatch, bool measuresWhole = false)
         {
             var cheapest = (first, second, Cost: double.PositiveInfinity);
             for (var i = first - Reach; i <= first + Reach; i++)
             {
                 for (var j = second - Reach; j <= second + Reach; j++)
                 {
-                    var cost = Cost(origin + new Vector2(i * increment, j * increment), start, end, wanted, freeMismatch);
+                    var center = origin + new Vector2(i * increment, j * increment);
+                    var cost = Cost(center, start, end, wanted, freeMismatch);
+                    cost += measuresWhole ? 10 * Math.Max(0, WholeError(center, start, end, wanted) - (MostRounding * increment)) : 0;
                     cheapest = cost < cheapest.Cost ? (i, j, cost) : cheapest;
                 }
             }
@@ -59,6 +64,9 @@ internal static class CenterGrid
             return cheapest;
         }
     }
+
+    private static double WholeError(Point2 center, Point2 start, Point2 end, Arc2 wanted) =>
+        Arc2.Between(start, end, center, wanted.IsCounterClockwise).FurthestFrom(wanted.Circle);
 
     private static double MiddleError(Point2 center, Point2 start, Point2 end, Arc2 wanted) =>
         Math.Abs(wanted.Middle.DistanceTo(center) - ((start.DistanceTo(center) + end.DistanceTo(center)) / 2));

@@ -5,11 +5,13 @@ namespace ErrorMatching.Nc;
 
 /// <summary>The words of arcs: centers on the grid of increments, and radii as long as they can describe the arc.</summary>
 /// <param name="change">New joints and centers.</param>
-/// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
 /// <param name="grid">The numbers that words can express.</param>
 /// <param name="edit">The opened block.</param>
-internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGrid grid, BlockEdit edit)
+internal sealed class CircleWords(PathChange change, IncrementGrid grid, BlockEdit edit)
 {
+    /// <summary>How far an arc may be from where it is wanted, in increments: its ends and its center are rounded.</summary>
+    private const double MostRounding = 1.6;
+
     private readonly NcPath _path = change.Path;
 
     /// <summary>The words of centers that other blocks state.</summary>
@@ -36,7 +38,7 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
             motion.PlaneEnd + change.PlaneMoveOf(index + 1, motion.Plane),
             exact,
             motion.Kind == MotionKind.ArcCounterClockwise);
-        if (start == motion.PlaneStart && end == motion.PlaneEnd && wanted.Middle.DistanceTo(motion.Arc.Middle) < grid.Increment)
+        if (start == motion.PlaneStart && end == motion.PlaneEnd && motion.Arc.FurthestFrom(wanted.Circle) < grid.Increment)
         {
             // The control cannot resolve so small a wish.
             return null;
@@ -53,14 +55,14 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
 
         if (motion.Has(MotionFlags.ByRadius))
         {
-            return SetRadius(motion, start, end, wanted);
+            return SetRadius(index, motion, start, end, wanted);
         }
 
         if (motion.Has(MotionFlags.CenterBefore))
         {
             var (x, y) = CenterGrid.Choose(motion.Center, start, end, wanted, default(Vector2), grid.Increment);
             Poles.Want(index, new((x ?? 0, y ?? 0), (start, end, exact)));
-            return null;
+            return Stray(index, motion, start, end, At(motion.Center, x ?? 0, y ?? 0), wanted);
         }
 
         var origin = CenterOrigin(motion, start, first, second);
@@ -68,7 +70,36 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, was, grid.Increment);
         SetCenterWord(first, i);
         SetCenterWord(second, j);
-        return null;
+        return Stray(index, motion, start, end, i is null ? origin + was : At(origin, i.Value, j!.Value), wanted);
+    }
+
+    private Point2 At(Point2 origin, long first, long second) => origin + new Vector2(first * grid.Increment, second * grid.Increment);
+
+    // What rounding may leave of an arc anywhere between its ends is little. An arc of more than half a turn that follows one of its ends
+    // can move by several times as much between them: its center moves by what turns the short chord, times its distance from that.
+    private Refusal? Stray(int index, in NcMotion motion, Point2 start, Point2 end, Point2 center, Arc2 wanted)
+    {
+        var arc = Arc2.Between(start, end, center, wanted.IsCounterClockwise);
+        var allowed = (MostRounding * grid.Increment) + ArcCenter.Mismatch(motion.PlaneStart, motion.PlaneEnd, motion.Center);
+        if (arc.FurthestFrom(wanted.Circle) > allowed)
+        {
+            return BlockRefusal.At(
+                _path.Program, motion.Block, NcRefusalCodes.ArcForm,
+                "no center that its words can state leaves it where it is wanted everywhere. Post it as two arcs.");
+        }
+
+        if (!change.Follows(index))
+        {
+            return null;
+        }
+
+        var ends = Math.Max(change.PlaneMoveOf(index, motion.Plane).Length, change.PlaneMoveOf(index + 1, motion.Plane).Length);
+        return arc.FurthestFrom(motion.Arc.Circle) is var moved && moved > ends + allowed
+            ? BlockRefusal.At(
+                _path.Program, motion.Block, NcRefusalCodes.ElementFlips,
+                FormattableString.Invariant($"this arc follows its end, which moves by {ends:0.000} mm; between its ends it would move by ")
+                    + FormattableString.Invariant($"{moved:0.000} mm. Name it and the block beside it as well, or post it as two arcs."))
+            : null;
     }
 
     // Origin of the center words: the start, or the origin of the program's coordinates.
@@ -136,40 +167,30 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         }
     }
 
-    // A radius keeps its word while it can. Near half a turn, the arc's height depends on the radius by a square root, so a center is
-    // more accurate.
-    private Refusal? SetRadius(in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
+    // A radius keeps its word, or gets a new one, while that leaves the arc where it is wanted. Near half a turn, the arc's height depends
+    // on the radius by a square root, so a center is more accurate.
+    private Refusal? SetRadius(int index, in NcMotion motion, Point2 start, Point2 end, Arc2 wanted)
     {
         var letter = edit.Number((byte)'R') is null ? NcAddress.CircleRadius : (byte)'R';
         var old = edit.Number(letter)!.Value;
-        var sign = old.Digits < 0 ? -1 : 1;
-        var oldRadius = Math.Abs(old.Value) * grid.Unit;
-        if (keepRadii
-            && Sweep(start, end, sign * oldRadius, motion) is { } kept
-            && Math.Abs(kept - motion.Arc.Sweep.Radians) < 0.02 * Math.Abs(motion.Arc.Sweep.Radians))
+        if (ByRadius(start, end, old.Value * grid.Unit, wanted) is { } kept
+            && Math.Abs(wanted.Radius - Math.Abs(old.Value * grid.Unit)) < grid.Increment / 2
+            && kept.FurthestFrom(wanted.Circle) < grid.Increment)
         {
-            return null;
+            return Stray(index, motion, start, end, kept.Center, wanted);
         }
 
-        if (Math.Abs(wanted.Radius - oldRadius) < grid.Increment / 2
-            && HeightError(start, end, sign * oldRadius, wanted, motion) < grid.Increment)
-        {
-            return null;
-        }
-
-        // For moved end points the radius is rounded up, so that it surely reaches; for elements it is rounded to nearest.
-        var exactSteps = wanted.Radius / grid.Increment;
-        var steps = NcNumber.Round(keepRadii ? Math.Ceiling(exactSteps - 1e-6) : exactSteps, 0).Digits;
-        sign = Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
+        var steps = NcNumber.Round(wanted.Radius / grid.Increment, 0).Digits;
         while (2 * steps * grid.Increment < start.DistanceTo(end))
         {
             steps++;
         }
 
-        if (keepRadii || HeightError(start, end, sign * steps * grid.Increment, wanted, motion) < grid.Increment)
+        steps *= Math.Abs(wanted.Sweep.Radians) > Math.PI + 1e-9 ? -1 : 1;
+        if (ByRadius(start, end, steps * grid.Increment, wanted) is { } arc && arc.FurthestFrom(wanted.Circle) < grid.Increment)
         {
-            edit.Set(letter, grid.Number(sign * steps));
-            return null;
+            edit.Set(letter, grid.Number(steps));
+            return Stray(index, motion, start, end, arc.Center, wanted);
         }
 
         if (_path.Dialect.BlocksNameMotions)
@@ -183,24 +204,13 @@ internal sealed class CircleWords(PathChange change, bool keepRadii, IncrementGr
         var origin = CenterOrigin(motion, start, first, second);
         var (i, j) = CenterGrid.Choose(origin, start, end, wanted, null, grid.Increment);
         edit.Replace(letter, (first, grid.Number(i!.Value)), (second, grid.Number(j!.Value)));
-        return null;
+        return Stray(index, motion, start, end, At(origin, i.Value, j.Value), wanted);
     }
 
-    private static double? Sweep(Point2 start, Point2 end, double radius, in NcMotion motion)
-    {
-        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
-        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
-            ? Arc2.Between(start, end, center, counterClockwise).Sweep.Radians
+    private static Arc2? ByRadius(Point2 start, Point2 end, double radius, Arc2 wanted) =>
+        ArcCenter.ByRadius(start, end, radius, wanted.IsCounterClockwise, 0) is { } center
+            ? Arc2.Between(start, end, center, wanted.IsCounterClockwise)
             : null;
-    }
-
-    private static double HeightError(Point2 start, Point2 end, double radius, Arc2 wanted, in NcMotion motion)
-    {
-        var counterClockwise = motion.Kind == MotionKind.ArcCounterClockwise;
-        return ArcCenter.ByRadius(start, end, radius, counterClockwise, 0) is { } center
-            ? Math.Abs(Arc2.Between(start, end, center, counterClockwise).Circle.SignedDistance(wanted.Middle))
-            : double.PositiveInfinity;
-    }
 
     private static (byte First, byte Second) CenterLetters(CoordinatePlane plane) => plane switch
     {

@@ -6,13 +6,12 @@ namespace ErrorMatching.Nc;
 /// <summary>Changes the words of one motion's block at a time. Adds rounded displacements to the exact decimals of the original, so a chain
 /// of increments keeps its sum, however long.</summary>
 /// <param name="change">New joints and centers.</param>
-/// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
 /// <param name="grid">The numbers that words can express.</param>
 /// <param name="edit">Edits the blocks.</param>
-internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGrid grid, BlockEdit edit)
+internal sealed class MotionWords(PathChange change, IncrementGrid grid, BlockEdit edit)
 {
     private readonly NcPath _path = change.Path;
-    private readonly CircleWords _circles = new(change, keepRadii, grid, edit);
+    private readonly CircleWords _circles = new(change, grid, edit);
 
     /// <summary>Patches of the opened block.</summary>
     public List<NcPatch> Patches => edit.Patches;
@@ -21,7 +20,7 @@ internal sealed class MotionWords(PathChange change, bool keepRadii, IncrementGr
     public (int Decimals, bool IsFixed) Spelling => edit.Spelling;
 
     /// <summary>The same for other blocks, on another thread.</summary>
-    public MotionWords ForOthers() => new(change, keepRadii, grid, new(edit));
+    public MotionWords ForOthers() => new(change, grid, new(edit));
 
     /// <summary>Adds the spelling of the blocks that others have opened.</summary>
     public void Join(MotionWords other)

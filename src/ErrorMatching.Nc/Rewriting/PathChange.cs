@@ -9,6 +9,7 @@ internal sealed class PathChange
 {
     private readonly SparseList<Vector3> _moves;
     private readonly SparseList<Point2> _centers;
+    private readonly HashSet<int> _followers = [];
     private List<int>? _affected;
 
     public PathChange(NcPath path)
@@ -67,6 +68,9 @@ internal sealed class PathChange
 
     public void SetCenter(int motion, Point2 center) => (_centers[motion], _affected) = (center, null);
 
+    /// <summary>True for an arc that follows its ends and has a new center.</summary>
+    public bool Follows(int motion) => _followers.Contains(motion);
+
     /// <summary>A joint's displacement in a plane.</summary>
     public Vector2 PlaneMoveOf(int joint, CoordinatePlane plane) => plane.Project(default(Point3) + MoveOf(joint)) - Point2.Origin;
 
@@ -114,6 +118,7 @@ internal sealed class PathChange
             && DisplacedCarrier.Of(arc, new(motion, start, (start + end) / 2, end))?.Circle is { } circle)
         {
             SetCenter(motion, circle.Center);
+            _followers.Add(motion);
             if (KeepsSense(motion))
             {
                 return null;

@@ -30,14 +30,14 @@ public static class Rewriter
         }
 
         return JointObstacles.Of(change.Result) is { } obstacle ? obstacle
-            : CompensatedPath.Concerns(path) ? Compensated(path, change.Result, wish)
+            : CompensatedPath.Concerns(path) ? Compensated(path, change.Result)
             : CompensationEntry.Of(change.Result) is { } entry ? entry
-            : Edit(change.Result, wish);
+            : WordEditor.Run(change.Result);
     }
 
     // Under cutter compensation the control must still be able to cut the result. Where its path is not followed, the ways in and out are
     // checked by themselves.
-    private static Outcome<Rewrite> Compensated(NcPath path, PathChange change, DisplacementWish wish)
+    private static Outcome<Rewrite> Compensated(NcPath path, PathChange change)
     {
         var before = CompensatedPath.Check(path);
         if (before is not null && CompensatedPath.Stops(before))
@@ -50,13 +50,10 @@ public static class Rewriter
             return entry;
         }
 
-        var rewrite = Edit(change, wish);
+        var rewrite = WordEditor.Run(change);
         return before is null && rewrite.IsUsable
             && CompensatedPath.Check(NcInterpreter.Run(rewrite.Result.Program, path), "displaced as asked, ") is { } after
             ? after
             : rewrite;
     }
-
-    private static Outcome<Rewrite> Edit(PathChange change, DisplacementWish wish) =>
-        WordEditor.Run(change, keepRadii: wish.Elements.Count == 0);
 }

@@ -18,7 +18,7 @@ internal sealed class WordEditor
     private readonly bool _programIsFixed;
     private readonly MotionWords _words;
 
-    private WordEditor(PathChange change, bool keepRadii, int spelledLike)
+    private WordEditor(PathChange change, int spelledLike)
     {
         (_path, _affected) = (change.Path, change.Affected());
 
@@ -31,13 +31,12 @@ internal sealed class WordEditor
         var least = isInch ? dialect.InchDecimals : dialect.MetricDecimals;
         (var decimals, _programIsFixed) = IncrementGrid.Spelling(_path, _affected, spelledLike, least);
         _grid = new(change, isInch, decimals);
-        _words = new(change, keepRadii, _grid, new(_path.Program, _programIsFixed, dialect.IntegersAreIncrements ? least : -1));
+        _words = new(change, _grid, new(_path.Program, _programIsFixed, dialect.IntegersAreIncrements ? least : -1));
     }
 
     /// <summary>Rewrites the words of a change.</summary>
     /// <param name="change">New joints and centers.</param>
-    /// <param name="keepRadii">True to keep a radius word while it nearly fits.</param>
-    public static Outcome<Rewrite> Run(PathChange change, bool keepRadii)
+    public static Outcome<Rewrite> Run(PathChange change)
     {
         var affected = change.Affected();
         if (affected.Count == 0)
@@ -47,9 +46,9 @@ internal sealed class WordEditor
 
         // Many blocks are mostly spelled like the first of them. Then there is no need to read them all beforehand.
         return affected.Count >= Many
-            && new WordEditor(change, keepRadii, spelledLike: First).RunIfSpelledAlike() is { } rewrite
+            && new WordEditor(change, spelledLike: First).RunIfSpelledAlike() is { } rewrite
             ? rewrite
-            : new WordEditor(change, keepRadii, affected.Count).Run();
+            : new WordEditor(change, affected.Count).Run();
     }
 
     // Null if a block does not match the sampled style or cannot be edited.

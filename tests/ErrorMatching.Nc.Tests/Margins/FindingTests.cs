@@ -206,8 +206,8 @@ public sealed class FindingTests
 
     private const string Retract = "a move along the tool axis now moves in the plane or ends at another height.";
 
-    // The arc begins where N20 ends, with its center 5 above. If N20 ends d further to the right, the arc ends d nearer to the center,
-    // and its middle, which goes by the mean of both ends, is 0.354 d inside; d higher, its middle is 0.354 d outside.
+    // The arc begins where N20 ends, with its center 5 above. If N20 ends d further to the right, the arc with the radius of its start misses
+    // its end by d; d higher, its middle, which goes by the mean of both ends, is 0.354 d outside.
     [Theory]
     [InlineData("X50.", "X50.")]
     [InlineData(
@@ -215,7 +215,7 @@ public sealed class FindingTests
         "X10.11 Y0.2",
         "4 N20: it lies 0.0100 mm from where it was wanted.",
         "5 N30: the radii at its start and end differ by more than a control accepts.",
-        "5 N30: it lies 0.0035 mm from where it was wanted.")]
+        "5 N30: it lies 0.0100 mm from where it was wanted.")]
     [InlineData(
         "X10.1 Y0.2",
         "X10.1 Y0.22",
