@@ -85,19 +85,21 @@ KNOWN = {
 WORDS = {"X", "Y", "Z", "I", "J", "K", "R", "CR", "N", "F", "S", "T", "H", "D"}
 CALLS, ENDS = {"M17", "M96", "M97", "M98", "M99", "M198", "M199"}, {"M2", "M30"}
 
-class Motion(namedtuple("Motion", "line block kind plane unit start end center radius", defaults=(None, None))):
-    """Places are None where the program does not say them; the radius is the programmed one."""
+class Motion(namedtuple("Motion", "line block kind plane unit upright start end center radius", defaults=(None, None))):
+    """Places are None where the program does not say them; the radius is the programmed one. An upright arc leads to contours in XY."""
     def at(self, place): return V(place[self.plane[0]], place[self.plane[1]])
     def ends(self): return self.at(self.start), self.at(self.end)
     def is_known(self): return None not in (*self.at(self.start), *self.at(self.end))
     def is_arc(self): return self.kind in ("G2", "G3")
     def in_plane(self): return self.is_arc() or self.at(self.start) != self.at(self.end)
-    def cuts(self): return self.kind in ("G1", "G2", "G3") and self.in_plane()
+    def cuts(self): return self.kind in ("G1", "G2", "G3") and self.in_plane() and not self.upright
+    def goes_along(self): return self.upright or not self.in_plane()
 
 def interpret(blocks, facts):
     """The motions of a program, the joints at which a tool was changed, and the codes and functions that ran."""
     mode = {"move": None, "plane": "G17", "distance": "G90", "unit": "G21", "centers": "G91.1", "offset": None}
     place, motions, changes, codes = [None] * 3, [], [], set()
+    flat = fresh = False  # contours are in XY, though another plane came with an arc; such a plane was stated and nothing moved since
     for number, tokens in blocks:
         words, run = {}, []
         for token in tokens:
@@ -118,6 +120,8 @@ def interpret(blocks, facts):
         unit = "inch" if UNITS[mode["unit"]] == "inch" else "mm"
         place = place if mode["offset"] == before or not motions else [None] * 3
         codes |= set(run)
+        if set(run) & set(PLANES):
+            flat, fresh = flat or mode["plane"] == "G17", mode["plane"] != "G17"
         changes += [len(motions)] if "M6" in run else []
         axes, center = [w for w in "XYZ" if w in words], [w for w in ("I", "J", "K", "R", "CR") if w in words]
         beyond((axes or center) and "G4" in run or "R" in words and facts["syntax"] == "siemens", "words that move nothing", number)
@@ -132,7 +136,10 @@ def interpret(blocks, facts):
                     length = length if absolute else None if place[axis] is None else place[axis] + length
                     place[axis] = None if kind == "G28" else length
             name = words["N"].text.decode() if "N" in words else ""
-            motion = Motion(number, name, kind, PLANES[mode["plane"]], unit, start, tuple(place))
+            flat, fresh, turns = flat and (kind in ("G2", "G3") or not fresh), False, kind in ("G2", "G3")
+            upright = flat and turns and mode["plane"] != "G17"
+            plane = PLANES[mode["plane"] if turns or not flat else "G17"]
+            motion = Motion(number, name, kind, plane, unit, upright, start, tuple(place))
             motions.append(arc(motion, words, center, mode, facts) if motion.is_arc() else motion)
         if ENDS & set(run):
             break
@@ -254,7 +261,7 @@ class Comparison:
         (self.was, self.changes, codes), self.now, self.facts, self.document = base, result[0], facts, document
         need(len(self.was) == len(self.now) and result[1:] == base[1:], "codes, functions, tool changes or the number of motions differ")
         for i, (was, now) in enumerate(zip(self.was, self.now)):
-            self.need(i, (was.line, was.kind, was.plane, was.unit) == (now.line, now.kind, now.plane, now.unit), "its kind differs")
+            self.need(i, (was.line, *was[2:6]) == (now.line, *now[2:6]), "its kind differs")
         self.check_facts(codes)
         index, last, self.entries, self.arcs = {m.line: i for i, m in enumerate(self.was)}, 0, {}, {}
         for entry in document["moved"]:
@@ -269,6 +276,7 @@ class Comparison:
         self.reach = FURTHEST * max(sizes, default=ZERO) + 2 * self.increment
         was, now = ([motions[0].start, *(m.end for m in motions)] if motions else [] for motions in (self.was, self.now))
         need([[c is None for c in p] for p in was] == [[c is None for c in p] for p in now], "a coordinate is known in one program only")
+        self.places = was
         self.moves = [tuple(ZERO if a is None else b - a for a, b in zip(p, q)) for p, q in zip(was, now)]
     def need(self, i, condition, reason): need(condition, reason, self.was[i].block or f"line {self.was[i].line}")
     def check_facts(self, codes):
@@ -351,8 +359,12 @@ class Comparison:
         for step in (1,) if self.points else (1, -1):
             for joint in range(len(self.was))[::step]:
                 at, to = (joint, joint + 1)[::step]
-                if at in self.allowed and self.is_vertical(joint) and not self.is_lifted(to, -step):
+                if at in self.allowed and (self.is_vertical(joint) or self.was[joint].upright) and not self.is_lifted(to, -step):
                     self.allowed.add(to)
+        for joint in (i for i in self.named if self.points and self.was[i].upright):
+            while joint >= 0 and self.was[joint].goes_along() and not self.is_lifted(joint, 1):
+                self.allowed.add(joint)
+                joint -= 1
     def close(self, i, joint, step):
         """Where the contour of a motion returns to its outer joint, both joints move alike."""
         place, plane = self.was[i].start if step > 0 else self.was[i].end, self.was[i].plane
@@ -366,15 +378,16 @@ class Comparison:
             i += step
     def is_vertical(self, i): return self.was[i].kind in ("G0", "G1") and not self.was[i].in_plane()
     def is_lifted(self, joint, step):
-        """True for the joint of an unnamed cut if the tool was lifted or changed on the way to it from the named one."""
+        """True for the joint of an unnamed cut if the tool was lifted or changed on the way to it from the named one. A cut above, from
+        which an upright arc leads down, goes along."""
         cut, i = (joint, joint - 1) if step < 0 else (joint - 1, joint)
         if not 0 <= cut < len(self.was) or not self.was[cut].cuts() or cut in self.named:
             return False
-        lifted = joint in self.changes
-        while 0 <= i < len(self.was) and not self.was[i].in_plane() and not lifted:
-            lifted = self.was[i].kind != "G1" or i + (step > 0) in self.changes
+        lifted, upright = joint in self.changes, False
+        while 0 <= i < len(self.was) and self.was[i].goes_along():
+            lifted, upright = lifted or self.was[i].kind != "G1" or i + (step > 0) in self.changes, upright or self.was[i].upright
             i += step
-        return lifted
+        return lifted and not (upright and self.places[joint][2] > self.places[i + (step < 0)][2])
 
     def move(self, i, at_end): return self.was[i].at(self.moves[i + at_end])
     def tolerance(self, i): return self.on_circle + self.arc(i).mismatch if self.was[i].is_arc() else self.on_line
@@ -526,7 +539,9 @@ class Comparison:
         self.check_center(i, entry["moved"])
         for n, joint in (("start", i), ("end", i + 1)):
             self.need(i, near(vector(entry["moved"][n], 3), self.moves[joint], SAME), "it moved otherwise than the certificate says")
-            self.need(i, not self.moves[joint][was.plane[2]] or self.points and joint == i, "it moved along the tool axis")
+            behind = joint < len(self.was) and self.was[joint].upright
+            level = was.upright or not self.moves[joint][was.plane[2]] or self.points and (joint == i or behind)
+            self.need(i, level, "it moved along the tool axis")
         stays = not was.in_plane() and self.move(i, False) == self.move(i, True)
         slides = was.cuts() and by.norm() <= 3 * self.increment and all(
             self.own(i).distance(place) <= self.tolerance(i) for place in self.now[i].ends())
@@ -535,12 +550,14 @@ class Comparison:
         elif entry["as"] == "slides":
             self.need(i, slides, "it left its own place, or its center moved")
         elif entry["as"] == "follows":
-            self.need(i, self.points or was.cuts() and not slides, "it does not follow: it does not cut, or it slides")
+            self.need(i, self.points or was.upright or was.cuts() and not slides, "it does not follow: it does not cut, or it slides")
             self.check_following(i)
     check_slides = check_follows = check_positioning = check_moved
     def check_following(self, i):
         """An arc lies on the circle through its displaced ends and its old middle, moved by their mean, and moves nowhere further."""
         if self.was[i].is_arc():
+            other = self.was[i].upright and not near(self.moves[i], self.moves[i + 1], SAME)
+            beyond(other, "an upright arc became another one", self.was[i].line)
             was, now, start, end = self.arc(i), self.arc(i, True), self.move(i, False), self.move(i, True)
             if near(start, end, SAME):
                 return self.need(i, near(now.center - was.center, start), "it does not follow its ends")

@@ -149,7 +149,7 @@ def measured(was, now, result, certificate):
             moved = any(by(i, False, 3)) or any(by(i, True, 3)) or motion.center != now[i].center
             if moved and motion.line not in known:
                 document["moved"].append({"line": motion.line, "block": motion.block, "moved": {},
-                                          "as": "follows" if motion.cuts() else "positioning"})
+                                          "as": "follows" if motion.cuts() or motion.upright else "positioning"})
         document["moved"].sort(key=lambda e: e["line"])
         for e in list(document["moved"]):
             i = index[e["line"]]
@@ -214,7 +214,7 @@ def across(true, mutant, document):
             return math.inf
         if None in (*a.start, *a.end):
             continue
-        height = a.plane[2]
+        height = 2 if a.upright else a.plane[2]
         if role != "point" and (a.start[height], a.end[height]) != (b.start[height], b.end[height]):
             return math.inf
         if role == "line" or role == "point" and not a.is_arc():
@@ -234,15 +234,19 @@ def across(true, mutant, document):
                 off = abs(abs(place - center) - radius)
                 worst = max(worst, off / (2 * (1.6 * increment + 1e-6 + 2 * mismatch)))
         elif role is None:
+            # An upright arc that leads to a contour goes along as one.
+            shift = [q - p for p, q in zip(a.start, b.start)]
+            if a.upright and (shift != [q - p for p, q in zip(a.end, b.end)] or b.center - a.center != a.at(shift)):
+                return math.inf
             # An unnamed motion may follow at an end that it shares with a named one, over moves along the tool axis.
             held = []
             for step in (-1, 1):
                 beside = index + step
-                while 0 <= beside < len(true) and not true[beside].in_plane():
+                while 0 <= beside < len(true) and true[beside].goes_along():
                     beside += step
                 held.append(0 <= beside < len(true) and true[beside].line in named)
             moved = a.start != b.start, a.end != b.end
-            if any(m and not h for m, h in zip(moved, held)) if a.in_plane() else not any(held):
+            if any(m and not h for m, h in zip(moved, held)) if not a.goes_along() else not any(held):
                 return math.inf
     return worst
 

@@ -79,7 +79,7 @@ internal static class FeatureMapper
         MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)
     {
         map = null;
-        var passes = Passes(path, blocks);
+        var passes = Passes(path, blocks, feature.Plane);
         if (passes.Count == 0)
         {
             return FeatureRefusal.At(path, blocks[0], NcRefusalCodes.NoMotion, "the named blocks hold no cutting motion.", feature.Name);
@@ -166,13 +166,13 @@ internal static class FeatureMapper
         _ => null,
     };
 
-    // Named cuts that follow one another with no motion in between.
-    private static List<(int First, int Last)> Passes(NcPath path, int[] blocks)
+    // Named cuts that follow one another with no motion in between. An upright arc leads to a contour in XY and follows it.
+    private static List<(int First, int Last)> Passes(NcPath path, int[] blocks, CoordinatePlane plane)
     {
         var passes = new List<(int First, int Last)>();
         foreach (var motion in blocks.SelectMany(b => path.MotionsOf(b).ToArray()).Order())
         {
-            if (path.Motions[motion] is not { IsCut: true, MovesInPlane: true })
+            if (path.Motions[motion] is not { IsCut: true, MovesInPlane: true } cut || (cut.IsVertical && plane == CoordinatePlane.XY))
             {
                 continue;
             }

@@ -205,7 +205,8 @@ internal sealed class Arcs(
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
         if (result.Motions.Length > 0
-            && result.Motions[result.Motions.Length - 1] is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before
+            && InPlane(result.Motions[result.Motions.Length - 1]) is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before
+            && before.Plane == control.State.Plane
             && (layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
         {
             var plane = control.State.Plane;
@@ -229,6 +230,9 @@ internal sealed class Arcs(
             start.Lerp(end, 0.5),
             isKnown ? BadArc("no motion before it gives a direction to continue, or its end lies straight ahead") : MotionFlags.BadArc);
     }
+
+    // A line has a direction in each plane.
+    private NcMotion InPlane(in NcMotion motion) => motion.IsArc ? motion : motion with { Plane = control.State.Plane };
 
     private MotionFlags BadArc(string why) => result.Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
 }

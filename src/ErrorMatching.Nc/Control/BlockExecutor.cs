@@ -330,6 +330,7 @@ internal sealed class BlockExecutor
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
         var plane = state.Plane;
+        state.WorksInXY = _dialect.BlocksNameMotions ? plane == CoordinatePlane.XY : state.WorksInXY;
         state.Plane = _pole.PlaneOf(_intent);
         var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _pole.Target() : _ends.Target();
         unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;

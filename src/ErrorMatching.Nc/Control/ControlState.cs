@@ -37,6 +37,8 @@ internal sealed class ControlState(NcDialect dialect)
     public void Plane(CoordinatePlane plane)
     {
         State.Plane = plane;
+        State.WorksInXY |= plane == CoordinatePlane.XY;
+        State.IsPlaneNew = plane != CoordinatePlane.XY;
         State.Unsure &= ~Unsure.Plane;
     }
 

@@ -94,6 +94,7 @@ internal sealed class ModeMemory(
             (modes.Inch, modes.InchFeed, modes.Feed, modes.InverseTime);
         (control.State.AbsoluteCenters, control.State.RetractsToR) = (modes.AbsoluteCenters, modes.RetractsToR);
         control.Plane(modes.Plane);
+        (control.State.WorksInXY, control.State.IsPlaneNew) = (modes.WorksInXY, modes.IsPlaneNew);
         control.Distance(modes.Incremental);
         control.Compensate(modes.Compensation);
         if (lengths.IsActive != saved.HasLength)

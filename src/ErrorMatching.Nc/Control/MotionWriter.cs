@@ -12,9 +12,23 @@ internal sealed class MotionWriter(ControlState control, CoordinateLayers layers
         ref var state = ref control.State;
         var start = layers.Tool();
         var to = layers.Work(end, unknownEnd);
+        var isArc = kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
+        if (isArc)
+        {
+            state.IsPlaneNew = false;
+        }
+        else
+        {
+            state.TakePlane();
+        }
+
+        var switches = (flags & MotionFlags.CompensationSwitches) != MotionFlags.None;
         result.Motions.Add(new(
-            result.Block, kind, state.Plane, flags | ModeFlags(), start.Place, to.Place, center, turns,
-            state.Feed, state.Frame, start.Unknown, to.Unknown));
+            result.Block, kind, isArc || switches ? state.Plane : state.StraightPlane, flags | ModeFlags(), start.Place, to.Place, center,
+            turns, state.Feed, state.Frame, start.Unknown, to.Unknown)
+        {
+            IsVertical = isArc && !switches && state.IsArcVertical,
+        });
         state.Position = end;
         state.Unknown = unknownEnd;
     }
@@ -24,6 +38,7 @@ internal sealed class MotionWriter(ControlState control, CoordinateLayers layers
     public void AppendStraight(MotionFlags flags, Point3 end, AxisSet unknownEnd)
     {
         ref var state = ref control.State;
+        state.TakePlane();
         result.Motions.AddStraight(result.Block, state, flags | state.Flags, end, unknownEnd);
         state.Position = end;
         state.Unknown = unknownEnd;

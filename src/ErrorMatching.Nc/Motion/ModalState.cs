@@ -12,6 +12,13 @@ internal struct ModalState
     public NcMeaning Form;
 
     public CoordinatePlane Plane;
+
+    /// <summary>True if XY was stated and contours are still in it: another plane was stated since only with arcs.</summary>
+    public bool WorksInXY;
+
+    /// <summary>True if another plane than XY was stated, and no motion came since.</summary>
+    public bool IsPlaneNew;
+
     public bool Inch;
     public bool InchFeed;
     public bool Incremental;
@@ -43,9 +50,22 @@ internal struct ModalState
         | Compensation
         | (Unsure != Unsure.None ? MotionFlags.UnsureMode : MotionFlags.None);
 
+    /// <summary>The plane of straight motions. A control has none for them unless it compensates, so that of the contours counts: after an
+    /// arc in ZX that leads in, lines are in XY as before.</summary>
+    public readonly CoordinatePlane StraightPlane =>
+        WorksInXY && Compensation == MotionFlags.None && !CompensationSwitched ? CoordinatePlane.XY : Plane;
+
+    /// <summary>True if an arc now leads out of the plane of the contours.</summary>
+    public readonly bool IsArcVertical =>
+        WorksInXY && Plane != CoordinatePlane.XY && Compensation == MotionFlags.None && !CompensationSwitched;
+
+    /// <summary>A straight motion begins: a plane that was stated before it is that of the contours.</summary>
+    public void TakePlane() => (WorksInXY, IsPlaneNew) = (WorksInXY && !IsPlaneNew, false);
+
     /// <summary>True if all of the state is equal, including the exact bits of the tool's place.</summary>
     public readonly bool SameAs(in ModalState other) =>
-        Mode == other.Mode && Form == other.Form && Plane == other.Plane && Inch == other.Inch && InchFeed == other.InchFeed
+        Mode == other.Mode && Form == other.Form && Plane == other.Plane && WorksInXY == other.WorksInXY
+        && IsPlaneNew == other.IsPlaneNew && Inch == other.Inch && InchFeed == other.InchFeed
         && Incremental == other.Incremental
             && AbsoluteCenters == other.AbsoluteCenters
             && Compensation == other.Compensation

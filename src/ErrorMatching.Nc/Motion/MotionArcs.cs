@@ -51,5 +51,5 @@ internal sealed class MotionArcs
     }
 
     /// <summary>Values that only arcs have.</summary>
-    public readonly record struct Arc(Point2 Center, int Turns);
+    public readonly record struct Arc(Point2 Center, int Turns, bool IsVertical);
 }

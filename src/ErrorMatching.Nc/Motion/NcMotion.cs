@@ -6,7 +6,7 @@ namespace ErrorMatching.Nc;
 /// the previous end to the end that its block names.</summary>
 /// <param name="Block">Position of its block in the program, from 0.</param>
 /// <param name="Kind">How the control moves.</param>
-/// <param name="Plane">The plane of arcs and compensation.</param>
+/// <param name="Plane">The plane of an arc, and of compensation; of other motions, the plane in which contours are displaced.</param>
 /// <param name="Flags">Modes and obstacles.</param>
 /// <param name="Start">Its start.</param>
 /// <param name="End">Its end.</param>
@@ -30,6 +30,9 @@ public readonly record struct NcMotion(
     AxisSet UnknownStart,
     AxisSet UnknownEnd)
 {
+    /// <summary>True for an arc in ZX or YZ between contours in XY, under no compensation: it leads into a contour or out of it.</summary>
+    public bool IsVertical { get; init; }
+
     /// <summary>True for arcs and helices.</summary>
     public bool IsArc => Kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
 

@@ -66,7 +66,10 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
                         setting.Feed,
                         setting.Frame,
                         AxisSet.None,
-                        AxisSet.None);
+                        AxisSet.None)
+                    {
+                        IsVertical = arc.IsVertical,
+                    };
                 }
             }
 
@@ -83,7 +86,10 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
                 setting.Feed,
                 setting.Frame,
                 unknown,
-                m.UnknownEnd);
+                m.UnknownEnd)
+            {
+                IsVertical = arc.IsVertical,
+            };
         }
     }
 
@@ -96,6 +102,9 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
 
     /// <summary>True if a motion is an arc.</summary>
     internal bool IsArc(int index) => _motions[index].IsArc;
+
+    /// <summary>The same as <see cref="NcMotion.IsVertical"/> of the motion.</summary>
+    internal bool IsVertical(int index) => _motions[index].IsArc && _arcs[index].IsVertical;
 
     /// <summary>True if cutter compensation begins or ends with a motion.</summary>
     internal bool SwitchesCompensation(int index) => (_motions[index].Flags & MotionFlags.CompensationSwitches) != MotionFlags.None;
@@ -113,6 +122,9 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         var (place, unknown) = StartOf(index, _motions[index].Flags);
         return unknown.KnownPartOf(place);
     }
+
+    /// <summary>The place of a joint: where a motion begins, or where the last one ends.</summary>
+    internal Point3 PlaceOf(int joint) => joint < Length ? StartOf(joint) : EndOf(joint - 1);
 
     /// <summary>True if a motion is a cut that moves in its plane and does not switch compensation, as all motions of a contour.</summary>
     internal bool IsContour(int index)
@@ -254,7 +266,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         _settings.Add(motion.Feed, motion.Frame);
         if (motion.IsArc)
         {
-            _arcs.Add(new(motion.Center, motion.Turns));
+            _arcs.Add(new(motion.Center, motion.Turns, motion.IsVertical));
         }
         else
         {
@@ -284,7 +296,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
             Add(new(
                 block,
                 state.Mode,
-                state.Plane,
+                state.StraightPlane,
                 flags,
                 state.Position,
                 end,
@@ -302,7 +314,7 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         _lastBlock = block;
         _settings.Add(state.Feed, state.Frame);
         _arcs.AddOther();
-        _motions.Add(new(block, state.Mode, state.Plane, flags, end, AxisSet.None));
+        _motions.Add(new(block, state.Mode, state.StraightPlane, flags, end, AxisSet.None));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

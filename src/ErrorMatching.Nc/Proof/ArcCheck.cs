@@ -27,6 +27,33 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
         }
     }
 
+    /// <summary>Checks a vertical arc in all three coordinates. If both of its ends moved alike, so did its center, and it is the same arc.
+    /// Between two places that hold it, it may become another one in its plane, which passes through its old middle, moved by the mean of
+    /// both ends' displacements.</summary>
+    public void CheckVertical(in NcMotion was, in NcMotion now, bool isHeldOnBothSides)
+    {
+        var (start, end) = (now.Start - was.Start, now.End - was.End);
+        if (Math.Abs(was.Plane.Height(now.Start) - was.Plane.Height(now.End)
+            - (was.Plane.Height(was.Start) - was.Plane.Height(was.End))) > ProofTask.SamePlace)
+        {
+            findings.Fail(was.Block, "an upright arc left its plane: its ends moved differently across it.");
+        }
+
+        if (!isHeldOnBothSides && (start - end).Length > ProofTask.SamePlace)
+        {
+            findings.Fail(was.Block, "an upright arc did not move as a whole, although its other end is free.");
+        }
+
+        if ((start - end).Length <= ProofTask.SamePlace
+            && Math.Abs(now.Center.DistanceTo(now.PlaneStart) - was.Center.DistanceTo(was.PlaneStart)) > 1e-6)
+        {
+            findings.Fail(was.Block, "an upright arc has another radius although it moved as a whole.");
+        }
+
+        CheckWords(was, now);
+        CheckFollowing(was, now, null, null);
+    }
+
     /// <summary>Checks that an arc follows its ends everywhere. If both ends moved alike, the whole arc moved. Otherwise it is on the circle
     /// through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends moved
     /// by more than they did.</summary>

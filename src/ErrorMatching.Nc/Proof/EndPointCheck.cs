@@ -28,16 +28,28 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
         {
             ways.CheckMachineMove(was, now);
         }
+        else if ((startMoved || endMoved) && was.IsVertical)
+        {
+            findings.Note(was, NeighborRole.Follows, WayCheck.Moved(was, now));
+        }
         else if (startMoved || endMoved)
         {
+            // Only before a vertical arc does the way end at another height: that arc keeps its form.
             var isRetract = !was.MovesInPlane;
+            var isBeforeArc = motion + 1 < task.Before.Motions.Length && task.Before.Motions.IsVertical(motion + 1);
             if ((isRetract && !ProofTask.Same(now.PlaneStart, now.PlaneEnd) && !ways.LeadsAcross(motion))
-                || Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9)
+                || (Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9 && !isBeforeArc))
             {
                 findings.Fail(was.Block, "a move along the tool axis now moves in the plane or ends at another height.");
             }
 
             findings.Note(was, now, isRetract ? NeighborRole.Positioning : NeighborRole.Follows);
+        }
+
+        if (was.IsVertical)
+        {
+            arcs.CheckVertical(was, now, task.Wish.IsPointByPoint || ways.IsHeldOnBothSides(motion));
+            return;
         }
 
         arcs.CheckWords(was, now);

@@ -35,6 +35,13 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
             return;
         }
 
+        if (was.IsVertical)
+        {
+            arcs.CheckVertical(was, now, ways.IsHeldOnBothSides(motion));
+            findings.Note(was, NeighborRole.Follows, WayCheck.Moved(was, now));
+            return;
+        }
+
         arcs.CheckWords(was, now);
 
         // Also if only one of its ends moved, or both along its circle: the lines beside it are free to end anywhere on it.

@@ -78,6 +78,7 @@ public sealed class Prover
             var (was, now) = (before[i], after[i]);
             const MotionFlags Spelling = MotionFlags.ByRadius;
             if (now.Block != InResult(was.Block, markerBlock) || now.Kind != was.Kind || now.Plane != was.Plane
+                || now.IsVertical != was.IsVertical
                 || (now.Flags & ~Spelling) != (was.Flags & ~Spelling) || now.Turns != was.Turns
                 || now.Frame != was.Frame || now.Feed != was.Feed
                 || now.UnknownStart != was.UnknownStart || now.UnknownEnd != was.UnknownEnd)

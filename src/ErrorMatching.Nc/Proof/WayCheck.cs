@@ -6,24 +6,57 @@ namespace ErrorMatching.Nc;
 /// positions. Finds what moves with a joint and what must stay.</summary>
 internal sealed class WayCheck(ProofTask task, ProofFindings findings)
 {
+    private bool[] _allowed = [];
+
     // Allows joints that positioning shares with allowed joints. The loop passes newly allowed joints too, so one pass is enough. A cut
     // at the end of the positioning shares its joint only if the tool was not lifted before it.
     public void AllowPositioning(bool[] allowed)
     {
+        _allowed = allowed;
         var motions = task.Before.Motions;
         var joint = Array.IndexOf(allowed, true);
         for (; joint >= 0 && joint < motions.Length; joint = Array.IndexOf(allowed, true, joint + 1))
         {
-            allowed[joint + 1] |= motions[joint].Has(MotionFlags.MachineMove)
-                || (!motions.MovesInPlane(joint) && !IsLiftedBefore(joint + 1));
+            allowed[joint + 1] |= motions[joint].Has(MotionFlags.MachineMove) || (GoesAlong(joint) && !IsLiftedBefore(joint + 1));
         }
 
         joint = task.Elements.Count > 0 ? Array.LastIndexOf(allowed, true) : 0;
         for (; joint > 0; joint = Array.LastIndexOf(allowed, true, joint - 1))
         {
-            allowed[joint - 1] |= !motions.MovesInPlane(joint - 1) && !IsLiftedBehind(joint - 1);
+            allowed[joint - 1] |= GoesAlong(joint - 1) && !IsLiftedBehind(joint - 1);
+        }
+
+        foreach (var arc in task.Wish.IsPointByPoint ? [] : task.Wish.EndPoints)
+        {
+            for (joint = motions.IsVertical(arc) ? arc + 1 : 0; joint > 0 && GoesAlong(joint - 1) && !IsLiftedBehind(joint - 1); joint--)
+            {
+                allowed[joint - 1] = true;
+            }
         }
     }
+
+    /// <summary>True if a vertical arc lies between two places of which each is named or stays: then it may become another one.</summary>
+    public bool IsHeldOnBothSides(int arc)
+    {
+        var (first, behind) = (arc, arc + 1);
+        while (first > 0 && GoesAlong(first - 1) && !task.EndPoints.Contains(first - 1))
+        {
+            first--;
+        }
+
+        while (behind < task.Before.Motions.Length && GoesAlong(behind) && !task.EndPoints.Contains(behind - 1))
+        {
+            behind++;
+        }
+
+        return IsHeld(first, first - 1) && IsHeld(behind, behind);
+    }
+
+    private bool IsHeld(int joint, int motion) =>
+        !_allowed[joint] || task.Elements.Contains(motion) || task.EndPoints.Contains(joint - 1);
+
+    // Motions along the tool axis and vertical arcs: these keep their form, so both of their ends move.
+    private bool GoesAlong(int motion) => !task.Before.Motions.MovesInPlane(motion) || task.Before.Motions.IsVertical(motion);
 
     // An unnamed cut begins at the joint, and it was reached along the tool axis, not by feeds of one tool alone.
     private bool IsLiftedBefore(int joint)
@@ -35,12 +68,13 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
 
         var isLifted = task.Before.ChangesTool(joint, joint);
-        for (var i = joint - 1; i >= 0 && !motions.MovesInPlane(i) && !isLifted; i--)
+        var first = joint;
+        for (; first > 0 && GoesAlong(first - 1); first--)
         {
-            isLifted = motions[i].Kind != MotionKind.Line || task.Before.ChangesTool(i, i);
+            isLifted |= motions[first - 1].Kind != MotionKind.Line || task.Before.ChangesTool(first - 1, first - 1);
         }
 
-        return isLifted;
+        return isLifted && !(HasVerticalArc(first, joint) && motions.PlaceOf(joint).Z > motions.PlaceOf(first).Z);
     }
 
     // The cut that ends at the joint was left along the tool axis, not by feeds of one tool alone.
@@ -53,12 +87,27 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
 
         var isLifted = task.Before.ChangesTool(joint, joint);
-        for (var i = joint; i < motions.Length && !motions.MovesInPlane(i) && !isLifted; i++)
+        var behind = joint;
+        for (; behind < motions.Length && GoesAlong(behind); behind++)
         {
-            isLifted = motions[i].Kind != MotionKind.Line || task.Before.ChangesTool(i + 1, i + 1);
+            isLifted |= motions[behind].Kind != MotionKind.Line || task.Before.ChangesTool(behind + 1, behind + 1);
         }
 
-        return isLifted;
+        return isLifted && !(HasVerticalArc(joint, behind) && motions.PlaceOf(joint).Z > motions.PlaceOf(behind).Z);
+    }
+
+    // An arc that leads down to the contour was reached above it, where a cut may end elsewhere.
+    private bool HasVerticalArc(int first, int behind)
+    {
+        for (var i = first; i < behind; i++)
+        {
+            if (task.Before.Motions.IsVertical(i))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     // The joint of an unnamed cut, with a tool change at that joint.
@@ -78,12 +127,12 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
 
         var (first, last) = (rapid, rapid);
-        while (first > 0 && IsAlongAxis(first - 1))
+        while (first > 0 && (IsAlongAxis(first - 1) || task.Before.Motions.IsVertical(first - 1)))
         {
             first--;
         }
 
-        while (last + 1 < task.Before.Motions.Length && IsAlongAxis(last + 1))
+        while (last + 1 < task.Before.Motions.Length && (IsAlongAxis(last + 1) || task.Before.Motions.IsVertical(last + 1)))
         {
             last++;
         }
@@ -92,13 +141,16 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             || (first > 0 && (task.Before.Motions[first - 1].Has(MotionFlags.MachineMove) || task.EndPoints.Contains(first - 1)));
         for (var i = first; i <= last; i++)
         {
-            isHeld &= i == rapid || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
+            isHeld &= i == rapid || task.Before.Motions.IsVertical(i) || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
         }
 
         return isHeld && task.IsCutInPlane(last + 1);
     }
 
     private bool IsAlongAxis(int motion) => !task.Before.Motions.MovesInPlane(motion) && !task.EndPoints.Contains(motion);
+
+    /// <summary>How far the ends of a motion went at most in space, mm.</summary>
+    public static double Moved(in NcMotion was, in NcMotion now) => Math.Max((now.Start - was.Start).Length, (now.End - was.End).Length);
 
     public static bool KeepsItsWay(in NcMotion was, in NcMotion now) =>
         ProofTask.Same(default(Point3) + (now.Start - was.Start), default(Point3) + (now.End - was.End));

@@ -104,7 +104,7 @@ internal sealed class ElementDisplacer
                 && !_elements.Contains(i)
                 && !_change.HasCenter(i)
                 && (_change.IsSet(i) || _change.IsSet(i + 1))
-                && !SlidesOnCircle(i)
+                && (motions.IsVertical(i) || !SlidesOnCircle(i))
                 && _change.FollowWithArc(i) is { } refusal)
             {
                 return refusal;

@@ -3,9 +3,9 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Moves the end points of named motions by a vector, including rapids and plunges. The motion before stays. After it, moves
-/// along the tool axis keep the moved place, and the first motion in the plane ends where it did. If each end has its own vector, no
-/// other end moves.</summary>
+/// <summary>Moves the end points of named motions by a vector, including rapids and plunges. The motion before stays, unless the first
+/// is a vertical arc: then the way to it moves along. After the last, moves along the tool axis and vertical arcs keep the moved place, and
+/// the first motion in the plane ends where it did. If each end has its own vector, no other end moves.</summary>
 internal static class EndPointDisplacer
 {
     public static Outcome<PathChange> Run(NcPath path, DisplacementWish wish)
@@ -39,7 +39,10 @@ internal static class EndPointDisplacer
 
         foreach (var motion in wish.EndPoints)
         {
-            if (Positioning.CarryAhead(change, motion + 1, named.Contains) is { } refusal)
+            // A vertical arc keeps its form, so its start moves along.
+            if (((path.Motions.IsVertical(motion) && !change.IsSet(motion)
+                ? Positioning.CarryBack(change, motion + 1, named.Contains) : null)
+                ?? Positioning.CarryAhead(change, motion + 1, named.Contains)) is { } refusal)
             {
                 return refusal;
             }

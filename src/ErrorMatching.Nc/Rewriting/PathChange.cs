@@ -103,6 +103,17 @@ internal sealed class PathChange
             return Obstacles.Of(Path, motion) ?? Obstacles.UnknownPlace(Path, motion);
         }
 
+        var across = arc.Plane.Height(default(Point3) + (MoveOf(motion) - MoveOf(motion + 1)));
+        if (arc.IsVertical && Math.Abs(across) > 1e-12)
+        {
+            return BlockRefusal.At(
+                Path.Program,
+                arc.Block,
+                NcRefusalCodes.PlaneChange,
+                "this arc stands upright and leads to a place that moves across its plane, while its other end stays: it would become a "
+                    + "helix. Lead in from above the piece, with a rapid or a feed before the arc, or displace both sides alike.");
+        }
+
         if ((start - end).Length < 1e-12)
         {
             SetCenter(motion, arc.Center + start);

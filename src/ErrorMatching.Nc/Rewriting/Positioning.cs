@@ -3,9 +3,9 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Moves positioning along the tool axis with a moved joint: plunges before a contour, retracts after it. A cut at the other end
-/// shares the joint only if the tool kept cutting. If the tool was lifted or changed in between, the cut stays, and a rapid with its own
-/// coordinates leads from one place to the other.</summary>
+/// <summary>Moves positioning along the tool axis with a moved joint: plunges before a contour, retracts after it, and the vertical arcs of
+/// its leads, which keep their form. A cut at the other end shares the joint only if the tool kept cutting. If the tool was lifted or
+/// changed in between, the cut stays, and a rapid with its own coordinates leads from one place to the other.</summary>
 internal static class Positioning
 {
     /// <summary>Moves what follows a moved joint, up to the first motion in the plane.</summary>
@@ -19,22 +19,23 @@ internal static class Positioning
         while (true)
         {
             var end = joint;
-            while (end < motions.Length && !change.IsSet(end + 1) && IsAlongAxis(motions[end]))
+            while (end < motions.Length && !change.IsSet(end + 1) && GoesAlong(motions[end]))
             {
                 end++;
             }
 
-            if (end < motions.Length && change.IsSet(end + 1) && IsAlongAxis(motions[end]))
+            if (end < motions.Length && change.IsSet(end + 1) && GoesAlong(motions[end]))
             {
                 return Join(change, joint, end + 1, moved: joint);
             }
 
-            if (end < motions.Length && IsCut(motions[end]) && !isNamed(end) && IsLifted(change.Path, joint, end))
+            if (end < motions.Length && IsCut(motions[end]) && !isNamed(end) && IsLifted(change.Path, joint, end)
+                && !IsAbove(change.Path, joint, end))
             {
                 return Join(change, joint, end, moved: joint);
             }
 
-            Move(change, joint + 1, end, LevelMove(change, joint));
+            Move(change, joint, end);
             if (end == motions.Length || !motions[end].Has(MotionFlags.MachineMove) || change.IsSet(end + 1)
                 || change.MoveOf(end) == Vector3.Zero)
             {
@@ -65,52 +66,77 @@ internal static class Positioning
     {
         var motions = change.Path.Motions;
         var first = joint;
-        while (first > 0 && !change.IsSet(first - 1) && IsAlongAxis(motions[first - 1]))
+        while (first > 0 && !change.IsSet(first - 1) && GoesAlong(motions[first - 1]))
         {
             first--;
         }
 
-        if (first > 0 && change.IsSet(first - 1) && IsAlongAxis(motions[first - 1]))
+        if (first > 0 && change.IsSet(first - 1) && GoesAlong(motions[first - 1]))
         {
             return Join(change, first - 1, joint, moved: joint);
         }
 
         var isHeld = first > 0 && !isNamed(first - 1) && (motions[first - 1].Has(MotionFlags.MachineMove)
             ? first < joint
-            : IsCut(motions[first - 1]) && IsLifted(change.Path, first, joint));
+            : IsCut(motions[first - 1]) && IsLifted(change.Path, first, joint) && !IsAbove(change.Path, joint, first));
         if (isHeld)
         {
             return Join(change, first, joint, moved: joint);
         }
 
-        Move(change, first, joint - 1, LevelMove(change, joint));
+        Move(change, joint, first);
         return null;
     }
 
-    // Between two joints that are set, one rapid leads from one place to the other, unless both moved alike.
+    // Between two joints that are set, one rapid leads from one place to the other, unless both moved alike. Without a rapid, a vertical
+    // arc can become another one in its plane.
     private static Refusal? Join(PathChange change, int first, int last, int moved)
     {
-        var (from, to) = (LevelMove(change, first), LevelMove(change, last));
+        var motions = change.Path.Motions;
+        var level = last - 1;
+        while (level >= first && motions.IsVertical(level))
+        {
+            level--;
+        }
+
+        var isArcs = level < first && first < last;
+        var (from, to) = isArcs ? (change.MoveOf(first), change.MoveOf(last)) : (LevelMove(change, first), LevelMove(change, last));
         if (from == to && (first < last || from == Vector3.Zero))
         {
-            Move(change, first + 1, last - 1, from);
+            Split(change, first, Math.Max(first, level), last);
             return null;
         }
 
-        var motions = change.Path.Motions;
         for (var rapid = last - 1; rapid >= first; rapid--)
         {
             if (motions[rapid].Kind == MotionKind.Rapid && !LeavesCut(change.Path, rapid) && Obstacles.Of(change.Path, rapid) is null
                 && StatesPlace(change.Path, rapid))
             {
-                Move(change, first + 1, rapid, from);
-                Move(change, rapid + 1, last - 1, to);
+                Split(change, first, rapid, last);
+                return null;
+            }
+        }
+
+        for (var i = 0; i < last - first; i++)
+        {
+            var arc = first == moved ? last - 1 - i : first + i;
+            if (motions.IsVertical(arc) && motions[arc].Plane.Height(default(Point3) + (from - to)) == 0)
+            {
+                Split(change, first, arc, last);
                 return null;
             }
         }
 
         var (cut, other) = first == moved ? (Math.Min(last, motions.Length - 1), first - 1) : (first - 1, last);
-        var name = change.Path.Program.NameOf(change.Path.Program[motions.BlockOf(other)]);
+        var name = NameOf(change.Path, other);
+        if (Enumerable.Range(first, last - first).FirstOrDefault(motions.IsVertical, -1) is >= 0 and var helix)
+        {
+            return Refuse(
+                change.Path, helix, NcRefusalCodes.NoPositioning,
+                $"it stands upright between {name}, which moves across its plane, and {NameOf(change.Path, cut)}, which stays: it would "
+                + "become a helix. Reach it from above the piece by a rapid with coordinates of its own (G0 X Y), or displace both alike.");
+        }
+
         return Refuse(
             change.Path, cut, NcRefusalCodes.NoPositioning,
             $"it shares a place with {name} and was cut separately: the tool was lifted or changed between them. "
@@ -118,10 +144,22 @@ internal static class Positioning
             + "Insert one (G0 X Y) behind the retract, or displace both alike.");
     }
 
-    private static void Move(PathChange change, int first, int last, Vector3 by)
+    private static void Split(PathChange change, int first, int motion, int last)
     {
-        for (var joint = first; joint <= last; joint++)
+        Move(change, first, motion);
+        Move(change, last, motion + 1);
+    }
+
+    // Moves the joints behind or before one up to another as that moved. On the other side of a move along the tool axis, the tool is at its
+    // programmed height.
+    private static void Move(PathChange change, int from, int to)
+    {
+        var motions = change.Path.Motions;
+        var (by, step) = (change.MoveOf(from), Math.Sign(to - from));
+        for (var joint = from + step; joint != to + step && step != 0; joint += step)
         {
+            var motion = Math.Min(joint, joint - step);
+            by = motions.IsVertical(motion) ? by : Level(by, motions[motion].Plane);
             if (by != Vector3.Zero || change.IsSet(joint))
             {
                 change.Move(joint, by);
@@ -129,18 +167,37 @@ internal static class Positioning
         }
     }
 
+    private static Vector3 Level(Vector3 by, CoordinatePlane plane) =>
+        plane.Lift(plane.Project(default(Point3) + by), 0) - default(Point3);
+
     // After an end that also moves along the tool axis, the tool goes to the programmed height.
     private static Vector3 LevelMove(PathChange change, int joint)
     {
         var motions = change.Path.Motions;
-        var plane = motions[Math.Min(joint, motions.Length - 1)].Plane;
-        return plane.Lift(plane.Project(default(Point3) + change.MoveOf(joint)), 0) - default(Point3);
+        var near = motions[Math.Min(joint, motions.Length - 1)];
+        return Level(change.MoveOf(joint), near.IsVertical ? CoordinatePlane.XY : near.Plane);
     }
 
     // A return of the tool axis to a machine position leaves the other axes in place.
     private static bool IsAlongAxis(in NcMotion motion) =>
         motion is { MovesInPlane: false, Kind: MotionKind.Rapid or MotionKind.Line or MotionKind.Reference }
         && (!motion.Has(MotionFlags.MachineMove) || (motion.CarriedAxes & motion.Plane.Axes()) == motion.Plane.Axes());
+
+    // What keeps its way when one of its ends moves.
+    private static bool GoesAlong(in NcMotion motion) => motion.IsVertical || IsAlongAxis(motion);
+
+    // A vertical arc leads down from the other end, where the tool is above the contour: the way there may end elsewhere.
+    private static bool IsAbove(NcPath path, int joint, int other)
+    {
+        var (first, behind) = (Math.Min(joint, other), Math.Max(joint, other));
+        var hasArc = false;
+        for (var i = first; i < behind; i++)
+        {
+            hasArc |= path.Motions.IsVertical(i);
+        }
+
+        return hasArc && path.Motions.PlaceOf(other).Z > path.Motions.PlaceOf(joint).Z;
+    }
 
     private static bool IsCut(in NcMotion motion) => motion is { IsCut: true, MovesInPlane: true } && !motion.Has(MotionFlags.MachineMove);
 
@@ -179,6 +236,8 @@ internal static class Positioning
         (axes & AxisSet.X) == AxisSet.None ? 0 : by.X,
         (axes & AxisSet.Y) == AxisSet.None ? 0 : by.Y,
         (axes & AxisSet.Z) == AxisSet.None ? 0 : by.Z);
+
+    private static string NameOf(NcPath path, int motion) => path.Program.NameOf(path.Program[path.Motions.BlockOf(motion)]);
 
     private static Refusal Refuse(NcPath path, int motion, string code, string message) =>
         BlockRefusal.At(path.Program, path.Motions.BlockOf(motion), code, message);

@@ -75,7 +75,7 @@ public sealed class DisplacementWish
             && Elements.All(e => e.Start == Vector2.Zero && e.Middle == Vector2.Zero && e.End == Vector2.Zero);
 
     /// <summary>Creates a wish to displace all cutting motions of some blocks by one distance to the left of travel (negative:
-    /// right).</summary>
+    /// right). Vertical arcs among them are leads, and follow.</summary>
     /// <returns>The wish, or a refusal if the blocks have no cutting motion or have one that begins at an unknown place.</returns>
     public static Outcome<DisplacementWish> Normal(NcPath path, IReadOnlyList<int> blocks, double left)
     {
@@ -108,7 +108,7 @@ public sealed class DisplacementWish
             for (var run = 0; path.RunOf(blocks[i], run, ref recent) is >= 0 and var motion; run++)
             {
                 var m = path.Motions[motion];
-                if (!m.IsCut || !MayMoveInPlane(path, motion, m))
+                if (!m.IsCut || m.IsVertical || !MayMoveInPlane(path, motion, m))
                 {
                     continue;
                 }
@@ -177,6 +177,9 @@ public sealed class DisplacementWish
             path.Program,
             blocks[0],
             NcRefusalCodes.NoMotion,
-            "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
+            blocks.Any(b => path.MotionOf(b) is >= 0 and var motion && path.Motions.IsVertical(motion))
+                ? "the named blocks hold no motion that could be displaced: an upright arc (G18, G19) leads to a contour and follows it. Name "
+                    + "the blocks that cut the boundary."
+                : "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
         : new(NcRefusalCodes.NoMotion, "No blocks are named.");
 }

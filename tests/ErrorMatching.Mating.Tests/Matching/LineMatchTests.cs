@@ -37,6 +37,19 @@ public sealed class LineMatchTests
         Assert.Equal(["N40 G1 X50. Y-2.9 F300"], new MatchCase(back).Changed());
     }
 
+    // Arcs in G18 lead the tool down to the boundary and up again: where it moves by 0.1, the rapid before them does.
+    [Theory]
+    [InlineData("N50")]
+    [InlineData("N45..N55")]
+    public void Upright_arcs_follow_the_boundary(string blocks)
+    {
+        var led = "N10 G21 G90 G17\nN20 G0 X-2. Y-3.\nN30 Z2.\nN45 G18 G2 X0. Z0. I2. K0. F300\nN50 G1 X50.\nN55 G18 G2 X52. Z2. K2.\n"
+            + "N60 G0 Z50.\nN80 M30\n";
+        var match = new MatchCase(led) { Features = [MatchCase.Line("L1", blocks, "1", "2")] };
+
+        Assert.Equal(["N20 G0 X-2. Y-2.9"], match.Changed());
+    }
+
     [Fact]
     public void A_line_shifts_and_tilts()
     {

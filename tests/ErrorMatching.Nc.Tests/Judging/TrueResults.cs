@@ -14,27 +14,35 @@ internal static class TrueResults
         var refused = 0;
         for (int seed = 1, written = 0; written < count; seed++)
         {
-            if (Displaced(seed) is var (path, result, certificate))
-            {
-                var name = Path.Combine(folder, seed.ToString("D5", CultureInfo.InvariantCulture));
-                File.WriteAllBytes(name + ".base", path.Program.Bytes.ToArray());
-                File.WriteAllBytes(name + ".result", result.Bytes.ToArray());
-                File.WriteAllBytes(name + ".json", certificate.ToBytes());
-                written++;
-            }
-            else
-            {
-                refused++;
-            }
+            var isWritten = WriteOne(folder, seed);
+            (written, refused) = isWritten ? (written + 1, refused) : (written, refused + 1);
         }
 
         return refused;
     }
 
+    /// <summary>Writes results of contours to which upright arcs lead.</summary>
+    /// <returns>The number of results; the product refused the others.</returns>
+    public static int WriteLed(string folder, int count) => Enumerable.Range(0, count).Count(i => WriteOne(folder, (10 * i) + 9));
+
+    private static bool WriteOne(string folder, int seed)
+    {
+        if (Displaced(seed) is not var (path, result, certificate))
+        {
+            return false;
+        }
+
+        var name = Path.Combine(folder, seed.ToString("D5", CultureInfo.InvariantCulture));
+        File.WriteAllBytes(name + ".base", path.Program.Bytes.ToArray());
+        File.WriteAllBytes(name + ".result", result.Bytes.ToArray());
+        File.WriteAllBytes(name + ".json", certificate.ToBytes());
+        return true;
+    }
+
     // Null where the product refuses.
     private static (NcPath Path, NcProgram Result, Certificate Certificate)? Displaced(int seed)
     {
-        var (path, wish) = seed % 4 == 3 ? OfPolygon(seed) : OfContour(seed);
+        var (path, wish) = seed % 10 == 9 ? OfLed(seed) : seed % 4 == 3 ? OfPolygon(seed) : OfContour(seed);
         var rewrite = Rewriter.Apply(path, wish);
         if (!rewrite.IsUsable)
         {
@@ -60,6 +68,19 @@ internal static class TrueResults
         var distance = Math.Round(contour.Uniform(-0.3, 0.3), 4);
         return (path, Bench.Usable(seed % 4 == 0
             ? DisplacementWish.EndsBy(path, named, new(distance, -distance / 2, seed % 8 == 0 ? distance / 4 : 0))
+            : DisplacementWish.Normal(path, named, distance)));
+    }
+
+    // Its lines are named, or also the upright arcs that lead in and out.
+    private static (NcPath Path, DisplacementWish Wish) OfLed(int seed)
+    {
+        var (contour, isSiemens) = (new LedContour(seed), seed % 60 == 29);
+        var spelled = contour.Spell(seed % 20 == 19, seed % 30 == 9 ? "R" : isSiemens ? "CR=" : "");
+        var path = Bench.Read(spelled, isSiemens ? NcDialects.Siemens840D : NcDialects.FanucMill);
+        var distance = (seed % 7 == 0 ? -0.001 : 0.001) * (1 + (seed % 200));
+        var named = Bench.Blocks(path, seed % 40 < 20 ? "N5..N201" : "N101..N" + (100 + contour.Count).ToString(CultureInfo.InvariantCulture));
+        return (path, Bench.Usable(seed % 50 == 49
+            ? DisplacementWish.EndsBy(path, named, new(distance, -distance / 2, seed % 100 == 99 ? distance / 4 : 0))
             : DisplacementWish.Normal(path, named, distance)));
     }
 

@@ -57,7 +57,7 @@ internal static class Agreement
             return "kind";
         }
 
-        if (peer.Plane != ours.Plane)
+        if (ours.IsArc && peer.Plane != ours.Plane)
         {
             return "plane";
         }
