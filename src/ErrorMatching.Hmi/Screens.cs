@@ -6,14 +6,18 @@ public static class Screens
     /// <summary>The screens after the login, in the order of the navigation.</summary>
     public static IReadOnlyList<Screen> All { get; } =
     [
-        new(ScreenKeys.Overview, shell => new OverviewViewModel(shell.Station, shell.Look, shell.LookAtPiece)),
+        new(
+            ScreenKeys.Overview,
+            shell => new OverviewViewModel(shell.Station, shell.Look, shell.LookAtPiece, () => shell.Go(ScreenKeys.Compensation))),
         new(ScreenKeys.Points, shell => new PointsViewModel(shell)),
         new(ScreenKeys.System, shell => new SystemViewModel(shell)),
         new(ScreenKeys.Compensation, shell => new CompensationViewModel(shell)),
         new(ScreenKeys.Verification, shell => new VerificationViewModel(shell)),
         new(ScreenKeys.Freeform, shell => new FreeformViewModel(shell)),
         new(ScreenKeys.History, shell => new HistoryViewModel(shell)),
-        new(ScreenKeys.Messages, shell => new MessagesViewModel(shell.Station, shell.Look, shell.LookAtPiece)),
+        new(
+            ScreenKeys.Messages,
+            shell => new MessagesViewModel(shell.Station, shell.Look, shell.LookAtPiece, () => shell.Go(ScreenKeys.Compensation))),
         new(ScreenKeys.Settings, shell => new SettingsViewModel(shell)),
     ];
 

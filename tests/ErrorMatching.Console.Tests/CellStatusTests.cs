@@ -43,6 +43,24 @@ public sealed class CellStatusTests : IDisposable
     }
 
     [Fact]
+    public void What_the_text_leaves_out_is_counted_and_the_document_has_all()
+    {
+        for (var i = 1; i <= 103; i++)
+        {
+            To(CorrectionState.Proposed, $"S{i}.csv");
+        }
+
+        using var life = Alive();
+        Assert.Equal(103, IsWell().GetProperty("proposed").GetArrayLength());
+        var text = Shell.Run("cell", "status", _cell.Config).Output;
+        Assert.Contains("Waiting for a person: 103, the first 20", text, StringComparison.Ordinal);
+        Assert.Contains(
+            $"83 more are proposed: errormatch cell history {_cell.Config} --state proposed --most 103", text, StringComparison.Ordinal);
+        var found = Shell.Run("cell", "history", _cell.Config, "--state", "proposed", "--most", "5").Output;
+        Assert.Contains("The latest 5 of 103.", found, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_piece_that_is_at_its_machine_waits_for_its_release_in_the_ordinary_course()
     {
         To(CorrectionState.Verified);

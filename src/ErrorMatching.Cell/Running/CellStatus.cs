@@ -6,9 +6,10 @@ namespace ErrorMatching.Cell;
 /// <param name="Heartbeat">The heartbeat of the process that runs it; null if there is none.</param>
 /// <param name="IsRunning">True if the heartbeat is fresh.</param>
 /// <param name="Slots">All slots, in the order of the configuration.</param>
-/// <param name="Proposed">Corrections that wait for a person's approval, in order of arrival: the first hundred.</param>
-/// <param name="Failed">Failed corrections that wait for a setter, in order of arrival: the first hundred.</param>
-/// <param name="InWork">Corrections that have arrived and are not computed yet: the first hundred.</param>
+/// <param name="Proposed">Corrections that wait for a person's approval, in order of arrival: all of them, since any may
+/// be the next of its slot.</param>
+/// <param name="Failed">All failed corrections that wait for a setter, in order of arrival.</param>
+/// <param name="InWork">All corrections that have arrived and are not computed yet.</param>
 /// <param name="Counts">The number of corrections in each state; states without any are omitted.</param>
 public sealed record CellStatus(
     Heartbeat? Heartbeat,
@@ -19,9 +20,6 @@ public sealed record CellStatus(
     IReadOnlyList<Correction> InWork,
     IReadOnlyDictionary<CorrectionState, long> Counts)
 {
-    // More than a person looks through at once; beyond this, corrections are only counted.
-    internal const int Most = 100;
-
     /// <summary>Changes made to the store from outside the cell: see <see cref="CellStore.Tampered"/>.</summary>
     public IReadOnlyList<Statement> Tampered { get; init; } = [];
 
@@ -47,9 +45,9 @@ public sealed record CellStatus(
             isRunning,
             [.. settings.Machines.SelectMany(m => m.Slots.Select(
                 s => SlotStatus.Of(settings, m, s, store, isRunning ? heartbeat : null)))],
-            [.. store.First(CorrectionState.Proposed, Most).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
-            store.First(CorrectionState.Failed, Most),
-            [.. store.First(CorrectionState.Archived, Most), .. store.First(CorrectionState.Recognized, Most)],
+            [.. store.InState(CorrectionState.Proposed).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
+            store.InState(CorrectionState.Failed),
+            store.InState(CorrectionState.Archived, CorrectionState.Recognized),
             store.Counts())
         {
             Tampered = store.Tampered(),

@@ -23,12 +23,29 @@ public sealed record SlotStatus(
     /// <summary>The first of the line.</summary>
     public IReadOnlyList<Correction> Next => [.. Line.Take(MostNext)];
 
-    /// <summary>The approved ones in line: the first hundred.</summary>
-    public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved).Take(CellStatus.Most)];
+    /// <summary>The approved ones in line.</summary>
+    public IReadOnlyList<Correction> Approved => [.. Line.Where(c => c.State == CorrectionState.Approved)];
 
     /// <summary>Those of <see cref="Approved"/> that wait for a decision about others before them, in line order.</summary>
-    public IReadOnlyList<HeldUpCorrection> HeldUp =>
-        [.. Approved.Select(c => new HeldUpCorrection(c, UndecidedBefore(c.Id))).Where(h => h.Behind.Count > 0)];
+    public IReadOnlyList<HeldUpCorrection> HeldUp
+    {
+        get
+        {
+            // The lists of what is before them are the beginnings of one list: a line may be long.
+            Correction[] undecided = [.. Line.Where(IsUndecided)];
+            var (held, before) = (new List<HeldUpCorrection>(), 0);
+            foreach (var correction in Line)
+            {
+                before += IsUndecided(correction) ? 1 : 0;
+                if (correction.State == CorrectionState.Approved && before > 0)
+                {
+                    held.Add(new(correction, new ArraySegment<Correction>(undecided, 0, before)));
+                }
+            }
+
+            return held;
+        }
+    }
 
     /// <summary>The corrections that must be decided before a correction can be sent: those before it in line that are proposed or failed
     /// at the machine.</summary>
@@ -36,8 +53,10 @@ public sealed record SlotStatus(
     /// <returns>In line order; none if the correction is not in this line.</returns>
     public IReadOnlyList<Correction> UndecidedBefore(long id) =>
         Line.Any(c => c.Id == id)
-            ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.State is CorrectionState.Proposed or CorrectionState.Failed)]
+            ? [.. Line.TakeWhile(c => c.Id != id).Where(IsUndecided)]
             : [];
+
+    private static bool IsUndecided(Correction correction) => correction.State is CorrectionState.Proposed or CorrectionState.Failed;
 
     internal static SlotStatus Of(
         CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store, Heartbeat? running)

@@ -128,6 +128,10 @@ public sealed class CellStore : IDisposable
     /// <param name="most">Maximum number of corrections.</param>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most) => _corrections.Reported(jobs, most);
 
+    /// <summary>The number of corrections of some jobs that have a report.</summary>
+    /// <param name="jobs">The cell's jobs.</param>
+    public long CountReported(IReadOnlyList<string> jobs) => _corrections.CountReported(jobs);
+
     /// <summary>The number of corrections in each state; states without any are omitted.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() => _corrections.Counts();
 
@@ -161,6 +165,13 @@ public sealed class CellStore : IDisposable
     {
         ArgumentNullException.ThrowIfNull(query);
         return HistorySearch.Find(Database, query);
+    }
+
+    /// <summary>Counts the corrections that a search of the history finds, whatever its maximum.</summary>
+    public long Count(HistoryQuery query)
+    {
+        ArgumentNullException.ThrowIfNull(query);
+        return HistorySearch.Count(Database, query);
     }
 
     /// <summary>Takes one step. The correction, the step, the contents that it names, its slot and the audit entry are one

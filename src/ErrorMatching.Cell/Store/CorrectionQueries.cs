@@ -55,6 +55,14 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
     }
 
+    /// <inheritdoc cref="CellStore.CountReported"/>
+    public long CountReported(IReadOnlyList<string> jobs)
+    {
+        var parameters = new DynamicParameters();
+        var where = " WHERE report_sha256 IS NOT NULL" + IsOneOf("job", jobs, parameters);
+        return Read("SELECT count(*) FROM correction" + where, r => r.GetInt64(0), parameters)[0];
+    }
+
     /// <inheritdoc cref="CellStore.Counts"/>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
         Read(

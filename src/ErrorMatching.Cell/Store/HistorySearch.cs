@@ -7,9 +7,15 @@ internal static class HistorySearch
     private const int Recent = 20_000;
 
     /// <summary>The corrections that match, last arrival first.</summary>
-    public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query)
+    public static IReadOnlyList<Correction> Find(CellDatabase database, HistoryQuery query) =>
+        Search(database, query, isCounted: false).Latest;
+
+    /// <summary>The number of corrections that match, whatever <see cref="HistoryQuery.Most"/> says.</summary>
+    public static long Count(CellDatabase database, HistoryQuery query) => Search(database, query, isCounted: true).All;
+
+    private static (IReadOnlyList<Correction> Latest, long All) Search(CellDatabase database, HistoryQuery query, bool isCounted)
     {
-        if (Period(database, query) is not var (first, last)) return [];
+        if (Period(database, query) is not var (first, last)) return ([], 0);
         var but = query with { User = null, From = null, To = null, Most = 0, IsLoose = false };
         var isByUser = query.User is not null && but == new HistoryQuery { Most = 0 };
         var parameters = new
@@ -36,19 +42,25 @@ internal static class HistorySearch
         if (query.User is not null
             && database.Read(connection => Cell.Rows.Query(
                 connection, $"SELECT 1 FROM step WHERE {User()} LIMIT 1", r => r.GetInt32(0), parameters)).Count == 0)
-            return [];
+            return ([], 0);
+        var byAny = isByUser ? $"id IN (SELECT correction FROM step WHERE {User()})" : took;
+        if (isCounted)
+        {
+            return ([], database.Read(connection => Cell.Rows.Query(
+                connection, $"SELECT count(*) FROM correction WHERE {Where(true, "1 = 1", byAny)}", r => r.GetInt64(0), parameters))[0]);
+        }
 
         // What occurs often is found among the latest, without sorting all of it; what is rare is found by an index.
         var latest = Rows(false, "id > @Last - @Recent", took);
-        return latest.Count >= query.Most ? latest
-            : Rows(true, "1 = 1", isByUser ? $"id IN (SELECT correction FROM step WHERE {User()})" : took);
+        return (latest.Count >= query.Most ? latest : Rows(true, "1 = 1", byAny), 0);
 
-        IReadOnlyList<Correction> Rows(bool isAll, string among, string by)
-        {
-            var where = string.Join(" AND ", Conditions(isAll).Prepend(among).Append(by));
-            return database.Read(connection => Cell.Rows.Query(
-                connection, $"{CorrectionRow.Select} WHERE {where} ORDER BY id DESC LIMIT @Most", CorrectionRow.Read, parameters));
-        }
+        IReadOnlyList<Correction> Rows(bool isAll, string among, string by) => database.Read(connection => Cell.Rows.Query(
+            connection,
+            $"{CorrectionRow.Select} WHERE {Where(isAll, among, by)} ORDER BY id DESC LIMIT @Most",
+            CorrectionRow.Read,
+            parameters));
+
+        string Where(bool isAll, string among, string by) => string.Join(" AND ", Conditions(isAll).Prepend(among).Append(by));
 
         List<string> Conditions(bool isAll)
         {

@@ -1,4 +1,5 @@
 using System.Collections.ObjectModel;
+using System.Collections.Specialized;
 
 namespace ErrorMatching.Hmi;
 
@@ -6,6 +7,9 @@ namespace ErrorMatching.Hmi;
 /// <typeparam name="T">A row: a record that is equal to another one if both look the same.</typeparam>
 public sealed class RowList<T> : ObservableCollection<T>
 {
+    // If more rows change, the list is laid out as a whole: a list box needs longer for so many single changes.
+    private const int Most = 300;
+
     /// <summary>Shows other rows. Rows before and after the change stay, even if the number of rows changes.</summary>
     public void Show(IReadOnlyList<T> rows)
     {
@@ -26,6 +30,20 @@ public sealed class RowList<T> : ObservableCollection<T>
         if (first < Math.Max(Count, rows.Count))
         {
             RowsChange.Report();
+        }
+
+        if (Math.Max(Count, rows.Count) - first - behind > Most)
+        {
+            Items.Clear();
+            foreach (var row in rows)
+            {
+                Items.Add(row);
+            }
+
+            OnPropertyChanged(new(nameof(Count)));
+            OnPropertyChanged(new("Item[]"));
+            OnCollectionChanged(new(NotifyCollectionChangedAction.Reset));
+            return;
         }
 
         for (var i = first; i < rows.Count - behind; i++)

@@ -38,6 +38,19 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
         Is([], new HistoryQuery { Serial = "one", State = CorrectionState.Approved });
         Is([], new HistoryQuery { Serial = "' OR 1 = 1 --" });
         Is([third, second], new HistoryQuery { Most = 2 });
+        foreach (var (count, query) in new (int, HistoryQuery)[]
+        {
+            (3, new() { Most = 1 }),
+            (2, new() { Most = 1, User = "anna" }),
+            (2, new() { Most = 1, WorkOrder = "WO-1" }),
+            (2, new() { Most = 1, IsLoose = true, Program = "o1" }),
+            (2, new() { Most = 1, From = start.AddHours(1) }),
+            (0, new() { User = "nobody" }),
+        })
+        {
+            Assert.Equal(count, store.Count(query));
+        }
+
         Is([second, first], new HistoryQuery { IsLoose = true, WorkOrder = "o-1" });
         Is([third, second, first], new HistoryQuery { IsLoose = true, WorkOrder = "WO" });
         Is([], new HistoryQuery { IsLoose = true, WorkOrder = "W_-1" });

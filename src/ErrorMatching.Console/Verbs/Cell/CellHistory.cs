@@ -64,17 +64,24 @@ internal sealed class CellHistory : CellVerb
     }
 
     protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
-        WithStoreToRead(settings, store => new CellHistoryAnswer(store.Search(new()
+        WithStoreToRead(settings, store =>
         {
-            Serial = arguments.GetValue(_serial),
-            WorkOrder = arguments.GetValue(_workOrder),
-            From = Time(arguments.GetValue(_from)),
-            To = Time(arguments.GetValue(_to)),
-            Program = arguments.GetValue(_program),
-            User = arguments.GetValue(_user),
-            State = State(arguments.GetValue(_state)),
-            Most = arguments.GetValue(_most),
-        })));
+            var query = Query(arguments);
+            var found = store.Search(query);
+            return new CellHistoryAnswer(found, found.Count < query.Most ? found.Count : store.Count(query));
+        });
+
+    private HistoryQuery Query(ParseResult arguments) => new()
+    {
+        Serial = arguments.GetValue(_serial),
+        WorkOrder = arguments.GetValue(_workOrder),
+        From = Time(arguments.GetValue(_from)),
+        To = Time(arguments.GetValue(_to)),
+        Program = arguments.GetValue(_program),
+        User = arguments.GetValue(_user),
+        State = State(arguments.GetValue(_state)),
+        Most = arguments.GetValue(_most),
+    };
 
     private static DateTimeOffset? Time(string? text) =>
         DateTimeOffset.TryParse(

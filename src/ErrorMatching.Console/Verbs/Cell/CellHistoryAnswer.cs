@@ -5,12 +5,13 @@ using ErrorMatching.Cell;
 namespace ErrorMatching.Console;
 
 /// <summary>The corrections that a search found.</summary>
-internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) : DocumentAnswer
+internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections, long all) : DocumentAnswer
 {
     public override string Schema => "errormatch/cell-history/1";
 
     public override void WriteJson(Utf8JsonWriter json)
     {
+        json.WriteNumber("found", all);
         json.WriteStartArray("corrections");
         foreach (var correction in corrections)
         {
@@ -37,5 +38,10 @@ internal sealed class CellHistoryAnswer(IReadOnlyList<Correction> corrections) :
                 CorrectionJson.Word(c.State), c.LargestMm is { } mm ? Show.Mm(mm) : "",
                 c.Code is null ? c.Offset?.Sentence ?? "" : $"{c.Code}: {c.Reason}",
             ]));
+        if (all > corrections.Count)
+        {
+            page.Line(string.Create(
+                CultureInfo.InvariantCulture, $"The latest {corrections.Count} of {all}. Narrow the search, or list more with --most."));
+        }
     }
 }

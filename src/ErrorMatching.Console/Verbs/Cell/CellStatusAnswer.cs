@@ -216,6 +216,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         {
             yield return (failed.Code ?? "failed", $"Correction {Number(failed.Id)} ({failed.FileName}) failed: {failed.Reason}");
         }
+
+        if (status.Failed.Count > MostListed)
+        {
+            yield return ("failed", $"{Number(status.Failed.Count - MostListed)} more corrections failed.");
+        }
     }
 
     private IEnumerable<string> WhatNext()
@@ -251,16 +256,32 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
                     + $"reject it. Those behind it in its slot's line wait.";
         }
 
-        foreach (var heldUp in status.Slots.SelectMany(s => s.HeldUp).Take(MostListed))
+        foreach (var more in More("failed", status.Failed.Count))
+        {
+            yield return more;
+        }
+
+        var held = status.Slots.SelectMany(s => s.HeldUp).ToArray();
+        foreach (var heldUp in held.Take(MostListed))
         {
             yield return $"{Number(heldUp.Correction.Id)} is approved and waits in line behind {Numbers(heldUp.Behind)}: decide about "
                 + $"what stands before it first.";
+        }
+
+        foreach (var more in More("approved", held.Length))
+        {
+            yield return more;
         }
 
         foreach (var proposed in status.Proposed.Take(MostListed))
         {
             yield return $"{Number(proposed.Id)}: read its report (errormatch cell show {settings.File} {Number(proposed.Id)} --out DIR), "
                 + $"then approve or reject it.";
+        }
+
+        foreach (var more in More("proposed", status.Proposed.Count))
+        {
+            yield return more;
         }
 
         foreach (var slot in status.Slots.Where(
@@ -271,6 +292,12 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         }
     }
 
+    // What is left out is counted, and the command lists it.
+    private IEnumerable<string> More(string state, int count) => count <= MostListed ? []
+        : [
+            $"{Number(count - MostListed)} more are {state}: errormatch cell history {settings.File} --state {state} "
+                + $"--most {Number(count)}"];
+
     // A change to the store from outside the cell does not go away on its own; its message says what to do.
     private IEnumerable<CellTrouble> Troubles(bool isTampered) =>
         (status.IsRunning ? status.Heartbeat!.Troubles : []).Where(t => t.Code == CellCodes.Of(StoreError.Tampered) == isTampered);
@@ -279,7 +306,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         correction.Serial is { } serial ? $"{Number(correction.Id)} {serial}" : Number(correction.Id);
 
     private static string Numbers(IReadOnlyList<Correction> corrections) =>
-        string.Join(", ", corrections.Take(MostListed).Select(c => Number(c.Id))) + (corrections.Count > MostListed ? ", ..." : "");
+        string.Join(", ", corrections.Take(MostListed).Select(c => Number(c.Id)))
+        + (corrections.Count > MostListed ? $" and {Number(corrections.Count - MostListed)} more" : "");
 
     private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
 

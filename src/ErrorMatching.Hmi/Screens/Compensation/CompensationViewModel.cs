@@ -14,6 +14,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private CorrectionDetail? _detail;
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
     private bool _isAtWarnings;
+    private HashSet<long> _heldUp = [];
 
     public CompensationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
@@ -281,6 +282,8 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
+        _heldUp = [.. status.Slots.SelectMany(s => s.HeldUp).Select(h => h.Correction.Id)];
+
         // In the order of measuring, whatever their state, so that no row moves under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
         Rows.Show(
@@ -390,6 +393,6 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Station.JobNames.Of(c) ?? "",
         Texts.Current.Word(c.State),
         c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
-        c.State == CorrectionState.Approved ? WaitOf(c)?.Severity ?? Severity.Quiet : CorrectionLabel.SeverityOf(c.State),
+        _heldUp.Contains(c.Id) ? Severity.Attention : CorrectionLabel.SeverityOf(c.State),
         IsOfChangedJob(c.Id));
 }

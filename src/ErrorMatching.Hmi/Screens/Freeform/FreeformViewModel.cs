@@ -8,6 +8,7 @@ namespace ErrorMatching.Hmi;
 internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
+    private long _older;
     private readonly Dictionary<string, StoredSurface?> _read = new(StringComparer.Ordinal);
     private readonly ShellViewModel _shell;
     private SurfaceJobChoice? _job;
@@ -55,6 +56,9 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>The last measured surfaces, newest first.</summary>
     public RowList<SurfaceRow> Rows { get; } = [];
+
+    /// <summary>How many earlier measurements are not listed, in words; null if none.</summary>
+    public string? Older => _older > 0 ? Texts.Current.With("List.Older", Shown.Count(_older)) : null;
 
     /// <summary>True once the list is known to be empty.</summary>
     public bool IsEmpty { get; private set; }
@@ -122,10 +126,11 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         (StoredCorrection Stored, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
-        var (looked, shown, isPlanned) = (_looked, _shown, _isPlanned);
+        var (looked, shown, isPlanned, older) = (_looked, _shown, _isPlanned, 0L);
         var isRead = await TryAsync(() =>
         {
             measured = Measured(job);
+            older = Station.Store.CountReported([job.Name]) - Most;
             var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction
                 ?? (measured is [var newest, ..] ? newest.Correction : null);
             if (correction is not null)
@@ -159,6 +164,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             return;
         }
 
+        _older = older;
         ShowRows([.. measured.Select(m => Row(m.Correction, m.Surface))], isKnown: true);
         Message = trouble;
         if (read is { } it)
@@ -178,6 +184,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Rows.Show(rows);
         IsEmpty = isKnown && rows.Count == 0;
         OnPropertyChanged(nameof(IsEmpty));
+        OnPropertyChanged(nameof(Older));
     }
 
     private List<(Correction Correction, StoredSurface Surface)> Measured(CellJobSettings job)

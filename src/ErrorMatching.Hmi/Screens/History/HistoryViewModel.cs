@@ -23,6 +23,7 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private string? _exported;
     private bool _isKnown;
     private IReadOnlyList<Correction> _found = [];
+    private long _all;
 
     /// <summary>Starts with the latest corrections.</summary>
     public HistoryViewModel(ShellViewModel shell)
@@ -115,7 +116,7 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 
     /// <summary>The number of results, in words; empty before it is known.</summary>
     public string Found => !_isKnown ? ""
-        : _found.Count >= Most ? Texts.Current.With("History.FoundMost", Shown.Count(Most))
+        : _all > _found.Count ? Texts.Current.With("History.FoundMost", Shown.Count(_all), Shown.Count(_found.Count))
         : Texts.Current.With("History.Found", Shown.Count(_found.Count));
 
     /// <summary>The opened correction; null while the list is shown.</summary>
@@ -271,9 +272,14 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         {
             var sought = query;
             IReadOnlyList<Correction> found = [];
-            if (await TryAsync(() => found = Station.Store.Search(sought)))
+            var all = 0L;
+            if (await TryAsync(() =>
             {
-                _isKnown = true;
+                found = Station.Store.Search(sought);
+                all = found.Count < sought.Most ? found.Count : Station.Store.Count(sought);
+            }))
+            {
+                (_isKnown, _all) = (true, all);
                 _found = [.. found.OrderByDescending(c => c.Id)];
                 Rows.Show([.. _found.Select(Row)]);
                 OnPropertyChanged(nameof(Found));

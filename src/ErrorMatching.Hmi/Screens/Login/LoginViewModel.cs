@@ -20,7 +20,7 @@ public sealed class LoginViewModel : ScreenViewModel
     {
         (_unlock, LastName, _name) = (unlock, lastName, lastName);
         SignIn = new(_ => SignInAsync(), () => Name.Trim().Length > 0 && Password.Length > 0);
-        Live = new OverviewViewModel(station, null, null);
+        Live = new OverviewViewModel(station, null, null, null);
         Loading = LoadAsync().Watched();
     }
 
@@ -90,6 +90,13 @@ public sealed class LoginViewModel : ScreenViewModel
 
     /// <summary>Completes when the users are listed.</summary>
     internal Task Loading { get; private set; }
+
+    /// <summary>Asks for a user's password; what was typed for another one is forgotten.</summary>
+    public void Ask(UserTile user)
+    {
+        ArgumentNullException.ThrowIfNull(user);
+        (Name, Password) = (user.Name, "");
+    }
 
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)

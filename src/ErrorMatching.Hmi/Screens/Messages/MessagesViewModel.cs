@@ -7,6 +7,10 @@ namespace ErrorMatching.Hmi;
 internal sealed partial class MessagesViewModel : ScreenViewModel
 {
     private const int Page = 200;
+
+    // More than anybody reads at once: all corrections that wait are in the on-line compensation.
+    private const int Most = 100;
+
     private const int Digits = 8;
     private readonly Action<long> _look;
     private readonly Action<long> _lookAtPiece;
@@ -19,10 +23,11 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     /// <param name="station">The station.</param>
     /// <param name="look">Opens a correction.</param>
     /// <param name="lookAtPiece">Opens the verification of a measured piece.</param>
-    public MessagesViewModel(Station station, Action<long> look, Action<long> lookAtPiece)
+    /// <param name="lookAtAll">Opens the list of all corrections.</param>
+    public MessagesViewModel(Station station, Action<long> look, Action<long> lookAtPiece, Action lookAtAll)
         : base(station)
     {
-        (_look, _lookAtPiece) = (look, lookAtPiece);
+        (_look, _lookAtPiece, LookAtAll) = (look, lookAtPiece, new(lookAtAll));
         Verify = new(async cancellation =>
         {
             AuditFinding? finding = null;
@@ -37,8 +42,14 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         Refresh();
     }
 
-    /// <summary>Messages, worst first.</summary>
+    /// <summary>Messages, worst first: the first hundred.</summary>
     public RowList<MessageRow> Messages { get; } = [];
+
+    /// <summary>How many more there are, and where their corrections are listed; null if <see cref="Messages"/> has all.</summary>
+    public string? Left { get; private set; }
+
+    /// <summary>Opens the list of all corrections.</summary>
+    public Command LookAtAll { get; }
 
     /// <summary>True if there are known to be no messages.</summary>
     public bool IsQuiet => Station.State is { Status: not null, StoreTrouble: null } && Messages.Count == 0;
@@ -92,7 +103,10 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     {
         if (Station.State.Status is { } status)
         {
-            Messages.Show([.. Of(status)]);
+            Func<MessageRow>[] all = [.. Of(status)];
+            Messages.Show([.. all.Take(Most).Select(m => m())]);
+            Left = all.Length > Most ? Texts.Current.With("Message.More", Shown.Count(all.Length - Most)) : null;
+            OnPropertyChanged(nameof(Left));
         }
 
         OnPropertyChanged(nameof(IsQuiet));
@@ -106,12 +120,13 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     private static string NextOf(CellTrouble trouble) => trouble.Code == CellCodes.ChangedAtMachine ? "Message.Changed.Next"
         : "Message.Trouble.Next";
 
-    private IEnumerable<MessageRow> Of(CellStatus status)
+    // Made only if they are listed.
+    private IEnumerable<Func<MessageRow>> Of(CellStatus status)
     {
         var texts = Texts.Current;
         if (!status.IsRunning)
         {
-            yield return new(
+            yield return () => new(
                 Severity.Alarm,
                 status.Heartbeat is { } last
                     ? texts.With("Message.NotRunningSince", Shown.Time(last.At, Station.Clock))
@@ -124,18 +139,18 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         {
             var (where, since, what) = (
                 CodeText.Where(trouble.Where), Shown.Time(trouble.Since, Station.Clock), CodeText.Of(trouble.Code, trouble.Statement));
-            yield return new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
+            yield return () => new(Severity.Alarm, $"{where} · {since} · {what}", texts[NextOf(trouble)], null);
         }
 
         // A running cell reports this itself.
         foreach (var tampered in status.IsRunning ? [] : status.Tampered)
         {
-            yield return new(Severity.Alarm, RecordedText.Of(tampered), texts["Message.Trouble.Next"], null);
+            yield return () => new(Severity.Alarm, RecordedText.Of(tampered), texts["Message.Trouble.Next"], null);
         }
 
         foreach (var failed in status.Failed)
         {
-            yield return new(
+            yield return () => new(
                 Severity.Alarm,
                 $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason?.Sentence)}",
                 texts[failed.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
@@ -145,7 +160,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         foreach (var outside in OutsidePieces.Of(Station.Outside))
         {
             var newest = outside.Newest;
-            yield return new(
+            yield return () => new(
                 Severity.Attention,
                 string.Join(
                     '\n',
@@ -163,7 +178,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var (slot, up) in status.Slots.SelectMany(s => s.HeldUp.Select(h => (s, h))))
         {
-            yield return new(
+            yield return () => new(
                 Severity.Attention,
                 texts.With(
                     "Message.HeldUp",
@@ -179,7 +194,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
 
         foreach (var proposed in status.Proposed)
         {
-            yield return new(
+            yield return () => new(
                 Severity.Attention,
                 texts.With("Message.Proposed", CorrectionLabel.Of(proposed), Shown.Mm(proposed.LargestMm)),
                 texts["Message.Proposed.Next"],
@@ -191,7 +206,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
                 || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
         {
             var (name, held) = ($"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!));
-            yield return slot.Held!.State == CorrectionState.Reverted
+            yield return () => slot.Held!.State == CorrectionState.Reverted
                 ? new(Severity.Attention, texts.With("Message.TakenBack", name, held), texts["Message.TakenBack.Next"], slot.Held.Id)
                 : new(Severity.Attention, texts.With("Message.Taken", name, held), texts["Message.Taken.Next"], slot.Held.Id);
         }

@@ -5,6 +5,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>Overview: whether all is well, and one tap to anything that is not.</summary>
 public sealed class OverviewViewModel : ScreenViewModel
 {
+    // More than anybody looks through here: all of them are in the on-line compensation.
+    private const int Most = 100;
+
     private readonly Action<long>? _look;
     private readonly Action<long>? _lookAtPiece;
 
@@ -12,10 +15,12 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <param name="station">The station.</param>
     /// <param name="look">Opens a correction; null before sign-in.</param>
     /// <param name="lookAtPiece">Opens the verification of a measured piece; null before sign-in.</param>
-    public OverviewViewModel(Station station, Action<long>? look, Action<long>? lookAtPiece)
+    /// <param name="lookAtAll">Opens the list of all corrections; null before sign-in.</param>
+    public OverviewViewModel(Station station, Action<long>? look, Action<long>? lookAtPiece, Action? lookAtAll)
         : base(station)
     {
         (_look, _lookAtPiece) = (look, lookAtPiece);
+        LookAtAll = new(() => lookAtAll?.Invoke(), () => lookAtAll is not null);
         Refresh();
     }
 
@@ -23,8 +28,14 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     public RowList<GaugeTile> Gauges { get; } = [];
 
-    /// <summary>Corrections that wait for a person, have failed, or are on their way, worst first.</summary>
+    /// <summary>Corrections that wait for a person, have failed, or are on their way, worst first: the first hundred.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
+
+    /// <summary>How many more wait than <see cref="Waiting"/> lists, and where they are listed; null if it lists all.</summary>
+    public string? More { get; private set; }
+
+    /// <summary>Opens the list of all corrections.</summary>
+    public Command LookAtAll { get; }
 
     /// <summary>How many approvals and measured pieces wait; empty if none do, or if <see cref="Summary"/> has the numbers.</summary>
     public string Counts { get; private set; } = "";
@@ -64,13 +75,14 @@ public sealed class OverviewViewModel : ScreenViewModel
         var texts = Texts.Current;
         Slots.Show([.. status.Slots.Select(s => Tile(status, s))]);
         Gauges.Show([.. Station.Settings.Gauges.Select(g => Tile(status, g))]);
-        Waiting.Show(
-            [
-                .. status.Failed.Select(c => Tile(c, Severity.Alarm)),
-                .. OutsidePieces.Of(Station.Outside).Select(Tile),
-                .. status.Proposed.Select(c => Tile(c, Severity.Attention)),
-                .. status.Slots.SelectMany(s => s.Approved).Select(c => Tile(status, c)),
-                .. status.InWork.Select(c => Tile(c, Severity.Quiet))]);
+        Func<WaitingTile>[] waiting = [
+            .. status.Failed.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Alarm))),
+            .. OutsidePieces.Of(Station.Outside).Select(p => (Func<WaitingTile>)(() => Tile(p))),
+            .. status.Proposed.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Attention))),
+            .. status.Slots.SelectMany(s => s.Approved).Select(c => (Func<WaitingTile>)(() => Tile(status, c))),
+            .. status.InWork.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Quiet)))];
+        Waiting.Show([.. waiting.Take(Most).Select(w => w())]);
+        More = waiting.Length > Most ? texts.With("Overview.More", Shown.Count(waiting.Length - Most)) : null;
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
         string[] counts = [
             .. new[]
@@ -104,7 +116,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         var trouble = Troubles(status).FirstOrDefault(t => t.Concerns(slot.Machine.Name, slot.Slot.Name));
 
         // A correction without approval is not queued.
-        var proposed = status.Proposed.Count(c => c.Machine == slot.Machine.Name && c.Slot == slot.Slot.Name);
+        var proposed = slot.Line.Count(c => c.State == CorrectionState.Proposed);
         var inLine = Math.Max(0, slot.Waiting - proposed);
         var waiting = (inLine == 0 ? texts["Overview.NoneWaiting"] : texts.With("Overview.InLine", Shown.Count(inLine)))
             + (proposed == 0 ? "" : texts.With("Overview.ToApprove", Shown.Count(proposed)))

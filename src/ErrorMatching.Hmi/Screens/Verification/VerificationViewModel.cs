@@ -13,6 +13,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private IReadOnlyList<StoredPiece> _pieces = [];
     private string _shown = "";
     private int _load;
+    private long _older;
 
     public VerificationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
@@ -47,6 +48,9 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
 
     /// <summary>The last pieces, newest first.</summary>
     public RowList<PieceRow> Rows { get; } = [];
+
+    /// <summary>How many earlier measurements are not listed, in words; null if none.</summary>
+    public string? Older => _older > 0 ? Texts.Current.With("List.Older", Shown.Count(_older)) : null;
 
     /// <summary>True once the list is known to be empty.</summary>
     public bool IsEmpty { get; private set; }
@@ -100,7 +104,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
     private async Task LoadAsync(int load)
     {
         IReadOnlyList<StoredPiece>? pieces = null;
-        var (mating, sought) = (_mating, _sought);
+        var (mating, sought, older) = (_mating, _sought, 0L);
         var isRead = await TryAsync(() =>
         {
             // The piece selected on another screen may belong to another mating.
@@ -108,6 +112,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
                 ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating
                 : mating;
             pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], StoredPieces.Most);
+            older = Station.Store.CountReported(mating?.Jobs ?? []) - StoredPieces.Most;
         });
         if (load != _load)
         {
@@ -118,6 +123,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         {
             _sought = null;
             Set(ref _mating, mating, nameof(Mating));
+            _older = older;
             Show(pieces!);
         }
         else if (_shown.Length == 0 || _pieces.Count == 0)
@@ -133,6 +139,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
         Rows.Show([.. pieces.Reverse().Select(Row)]);
         IsEmpty = isKnown && pieces.Count == 0;
         OnPropertyChanged(nameof(IsEmpty));
+        OnPropertyChanged(nameof(Older));
         var chosen = _looked is { } looked ? pieces.FirstOrDefault(p => p.Correction.Id == looked || p.Counterpart?.Id == looked) : null;
         var piece = chosen ?? pieces.Where(p => p.IsMeasured).MaxBy(p => p.LastId) ?? pieces.MaxBy(p => p.LastId);
         _chosen = piece is null ? null : Rows.First(r => r.Id == piece.Correction.Id);
