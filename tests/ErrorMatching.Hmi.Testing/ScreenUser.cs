@@ -15,6 +15,9 @@ namespace ErrorMatching.Hmi.Testing;
 /// <param name="window">The window. It must have been opened under <see cref="OffScreenPlatform.UseOffScreen"/>.</param>
 public sealed class ScreenUser(Window window)
 {
+    /// <summary>Milliseconds between two keys of a fast hand.</summary>
+    public const ulong ByHandMs = 90;
+
     private OffScreenWindow Platform => (OffScreenWindow)window.PlatformImpl!;
 
     /// <summary>Completes all pending work, and draws it.</summary>
@@ -156,17 +159,42 @@ public sealed class ScreenUser(Window window)
         ArgumentNullException.ThrowIfNull(text);
         foreach (var rune in text.EnumerateRunes())
         {
-            Platform.Text(rune.ToString());
+            Platform.Text(rune.ToString(), Now);
         }
 
+        return Settle();
+    }
+
+    /// <summary>Types as a hand does, with <see cref="ByHandMs"/> between two keys, and Enter.</summary>
+    public ScreenUser TypeByHand(string text)
+    {
+        Queue(text, ByHandMs);
+        return Settle();
+    }
+
+    /// <summary>Scans a code: characters 10 ms apart, and Enter.</summary>
+    public ScreenUser Scan(string code)
+    {
+        Queue(code, 10);
+        return Settle();
+    }
+
+    /// <summary>Presses a button, types by hand and presses Enter, all before the station handles anything, as if it were busy.</summary>
+    public ScreenUser ClickAndTypeAhead(Visual target, string text)
+    {
+        MoveTo(target);
+        var at = InWindow(target, Middle(target));
+        Platform.Mouse(RawPointerEventType.LeftButtonDown, at, RawInputModifiers.LeftMouseButton);
+        Platform.Mouse(RawPointerEventType.LeftButtonUp, at, RawInputModifiers.None);
+        Queue(text, ByHandMs);
         return Settle();
     }
 
     /// <summary>Presses and releases a key.</summary>
     public ScreenUser Press(Key key, RawInputModifiers modifiers = RawInputModifiers.None)
     {
-        Platform.Key(RawKeyEventType.KeyDown, key, modifiers);
-        Platform.Key(RawKeyEventType.KeyUp, key, modifiers);
+        Platform.Key(RawKeyEventType.KeyDown, key, modifiers, Now);
+        Platform.Key(RawKeyEventType.KeyUp, key, modifiers, Now);
         return Settle();
     }
 
@@ -238,6 +266,22 @@ public sealed class ScreenUser(Window window)
         failure?.Throw();
         return isSo ? Settle() : throw new TimeoutException($"What was waited for did not come within {most}.");
     }
+
+    // A burst of keys as they were pressed, processed in one go.
+    private void Queue(string text, ulong betweenMs)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var at = Now;
+        foreach (var rune in text.EnumerateRunes())
+        {
+            Platform.Text(rune.ToString(), at += betweenMs);
+        }
+
+        Platform.Key(RawKeyEventType.KeyDown, Key.Enter, RawInputModifiers.None, at += betweenMs);
+        Platform.Key(RawKeyEventType.KeyUp, Key.Enter, RawInputModifiers.None, at);
+    }
+
+    private static ulong Now => (ulong)Environment.TickCount64;
 
     private static Point Middle(Visual target) => new Rect(target.Bounds.Size).Center;
 

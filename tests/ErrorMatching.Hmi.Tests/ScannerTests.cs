@@ -1,5 +1,5 @@
-using Avalonia.Input;
 using ErrorMatching.Cell;
+using ErrorMatching.Hmi.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -83,37 +83,65 @@ public sealed class ScannerTests
     });
 
     [Fact]
-    public void Characters_with_pauses_between_them_are_no_code()
+    public void A_code_is_as_fast_as_no_hand_is()
     {
-        var clock = new SeatClock();
-        var code = new ScannedCode(clock);
-        code.Add("x");
-        clock.Advance(TimeSpan.FromSeconds(2));
-        code.Add("12");
-        code.Add("\u001b34 ");
-        Assert.Equal("1234", code.End());
-        Assert.Null(code.End());
-        code.Add("5");
-        clock.Advance(TimeSpan.FromSeconds(2));
-        Assert.Null(code.End());
+        Assert.Equal("1234", Typed("1\u001b2 34 ", ScannedCode.Fast)?.Replace(" ", "", StringComparison.Ordinal));
+        Assert.Null(Typed("1234", ScannedCode.Fast + 1));
+        Assert.Null(Typed("demonstration", ScreenUser.ByHandMs));
+        Assert.Null(Typed("12", 1));
+        Assert.Equal("123", Typed("123", 1));
+    }
+
+    [Fact]
+    public void One_slow_key_makes_all_of_it_typed_by_hand()
+    {
+        var code = new ScannedCode();
+        foreach (var (text, at) in new (string, ulong)[] { ("p", 5000), ("a", 5200), ("s", 5210), ("s", 5220), ("1", 5230), ("2", 5240) })
+        {
+            code.Add(text, at);
+        }
+
+        Assert.Null(code.End(5250));
+
+        // The next one is judged by itself, at once after Enter or after a pause.
+        Assert.Equal("0001", Typed("0001", 10, code, 5300));
+        code.Add("x", 6000);
+        Assert.Equal("0002", Typed("0002", 10, code, 6000 + ScannedCode.Pause + 1));
+    }
+
+    [Fact]
+    public void A_slow_scanner_sends_a_prefix()
+    {
+        var code = new ScannedCode();
+        code.Announce(1000);
+        Assert.Equal("7", Typed("7", ScannedCode.Pause, code, 1000));
+        Assert.Null(Typed("demonstration", ScreenUser.ByHandMs, code, 9000));
+        code.Announce(50_000);
+        Assert.Null(Typed("demonstration", ScreenUser.ByHandMs, code, 50_000 + ScannedCode.Pause + 1));
     }
 
     [Fact]
     public void A_code_that_is_too_long_is_none()
     {
-        var code = new ScannedCode(new SeatClock());
-        code.Add(new string('7', ScannedCode.Most));
-        Assert.Equal(ScannedCode.Most, code.End()!.Length);
-        code.Add(new string('7', ScannedCode.Most));
-        code.Add("7777");
-        Assert.Null(code.End());
-        code.Add("8");
-        Assert.Equal("8", code.End());
+        Assert.Equal(ScannedCode.Most, Typed(new string('7', ScannedCode.Most), 10)!.Length);
+        Assert.Null(Typed(new string('7', ScannedCode.Most + 4), 10));
+        Assert.Equal("888", Typed("888", 10));
+    }
+
+    private static string? Typed(string text, ulong betweenMs, ScannedCode? code = null, ulong at = 1_000_000)
+    {
+        code ??= new();
+        foreach (var c in text)
+        {
+            code.Add(c.ToString(), at += betweenMs);
+        }
+
+        return code.End(at + betweenMs);
     }
 
     private static HistoryViewModel History(Seat seat) => (HistoryViewModel)seat.Shell.Current!;
 
-    private static void Scan(Seat seat, string code) => seat.User.Type(code).Press(Key.Enter);
+    private static void Scan(Seat seat, string code) => seat.User.Scan(code);
 
     private static void Found(Seat seat, string id, string not) =>
         seat.WaitFor(

@@ -61,11 +61,17 @@ internal abstract partial class PlatformWindow : IWindowImpl
         Input?.Invoke(new RawMouseWheelEventArgs(_mouse, Now, _root!, at, delta, modifiers));
 
     /// <summary>Passes on a key event.</summary>
-    public void Key(RawKeyEventType type, Key key, RawInputModifiers modifiers) =>
-        Input?.Invoke(new RawKeyEventArgs(_keyboard, Now, _root!, type, key, modifiers, PhysicalKey.None, null, KeyDeviceType.Keyboard));
+    /// <param name="type">Down or up.</param>
+    /// <param name="key">The key.</param>
+    /// <param name="modifiers">The modifiers.</param>
+    /// <param name="at">When the key was pressed, in milliseconds. That is earlier than now if the station was busy.</param>
+    public void Key(RawKeyEventType type, Key key, RawInputModifiers modifiers, ulong at) =>
+        Input?.Invoke(new RawKeyEventArgs(_keyboard, at, _root!, type, key, modifiers, PhysicalKey.None, null, KeyDeviceType.Keyboard));
 
     /// <summary>Passes on typed text.</summary>
-    public void Text(string text) => Input?.Invoke(new RawTextInputEventArgs(_keyboard, Now, _root!, text));
+    /// <param name="text">The text.</param>
+    /// <param name="at">When it was typed, on the same clock as keys.</param>
+    public void Text(string text, ulong at) => Input?.Invoke(new RawTextInputEventArgs(_keyboard, at, _root!, text));
 
     public void SetInputRoot(IInputRoot inputRoot) => _root = inputRoot;
 

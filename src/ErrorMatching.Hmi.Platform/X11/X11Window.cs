@@ -232,7 +232,7 @@ internal sealed unsafe class X11Window : PlatformWindow
     {
         var buffer = stackalloc byte[32];
         var length = Xlib.XLookupString(ref e, buffer, 32, out var keysym, 0);
-        Key(e.Type == Xlib.KeyPress ? RawKeyEventType.KeyDown : RawKeyEventType.KeyUp, X11Keys.Of((uint)keysym), modifiers);
+        Key(e.Type == Xlib.KeyPress ? RawKeyEventType.KeyDown : RawKeyEventType.KeyUp, X11Keys.Of((uint)keysym), modifiers, (ulong)e.At);
         if (e.Type != Xlib.KeyPress
             || (modifiers & (RawInputModifiers.Control | RawInputModifiers.Alt | RawInputModifiers.Meta)) != RawInputModifiers.None)
         {
@@ -244,7 +244,7 @@ internal sealed unsafe class X11Window : PlatformWindow
         var text = keysym >> 24 == 1 ? char.ConvertFromUtf32((int)(keysym & 0xFFFFFF)) : length == 1 ? ((char)buffer[0]).ToString() : "";
         if (text.Length > 0 && !char.IsControl(text[0]))
         {
-            Text(text);
+            Text(text, (ulong)e.At);
         }
     }
 }

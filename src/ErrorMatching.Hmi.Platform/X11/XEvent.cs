@@ -44,7 +44,8 @@ internal struct XEvent
     [FieldOffset(56)] public int Width;
     [FieldOffset(60)] public int Height;
 
-    // The position of a key or button press, the modifiers, and the key or button.
+    // The time of a key or button press in the server's milliseconds, its position, the modifiers, and the key or button.
+    [FieldOffset(56)] public nint At;
     [FieldOffset(64)] public int X;
     [FieldOffset(68)] public int Y;
     [FieldOffset(80)] public uint State;

@@ -28,6 +28,10 @@ internal sealed class FocusKeeper
         if (!isFree)
         {
             _behind = _window.FocusManager?.GetFocusedElement() as Control ?? _behind;
+
+            // Before the next key: several keys may be handled before the next layout.
+            _window.UpdateLayout();
+            _window.GetVisualDescendants().OfType<SigningView>().FirstOrDefault()?.TakeFocus();
         }
         else if (_behind is { } behind)
         {

@@ -12,11 +12,14 @@ namespace ErrorMatching.Hmi;
 
 public sealed partial class MainWindow : Window
 {
+    // Below this width, rail and lists are narrower.
+    private const double NarrowWidth = 1200;
+
     private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(200);
     private readonly FocusKeeper _focus;
     private readonly DispatcherTimer _tidying;
+    private readonly TypingKeeper _typing;
     private ShellViewModel? _shell;
-    private ScannedCode? _code;
 
     /// <summary>A window of 1280 by 800, the smallest size that everything fits into.</summary>
     public MainWindow()
@@ -32,8 +35,7 @@ public sealed partial class MainWindow : Window
         Aim = new(this);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
-        AddHandler(TextInputEvent, OnScannedText, RoutingStrategies.Tunnel);
-        AddHandler(KeyDownEvent, OnScannedKey, RoutingStrategies.Tunnel);
+        _typing = new(this);
         Texts.Current.LanguageChanged += LayOutAnew;
     }
 
@@ -60,9 +62,24 @@ public sealed partial class MainWindow : Window
         if (_shell is not null)
         {
             _shell.PropertyChanged += OnShell;
-            _code = new(_shell.Station.Clock);
             ShowTheme();
             ShowTargets();
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnSizeChanged(SizeChangedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnSizeChanged(e);
+        var isNarrow = e.NewSize.Width < NarrowWidth;
+        if (isNarrow != Classes.Contains("narrow"))
+        {
+            Classes.Set("narrow", isNarrow);
+            foreach (var key in new[] { "RailWidth", "ListWidth" })
+            {
+                Resources[key] = Application.Current!.FindResource(key + (isNarrow ? "Narrow" : "Wide"));
+            }
         }
     }
 
@@ -89,11 +106,13 @@ public sealed partial class MainWindow : Window
 
         Texts.Current.LanguageChanged -= LayOutAnew;
         _tidying.Stop();
+        _typing.Close();
         base.OnClosed(e);
     }
 
     private void OnShell(object? sender, PropertyChangedEventArgs e)
     {
+        _typing.Follow();
         if (e.PropertyName is nameof(ShellViewModel.IsDark))
         {
             ShowTheme();
@@ -136,30 +155,11 @@ public sealed partial class MainWindow : Window
         }
     }
 
-    private bool IsFieldless => FocusManager?.GetFocusedElement() is not TextBox;
-
-    private void OnScannedText(object? sender, TextInputEventArgs e)
-    {
-        if (IsFieldless && e.Text is { } text)
-        {
-            _code?.Add(text);
-        }
-    }
-
-    private void OnScannedKey(object? sender, KeyEventArgs e)
-    {
-        if (e.Key is Key.Enter && IsFieldless && _code?.End() is { } code)
-        {
-            _shell!.Scan(code);
-            e.Handled = true;
-        }
-    }
-
     // Styles look up the height from the control upwards: the window's resource overrides the application's.
     private void ShowTargets()
     {
         Resources["Target"] = Resources["RowHeight"] = Application.Current!.FindResource("Target" + _shell!.TouchSize);
-        foreach (var key in new[] { "PlotLeast", "ProgramRow", "NoticeHeight" })
+        foreach (var key in new[] { "PlotLeast", "ProgramRow", "NoticeHeight", "SidesLeast" })
         {
             Resources[key] = Application.Current!.FindResource(key + _shell!.TouchSize);
         }

@@ -2,49 +2,82 @@ using System.Text;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Input from a barcode scanner, which acts as a keyboard: characters while no field has the focus, ended by Enter.
-/// Nothing else uses such characters, so their speed does not matter. A pause only discards accidental key presses.</summary>
-/// <param name="clock">Times the pauses.</param>
-internal sealed class ScannedCode(TimeProvider clock)
+/// <summary>Tells the code of a barcode scanner, which acts as a keyboard, from typing by hand: a scanner announces its code by a prefix,
+/// or it is faster than any hand. It ends each code with Enter. All times are those of the key presses, in milliseconds: after a delay, a
+/// station handles typed keys as quickly as scanned ones.</summary>
+internal sealed class ScannedCode
 {
     /// <summary>Maximum length: longer codes are not serial numbers.</summary>
     public const int Most = 128;
 
-    /// <summary>A scanner never pauses this long between two characters.</summary>
-    public static readonly TimeSpan Pause = TimeSpan.FromSeconds(1);
+    /// <summary>Minimum length without a prefix: two keys may be pressed at the same time by accident.</summary>
+    public const int Least = 3;
+
+    /// <summary>Maximum time between two keys of a scanner without a prefix. Fast typists need more than 60 ms on average.</summary>
+    public const ulong Fast = 50;
+
+    /// <summary>Maximum time between two keys of a scanner with a prefix. After a longer time, a new code begins.</summary>
+    public const ulong Pause = 1000;
 
     private readonly StringBuilder _code = new();
-    private long _last;
+    private ulong _last;
+    private bool _isAnnounced;
+    private bool _isByHand;
+
+    /// <summary>Handles the prefix.</summary>
+    /// <param name="at">When it was sent.</param>
+    public void Announce(ulong at)
+    {
+        Clear();
+        (_isAnnounced, _last) = (true, at);
+    }
 
     /// <summary>Adds characters.</summary>
-    public void Add(string text)
+    /// <param name="text">The characters.</param>
+    /// <param name="at">When they were typed.</param>
+    public void Add(string text, ulong at)
     {
         ArgumentNullException.ThrowIfNull(text);
-        ForgetIfOld();
+        Judge(at);
         foreach (var c in text.Where(c => !char.IsControl(c)))
         {
             // A code that is too long is invalid at its end, too: it keeps one character too many.
             _code.Append(c, _code.Length <= Most ? 1 : 0);
         }
 
-        _last = clock.GetTimestamp();
+        _last = at;
     }
 
     /// <summary>Handles Enter.</summary>
-    /// <returns>The code; null if there is none.</returns>
-    public string? End()
+    /// <param name="at">When it was pressed.</param>
+    /// <returns>The code; null if there is none, or if it was typed by hand.</returns>
+    public string? End(ulong at)
     {
-        ForgetIfOld();
-        var code = _code.Length <= Most ? _code.ToString().Trim() : "";
-        _code.Clear();
-        return code.Length > 0 ? code : null;
+        Judge(at);
+        var (code, least) = (_code.ToString().Trim(), _isAnnounced ? 1 : Least);
+        var isCode = !_isByHand && _code.Length <= Most && code.Length >= least;
+        Clear();
+        return isCode ? code : null;
     }
 
-    private void ForgetIfOld()
+    /// <summary>Forgets what was typed.</summary>
+    public void Clear()
     {
-        if (clock.GetElapsedTime(_last) > Pause)
+        _code.Clear();
+        (_isAnnounced, _isByHand) = (false, false);
+    }
+
+    // One slow key makes all of it typed by hand: its last characters may have been fast by chance.
+    private void Judge(ulong at)
+    {
+        var since = at - _last;
+        if (since > Pause)
         {
-            _code.Clear();
+            Clear();
+        }
+        else
+        {
+            _isByHand |= !_isAnnounced && _code.Length > 0 && since > Fast;
         }
     }
 }

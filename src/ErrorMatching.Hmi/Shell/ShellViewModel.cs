@@ -191,10 +191,11 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Opens a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
-    /// <summary>Handles a code from a barcode scanner: the open screen takes it if it accepts codes, otherwise the history.</summary>
+    /// <summary>Handles a code from a barcode scanner: the open screen takes it if it accepts codes, otherwise the history. While a
+    /// signature is being prepared there is no code: what is typed then is meant for the signature.</summary>
     public void Scan(string code)
     {
-        if (IsLocked || !IsFree)
+        if (IsLocked || !IsFree || Editing.Save.IsRunning || Editing.PutInUse.IsRunning)
         {
             return;
         }

@@ -9,24 +9,30 @@ namespace ErrorMatching.Hmi;
 /// <summary>The signing dialog.</summary>
 internal sealed partial class SigningView : UserControl
 {
+    // Less than this is rounding.
+    private const double Least = 1;
+
     public SigningView() => InitializeComponent();
 
     /// <inheritdoc/>
     protected override void OnLoaded(RoutedEventArgs e)
     {
         base.OnLoaded(e);
-        if (DataContext is SigningViewModel { NeedsReason: true })
-        {
-            ReasonBox.Focus();
-        }
-        else
-        {
-            PasswordBox.Focus();
-        }
-
+        TakeFocus();
+        Facts.ScrollChanged += (_, _) => See();
+        See();
         if (DataContext is SigningViewModel signing)
         {
             signing.PropertyChanged += OnSigning;
+        }
+    }
+
+    /// <summary>Focuses its first field, unless it has the focus already.</summary>
+    public void TakeFocus()
+    {
+        if (!IsKeyboardFocusWithin)
+        {
+            (DataContext is SigningViewModel { NeedsReason: true } ? ReasonBox : PasswordBox).Focus();
         }
     }
 
@@ -39,6 +45,15 @@ internal sealed partial class SigningView : UserControl
         }
 
         base.OnUnloaded(e);
+    }
+
+    // Not before it is loaded: keys may come before anything is drawn.
+    private void See()
+    {
+        if (IsLoaded)
+        {
+            (DataContext as SigningViewModel)?.See(Facts.Offset.Y + Facts.Viewport.Height >= Facts.Extent.Height - Least);
+        }
     }
 
     // After a failure the password is cleared and must be entered next, whichever button was tapped.

@@ -25,7 +25,8 @@ public sealed class SigningViewModel : Observable
         (_station, _carryOut) = (station, carryOut);
         (Act, Subject, UserName, NeedsReason, NeedsPassword) = (act, subject, who.Name, needsReason, Rights.IsSigned(act));
         Who = who;
-        Confirm = new(RunAsync, () => (!NeedsReason || !string.IsNullOrWhiteSpace(Reason)) && (!NeedsPassword || Password.Length > 0));
+        Confirm = new(
+            RunAsync, () => IsRead && (!NeedsReason || !string.IsNullOrWhiteSpace(Reason)) && (!NeedsPassword || Password.Length > 0));
         Leave = new(() => Done?.Invoke());
     }
 
@@ -86,6 +87,24 @@ public sealed class SigningViewModel : Observable
 
     /// <summary>Cancels without any change.</summary>
     public Command Leave { get; }
+
+    /// <summary>True if everything that the user signs for was on the screen. Until then nothing is signed.</summary>
+    public bool IsRead { get; private set; }
+
+    /// <summary>True if the user must scroll to read the rest.</summary>
+    public bool MustScroll { get; private set; }
+
+    /// <summary>Call it when the dialog is on the screen, and when it has scrolled.</summary>
+    /// <param name="isEnd">True if the end of what must be read is visible.</param>
+    public void See(bool isEnd)
+    {
+        if (!IsRead)
+        {
+            (IsRead, MustScroll) = (isEnd, !isEnd);
+            OnPropertyChanged(nameof(MustScroll));
+            Confirm.Refresh();
+        }
+    }
 
     public string Reason
     {

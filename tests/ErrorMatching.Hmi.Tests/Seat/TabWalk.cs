@@ -88,8 +88,8 @@ internal sealed class TabWalk(Seat seat)
 
             way.Add(at);
             Stops++;
-            seat.Window.Platform().Key(Avalonia.Input.Raw.RawKeyEventType.KeyDown, Key.Tab, modifiers);
-            seat.Window.Platform().Key(Avalonia.Input.Raw.RawKeyEventType.KeyUp, Key.Tab, modifiers);
+            seat.Window.Platform().Key(Avalonia.Input.Raw.RawKeyEventType.KeyDown, Key.Tab, modifiers, 0);
+            seat.Window.Platform().Key(Avalonia.Input.Raw.RawKeyEventType.KeyUp, Key.Tab, modifiers, 0);
             Dispatcher.UIThread.RunJobs(null);
         }
     }
