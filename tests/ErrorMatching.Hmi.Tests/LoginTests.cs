@@ -66,6 +66,36 @@ public sealed class LoginTests
         idle: TimeSpan.FromMinutes(10));
 
     [Fact]
+    public Task A_tap_on_ones_own_name_after_a_lock_asks_for_the_password() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("sign-out");
+        seat.WaitFor(() => seat.Shell.IsLocked && seat.Find("login-user-anna") is not null, "The station does not lock.");
+        for (var taps = 0; taps < 3; taps++)
+        {
+            seat.Tap("login-user-anna").WaitFor(() => seat.See("login-password").IsFocused, "The password is not asked for.");
+        }
+
+        seat.User.Tap(seat.See("login-user-anna"));
+        seat.WaitFor(() => seat.See("login-password").IsFocused, "A finger's tap does not ask for the password.");
+        seat.User.Type(DemoCell.Password).Press(Key.Enter);
+        seat.WaitFor(() => !seat.Shell.IsLocked, "The station stays locked.");
+        Assert.Equal("anna", seat.TextOf("user-name"));
+    });
+
+    [Fact]
+    public Task A_tap_on_another_name_asks_for_that_ones_password() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("sign-out");
+        seat.WaitFor(() => seat.Shell.IsLocked && seat.Find("login-user-otto") is not null, "The station does not lock.");
+        seat.User.Type("anna's");
+        seat.Tap("login-user-otto").WaitFor(() => seat.See("login-password").IsFocused, "The password is not asked for.");
+        Assert.Equal("", ((TextBox)seat.See("login-password")).Text ?? "");
+        seat.User.Type(DemoCell.Password).Press(Key.Enter);
+        seat.WaitFor(() => !seat.Shell.IsLocked, "The station stays locked.");
+        Assert.Equal("otto", seat.TextOf("user-name"));
+    });
+
+    [Fact]
     public Task Signing_out_is_written_down() => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Operator).Tap("sign-out");

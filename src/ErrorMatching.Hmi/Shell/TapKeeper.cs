@@ -58,7 +58,7 @@ internal sealed class TapKeeper
             .OfType<Control>()
             .FirstOrDefault(c => IsKept(c) && AutomationProperties.GetAutomationId(c) == _id && IsShown(c)) is { } anew)
         {
-            Open(anew);
+            Open(anew, e);
         }
     }
 
@@ -74,11 +74,12 @@ internal sealed class TapKeeper
             && _window.IsVisualAncestorOf(control)
             && !_window.Stage.IsVisualAncestorOf(control);
 
-    private static void Open(Control control)
+    private static void Open(Control control, PointerReleasedEventArgs released)
     {
         if (control is ListBoxItem row)
         {
             row.IsSelected = true;
+            row.RaiseEvent(new TappedEventArgs(InputElement.TappedEvent, released) { Source = row });
         }
         else if (ControlAutomationPeer.CreatePeerForElement(control) is ButtonAutomationPeer button)
         {
