@@ -8,6 +8,9 @@ namespace ErrorMatching.Hmi;
 /// <summary>All details of one correction.</summary>
 internal sealed partial class CorrectionDetailView : UserControl
 {
+    // Below this height, notes about the rows scroll.
+    private const double LowHeight = 480;
+
     private object? _begun;
 
     public CorrectionDetailView()
@@ -31,6 +34,14 @@ internal sealed partial class CorrectionDetailView : UserControl
                 Dispatcher.UIThread.Post(BeginAtFirstChange, DispatcherPriority.Loaded);
             }
         };
+    }
+
+    /// <inheritdoc/>
+    protected override void OnSizeChanged(SizeChangedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnSizeChanged(e);
+        Classes.Set("low", e.NewSize.Height < LowHeight);
     }
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
