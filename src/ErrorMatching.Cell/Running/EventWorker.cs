@@ -7,7 +7,7 @@ namespace ErrorMatching.Cell;
 /// continues from where the broker had everything.</summary>
 /// <remarks>A broker may acknowledge a message before its disk has it, and forget it in a power cut. So a message counts as delivered
 /// only if the same connection still answers some seconds after the acknowledgment. Later messages are published again, with the same
-/// identity.</remarks>
+/// identity. That holds for an orderly stop, too: whoever restarts cell and broker together must not lose a step.</remarks>
 internal sealed class EventWorker : IAsyncDisposable
 {
     /// <summary>The part's name in troubles.</summary>
@@ -27,13 +27,13 @@ internal sealed class EventWorker : IAsyncDisposable
     private readonly EventCursor _cursor;
     private readonly StepFeed _feed;
     private readonly string _client;
-    private readonly List<(DateTimeOffset Begin, DateTimeOffset At, long Seq)> _acknowledged = [];
+    private readonly List<(long Begin, long At, long Seq)> _acknowledged = [];
     private BrokerSession? _session;
     private bool _hasSession;
     private long _published;
     private long _mayHave;
     private long _settled;
-    private DateTimeOffset _answered;
+    private long _answered;
 
     /// <summary>Creates the worker of a cell.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
@@ -63,7 +63,7 @@ internal sealed class EventWorker : IAsyncDisposable
         }
     }
 
-    /// <summary>Ends the session, and records what the broker has acknowledged: who stops in order does not publish it again.</summary>
+    /// <summary>Ends the session. What the broker acknowledged in the last seconds is published again by the next process.</summary>
     public async ValueTask DisposeAsync()
     {
         if (_session is not { } session)
@@ -76,9 +76,8 @@ internal sealed class EventWorker : IAsyncDisposable
         try
         {
             await session.EndAsync(limit.Token);
-            Settle(_published);
         }
-        catch (Exception e) when (e is BrokerException or StoreException or OperationCanceledException)
+        catch (Exception e) when (e is BrokerException or OperationCanceledException)
         {
             _flow.Log.Debug("{Where}: {Message}", Where, e.Message);
         }
@@ -96,7 +95,7 @@ internal sealed class EventWorker : IAsyncDisposable
         _mayHave = Math.Max(_mayHave, _published);
         _published = _settled = _cursor.Read();
         _acknowledged.Clear();
-        _answered = _flow.Clock.GetUtcNow();
+        _answered = _flow.Clock.GetTimestamp();
         _hasSession = true;
         _flow.Log.Information("{Where}: connected to {Broker}", Where, _broker.Address);
         return session;
@@ -120,7 +119,7 @@ internal sealed class EventWorker : IAsyncDisposable
             _published = last;
         }
 
-        if (_flow.Clock.GetUtcNow() - _answered >= _flow.Pace.BrokerPing)
+        if (_flow.Clock.GetElapsedTime(_answered) >= _flow.Pace.BrokerPing)
         {
             await session.PingAsync(stop);
             Answered();
@@ -139,7 +138,7 @@ internal sealed class EventWorker : IAsyncDisposable
     {
         Answered();
         _published = seq;
-        if (_acknowledged is [.., var last] && _answered - last.Begin < _flow.Pace.BrokerSettle / Parts)
+        if (_acknowledged is [.., var last] && _flow.Clock.GetElapsedTime(last.Begin, _answered) < _flow.Pace.BrokerSettle / Parts)
         {
             _acknowledged[^1] = (last.Begin, _answered, seq);
         }
@@ -149,10 +148,11 @@ internal sealed class EventWorker : IAsyncDisposable
         }
     }
 
+    // By the clock that nobody sets: a clock set forward would count what the broker has just acknowledged.
     private void Answered()
     {
-        _answered = _flow.Clock.GetUtcNow();
-        if (_acknowledged.FindLastIndex(m => _answered - m.At >= _flow.Pace.BrokerSettle) is >= 0 and var last)
+        _answered = _flow.Clock.GetTimestamp();
+        if (_acknowledged.FindLastIndex(m => _flow.Clock.GetElapsedTime(m.At, _answered) >= _flow.Pace.BrokerSettle) is >= 0 and var last)
         {
             Settle(_acknowledged[last].Seq);
             _acknowledged.RemoveRange(0, last + 1);

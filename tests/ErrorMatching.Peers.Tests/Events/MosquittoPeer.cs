@@ -18,10 +18,14 @@ internal sealed class MosquittoPeer : IDisposable
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(1);
     private readonly string _home = Directory.CreateTempSubdirectory("errormatch-mosquitto-").FullName;
     private readonly string _said;
+    private readonly int _savedEveryS;
     private Process? _process;
 
-    public MosquittoPeer()
+    /// <summary>Starts a broker.</summary>
+    /// <param name="savedEveryS">How often what it holds is saved.</param>
+    public MosquittoPeer(int savedEveryS = 1)
     {
+        _savedEveryS = savedEveryS;
         _said = On("log");
         using var authority = Authority("Plant CA");
         using var stranger = Authority("Another CA");
@@ -74,6 +78,24 @@ internal sealed class MosquittoPeer : IDisposable
         _process.WaitForExit();
         _process.Dispose();
         _process = null;
+    }
+
+    /// <summary>Saves what it holds now.</summary>
+    public void Save()
+    {
+        var (saved, begun) = (On("mosquitto.db"), Stopwatch.GetTimestamp());
+        var before = File.GetLastWriteTimeUtc(saved);
+        using (var told = Process.Start("kill", ["-USR1", _process!.Id.ToString(CultureInfo.InvariantCulture)]))
+        {
+            told.WaitForExit();
+            Assert.Equal(0, told.ExitCode);
+        }
+
+        while (!File.Exists(saved) || File.GetLastWriteTimeUtc(saved) == before)
+        {
+            Assert.True(Stopwatch.GetElapsedTime(begun) < Limit, "mosquitto does not save.");
+            Thread.Sleep(20);
+        }
     }
 
     /// <summary>Starts it again at its port; whoever held the port meanwhile gives it back soon.</summary>
@@ -133,7 +155,7 @@ internal sealed class MosquittoPeer : IDisposable
             keyfile {On("broker.key")}
             persistence true
             persistence_location {_home}/
-            autosave_interval 1
+            autosave_interval {_savedEveryS}
             max_queued_messages 0
             log_dest file {_said}
 

@@ -14,14 +14,15 @@ namespace ErrorMatching.Peers.Tests;
 internal sealed class PlantSubscriber : IAsyncDisposable
 {
     private readonly MosquittoPeer _broker;
+    private readonly string _name;
     private readonly IMqttClient _client = new MqttClientFactory().CreateMqttClient();
     private readonly CancellationTokenSource _end = new();
     private readonly ConcurrentQueue<JsonElement> _heard = new();
     private readonly Task _loop;
 
-    public PlantSubscriber(MosquittoPeer broker)
+    public PlantSubscriber(MosquittoPeer broker, string name = "plant")
     {
-        _broker = broker;
+        (_broker, _name) = (broker, name);
         _client.ApplicationMessageReceivedAsync += Hear;
         _loop = Task.Run(StayAsync);
     }
@@ -41,6 +42,8 @@ internal sealed class PlantSubscriber : IAsyncDisposable
     public Task IsThere() => Until(() => Subscriptions > 0);
 
     public int Subscriptions { get; private set; }
+
+    public bool IsConnected => _client.IsConnected;
 
     /// <summary>True while it does not want to be connected.</summary>
     public bool IsAway { get; set; }
@@ -81,7 +84,7 @@ internal sealed class PlantSubscriber : IAsyncDisposable
         var authorities = X509CertificateLoader.LoadCertificateFromFile(_broker.AuthorityFile);
         var options = new MqttClientOptions
         {
-            ClientId = "plant",
+            ClientId = _name,
             ProtocolVersion = MqttProtocolVersion.V500,
             CleanSession = false,
             SessionExpiryInterval = 3600,
