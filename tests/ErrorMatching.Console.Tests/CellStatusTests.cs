@@ -32,6 +32,43 @@ public sealed class CellStatusTests : IDisposable
     }
 
     [Fact]
+    public void What_waits_at_a_gauge_is_counted_and_too_much_of_it_is_a_problem()
+    {
+        using (Alive(h => h with { Backlog = [new("cmm", 1069, Since, 3, null)] }))
+        {
+            var backlog = IsWell().GetProperty("backlog")[0];
+            Assert.Equal(
+                ("cmm", 1069, 3, Since, false),
+                (
+                    backlog.Text("gauge"),
+                    backlog.GetProperty("files").GetInt32(),
+                    backlog.GetProperty("pieces").GetInt32(),
+                    backlog.GetProperty("oldestSince").GetDateTimeOffset(),
+                    backlog.GetProperty("growing").GetBoolean()));
+            Assert.Contains(
+                "cmm: 1069 files and 3 measurements wait, the oldest since 2026-11-21 20:00:00Z",
+                Shell.Run("cell", "status", _cell.Config).Output,
+                StringComparison.Ordinal);
+        }
+
+        using var life = Alive(new CellTrouble(CellTrouble.OfBacklog("cmm"), "backlog-grows", "It grows.", Since));
+        NeedsHelp("backlog-grows", "It grows.", "backlog cmm: It grows.");
+    }
+
+    [Fact]
+    public void What_waits_is_counted_also_if_the_cell_does_not_run()
+    {
+        var folder = _settings.Gauges[0].Incoming!;
+        Directory.CreateDirectory(folder);
+        File.WriteAllText(Path.Combine(folder, _settings.Gauges[0].Files.Replace('*', 'x')), "");
+        To(CorrectionState.Recognized);
+
+        var backlog = Shell.Json(3, "errormatch/cell-status/1", "cell", "status", _cell.Config).GetProperty("backlog")[0];
+
+        Assert.Equal((1, 1), (backlog.GetProperty("files").GetInt32(), backlog.GetProperty("pieces").GetInt32()));
+    }
+
+    [Fact]
     public void What_waits_for_a_person_is_the_ordinary_course()
     {
         To(CorrectionState.Proposed);
@@ -254,6 +291,7 @@ public sealed class CellStatusTests : IDisposable
 
     private static CorrectionState[] Way(CorrectionState state) => state switch
     {
+        CorrectionState.Recognized => [CorrectionState.Recognized],
         CorrectionState.Proposed => [CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed],
         CorrectionState.Approved => [.. Way(CorrectionState.Proposed), CorrectionState.Approved],
         _ => [.. Way(CorrectionState.Approved), CorrectionState.Uploading, state],

@@ -54,6 +54,33 @@ public sealed class OverviewTests
     });
 
     [Fact]
+    public Task What_waits_at_a_gauge_is_said_with_number_and_age_in_both_languages() => Seat.AtAsync(seat =>
+    {
+        var now = seat.Station.Clock.GetUtcNow();
+        var oldest = Shown.Time(now, seat.Station.Clock);
+        var life = new Heartbeat(17, now, now, []) { Backlog = [new("cmm", 1069, now, 1, now)] };
+        life.Write(seat.Station.Settings.LogFolder);
+        seat.SignIn(DemoCell.Operator);
+        var overview = (OverviewViewModel)seat.Shell.Current!;
+        var english = $"1069 files waiting, the oldest since {oldest}\n1 measurement not computed yet, since {oldest}";
+        seat.WaitFor(() => overview.Gauges[0].State == english, "It is not said what waits.");
+        var why = Recorded.All.Single(f => f.Name == "backlog-grows").With(1069, "cmm", 1);
+        (life with { Troubles = [new(CellTrouble.OfBacklog("cmm"), CellCodes.BacklogGrows, why.Sentence, now) { Recorded = why.Text }] })
+            .Write(seat.Station.Settings.LogFolder);
+        seat.WaitFor(() => overview.Gauges[0].Severity == Severity.Alarm, "A backlog that grows is no alarm.");
+        Assert.StartsWith("More is measured than the cell computes.", overview.Gauges[0].State, StringComparison.Ordinal);
+        Texts.Current.Language = Language.TraditionalChinese;
+        try
+        {
+            Assert.StartsWith("待處理項目已持續增加一分鐘：量測儀 cmm 有 1069 個檔案", RecordedText.Of(why), StringComparison.Ordinal);
+        }
+        finally
+        {
+            Texts.Current.Language = Language.English;
+        }
+    });
+
+    [Fact]
     public Task A_measured_part_appears_by_itself() => Seat.AtAsync(seat =>
     {
         seat.Cell.Run();

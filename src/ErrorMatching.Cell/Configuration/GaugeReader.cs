@@ -47,6 +47,7 @@ internal sealed class GaugeReader(JsonItem list, CellPaths paths, CellProblems p
             Format = format,
             MostBytes = (long)((item.Find("mostMB")?.Number ?? 16) * 1e6),
             Every = TimeSpan.FromMilliseconds(item.Find("everyMs")?.Number ?? (machine is null ? 200 : 2000)),
+            WaitLimit = TimeSpan.FromMinutes(item.Find("waitLimitMin")?.Number ?? 10),
             KeepsFile = item.Find("keep")?.Flag ?? true,
         };
     }

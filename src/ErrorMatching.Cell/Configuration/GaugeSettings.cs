@@ -30,6 +30,9 @@ public sealed record GaugeSettings
     /// <summary>Polling interval.</summary>
     public required TimeSpan Every { get; init; }
 
+    /// <summary>How long a measurement may wait until it is computed, before that is a trouble.</summary>
+    public TimeSpan WaitLimit { get; init; } = TimeSpan.FromMinutes(10);
+
     /// <summary>True if a machine's log stays at the machine, false if it is deleted after archiving. Has no effect for a folder, whose
     /// files are always moved out.</summary>
     public bool KeepsFile { get; init; } = true;

@@ -120,6 +120,29 @@ internal sealed class BrokerSession : IDisposable
         },
         cancellation);
 
+    /// <summary>Publishes what replaces the message before, and waits for no answer (quality of service 0). The broker keeps the message for
+    /// who subscribes later.</summary>
+    /// <param name="topic">The topic.</param>
+    /// <param name="payload">The message.</param>
+    /// <param name="life">How long the message is true.</param>
+    /// <param name="cancellation">Cancels it.</param>
+    /// <exception cref="BrokerException">The connection is broken.</exception>
+    public Task AnnounceAsync(string topic, byte[] payload, TimeSpan life, CancellationToken cancellation) => TryAsync(
+        "publishing",
+        limited => _channel.SendPacketAsync(
+            new MqttPublishPacket
+            {
+                Topic = topic,
+                Retain = true,
+                QualityOfServiceLevel = MqttQualityOfServiceLevel.AtMostOnce,
+                MessageExpiryInterval = (uint)life.TotalSeconds,
+                PayloadFormatIndicator = MqttPayloadFormatIndicator.CharacterData,
+                ContentType = "application/json",
+                PayloadSegment = payload,
+            },
+            limited),
+        cancellation);
+
     /// <summary>Asks whether the broker is still there.</summary>
     /// <exception cref="BrokerException">It is not.</exception>
     public Task PingAsync(CancellationToken cancellation) => TryAsync(

@@ -15,6 +15,9 @@ namespace ErrorMatching.Cell;
 public sealed record EventSettings(
     string Host, int Port, string Topic, string? User, string? PasswordFile, bool IsEncrypted, string? AuthorityFile, string? PinnedKey)
 {
+    /// <summary>The topic of what waits. Its last message is kept by the broker.</summary>
+    public string BacklogTopic => Topic + "/backlog";
+
     /// <summary>The broker as a URI without a password.</summary>
     public string Address => string.Create(
         CultureInfo.InvariantCulture, $"{(IsEncrypted ? "mqtts" : "mqtt")}://{(User is null ? "" : User + "@")}{Host}:{Port}");

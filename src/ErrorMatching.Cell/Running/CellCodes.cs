@@ -45,6 +45,12 @@ public static class CellCodes
     /// <summary>A program waits for its machine longer than the limit.</summary>
     public const string WaitsTooLong = "waits-too-long";
 
+    /// <summary>What waits at a gauge has grown for a minute: more arrives than the cell computes.</summary>
+    public const string BacklogGrows = "backlog-grows";
+
+    /// <summary>A measured piece waits at a gauge longer than the limit.</summary>
+    public const string PieceWaits = "piece-waits";
+
     /// <summary>A program must not be replaced, because its machine runs it or may run it.</summary>
     public const string MachineBusy = "machine-busy";
 

@@ -49,6 +49,9 @@ internal sealed class CellFlow(
     /// <summary>What the machines are doing, and what waits for them.</summary>
     public MachineReports Machines { get; } = new(clock);
 
+    /// <summary>What waits at the gauges.</summary>
+    public Backlogs Backlogs { get; } = new();
+
     /// <summary>Wakes the worker that recognizes.</summary>
     public Wake Archived { get; } = new();
 

@@ -90,6 +90,12 @@ public sealed class CellRunner
             yield return new Worker(flow, $"watch of gauge {gauge.Name}", new(), AnswerWatch.OfGauge(flow, gauge).WorkAsync).RunAsync;
         }
 
+        foreach (var gauge in _settings.Gauges)
+        {
+            yield return new Worker(
+                flow, $"backlog of gauge {gauge.Name}", new(), new BacklogWorker(flow, gauge).WorkAsync).RunAsync;
+        }
+
         yield return new Worker(flow, "recognition", flow.Archived, new RecognizeWorker(flow).WorkAsync).RunAsync;
         var computing = new ComputeWorker(flow);
         for (var i = 0; i < Computers; i++)

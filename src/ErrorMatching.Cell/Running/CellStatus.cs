@@ -23,6 +23,9 @@ public sealed record CellStatus(
     /// <summary>Changes made to the store from outside the cell: see <see cref="CellStore.Tampered"/>.</summary>
     public IReadOnlyList<Statement> Tampered { get; init; } = [];
 
+    /// <summary>What waits at the gauges, as the running cell counted it last; empty if it does not run.</summary>
+    public IReadOnlyList<GaugeBacklog> Backlog { get; init; } = [];
+
     /// <summary>The number of corrections in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);
 
@@ -51,6 +54,7 @@ public sealed record CellStatus(
             store.Counts())
         {
             Tampered = store.Tampered(),
+            Backlog = isRunning ? heartbeat!.Backlog : [],
         };
     }
 }

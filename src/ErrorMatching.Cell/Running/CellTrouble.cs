@@ -33,6 +33,9 @@ public sealed record CellTrouble(string Where, string Code, string Message, Date
     /// <summary>Name of the part that asks a machine what it is doing.</summary>
     public static string OfState(string machine) => $"state {machine}";
 
+    /// <summary>Name for what waits at a gauge.</summary>
+    public static string OfBacklog(string gauge) => $"backlog {gauge}";
+
     /// <summary>True if it concerns a slot: its program, its worker, its machine, or a program that waits for it.</summary>
     public bool Concerns(string machine, string slot) =>
         Where == OfProgram(machine, slot) || Where == OfSlot(machine, slot) || Where == OfMachine(machine)

@@ -34,6 +34,7 @@ internal sealed class EventWorker : IAsyncDisposable
     private long _mayHave;
     private long _settled;
     private long _answered;
+    private (IReadOnlyList<GaugeBacklog> Backlog, long? At) _announced = ([], null);
 
     /// <summary>Creates the worker of a cell.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
@@ -119,6 +120,7 @@ internal sealed class EventWorker : IAsyncDisposable
             _published = last;
         }
 
+        await AnnounceAsync(session, stop);
         if (_flow.Clock.GetElapsedTime(_answered) >= _flow.Pace.BrokerPing)
         {
             await session.PingAsync(stop);
@@ -132,6 +134,25 @@ internal sealed class EventWorker : IAsyncDisposable
         }
 
         return _published > before ? TimeSpan.Zero : _flow.Pace.BrokerPing;
+    }
+
+    // What waits is not a step: only its last state matters, and it is told again.
+    private async Task AnnounceAsync(BrokerSession session, CancellationToken stop)
+    {
+        var backlog = _flow.Backlogs.All;
+        var isNews = !backlog.SequenceEqual(_announced.Backlog);
+        if (backlog.Count == 0
+            || _announced.At is { } at && _flow.Clock.GetElapsedTime(at) < (isNews ? _flow.Pace.BacklogNews : _flow.Pace.BacklogAgain))
+        {
+            return;
+        }
+
+        await session.AnnounceAsync(
+            _broker.BacklogTopic,
+            BacklogEvent.Message(_flow.Settings.Name, backlog, _flow.Clock.GetUtcNow()),
+            3 * _flow.Pace.BacklogAgain,
+            stop);
+        _announced = (backlog, _flow.Clock.GetTimestamp());
     }
 
     private void Acknowledged(long seq)

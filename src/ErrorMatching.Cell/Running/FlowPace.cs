@@ -60,6 +60,18 @@ internal sealed record FlowPace
     /// <summary>Interval of the heartbeat.</summary>
     public TimeSpan Heartbeat { get; init; } = TimeSpan.FromSeconds(2);
 
+    /// <summary>How often to count what waits at a gauge.</summary>
+    public TimeSpan Backlog { get; init; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>How long a backlog must grow before that is a trouble.</summary>
+    public TimeSpan BacklogGrowth { get; init; } = TimeSpan.FromMinutes(1);
+
+    /// <summary>How often at most to publish what waits, if that has changed.</summary>
+    public TimeSpan BacklogNews { get; init; } = TimeSpan.FromSeconds(10);
+
+    /// <summary>How often to publish what waits, if that has not changed.</summary>
+    public TimeSpan BacklogAgain { get; init; } = TimeSpan.FromMinutes(1);
+
     /// <summary>The pause after a number of consecutive failures, counted from 0.</summary>
     public TimeSpan PauseAfter(int failures) => TimeSpan.FromTicks(Math.Min(LongestPause.Ticks, Pause.Ticks << Math.Min(failures, 10)));
 }

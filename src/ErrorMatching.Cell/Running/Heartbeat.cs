@@ -18,6 +18,9 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     /// <summary>Programs that wait for their machines.</summary>
     public IReadOnlyList<WaitingDelivery> Waiting { get; init; } = [];
 
+    /// <summary>What waits at the gauges.</summary>
+    public IReadOnlyList<GaugeBacklog> Backlog { get; init; } = [];
+
     private const string FileName = "running.json";
     private const int Room = 4096;
 
@@ -32,7 +35,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
             // A cell on a full disk overwrites it.
             using var file = SharedFile.OpenRead(Path.Combine(folder, FileName), FileShare.ReadWrite | FileShare.Delete);
             return JsonSerializer.Deserialize<Heartbeat>(file)
-                is { Troubles: not null, Machines: not null, Waiting: not null } sign
+                is { Troubles: not null, Machines: not null, Waiting: not null, Backlog: not null } sign
                 ? sign
                 : null;
         }

@@ -18,6 +18,7 @@ internal sealed class HeartbeatWorker(CellFlow flow, Action? alive)
             {
                 Machines = flow.Machines.Machines,
                 Waiting = flow.Machines.Waiting,
+                Backlog = flow.Backlogs.All,
             }.Write(flow.Settings.LogFolder));
         if (flow.Clock.GetElapsedTime(_remembered) > Remembering)
         {

@@ -29,6 +29,9 @@ internal sealed class BrokerDouble : IAsyncDisposable
     /// <summary>Identities of the messages that came in, in order, also those that came again.</summary>
     public ConcurrentQueue<string> Heard { get; } = new();
 
+    /// <summary>The last message of what waits: its topic, whether the broker is to keep it, and its text.</summary>
+    public (string Topic, bool IsKept, string Text)? Announced { get; private set; }
+
     /// <summary>So many messages are received (PUBREC); later ones get no answer.</summary>
     public int MostReceived { get; set; } = int.MaxValue;
 
@@ -65,8 +68,16 @@ internal sealed class BrokerDouble : IAsyncDisposable
             using (client)
             {
                 var stream = client.GetStream();
-                while (await PacketAsync(stream) is var (kind, body))
+                while (await PacketAsync(stream) is var (first, body))
                 {
+                    var kind = first >> 4;
+                    if (kind == Publish && (first & 6) == 0)
+                    {
+                        var (topic, message) = Read(body, 0);
+                        Announced = (topic, (first & 1) == 1, message);
+                        continue;
+                    }
+
                     byte[]? answer = kind switch
                     {
                         Connect => [0x20, 3, 0, 0, 0],
@@ -91,20 +102,28 @@ internal sealed class BrokerDouble : IAsyncDisposable
         return null;
     }
 
-    // The number of the packet, which follows the topic; after it come properties and the message.
+    // The number of the packet.
     private byte[] Hear(byte[] body)
     {
-        var number = 2 + BinaryPrimitives.ReadUInt16BigEndian(body);
-        using var message = JsonDocument.Parse(Encoding.UTF8.GetString(body.AsSpan()[(number + 3 + body[number + 2])..]));
+        var (topic, text) = Read(body, 2);
+        using var message = JsonDocument.Parse(text);
         Heard.Enqueue(message.RootElement.GetProperty("id").GetString()!);
-        return body[number..(number + 2)];
+        return body[(2 + topic.Length)..(4 + topic.Length)];
     }
 
-    private async Task<(int Kind, byte[] Body)?> PacketAsync(NetworkStream stream)
+    // After the topic comes the number, if there is one; then properties, whose length is one byte here, and the message.
+    private static (string Topic, string Message) Read(byte[] body, int bytesOfNumber)
+    {
+        var end = 2 + BinaryPrimitives.ReadUInt16BigEndian(body);
+        var properties = end + bytesOfNumber;
+        return (Encoding.ASCII.GetString(body, 2, end - 2), Encoding.UTF8.GetString(body.AsSpan(properties + 1 + body[properties])));
+    }
+
+    private async Task<(int First, byte[] Body)?> PacketAsync(NetworkStream stream)
     {
         var one = new byte[1];
         if (await stream.ReadAsync(one, _end.Token) == 0) return null;
-        var kind = one[0] >> 4;
+        int first = one[0];
         var (length, shift) = (0, 0);
         do
         {
@@ -115,6 +134,6 @@ internal sealed class BrokerDouble : IAsyncDisposable
         while (one[0] > 0x7F);
         var body = new byte[length];
         await stream.ReadExactlyAsync(body, _end.Token);
-        return (kind, body);
+        return (first, body);
     }
 }

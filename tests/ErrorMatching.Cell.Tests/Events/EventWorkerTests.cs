@@ -1,4 +1,6 @@
 using System.Text;
+using System.Text.Json;
+using ErrorMatching.Testing;
 using Serilog.Core;
 
 namespace ErrorMatching.Cell.Tests;
@@ -67,6 +69,25 @@ public sealed class EventWorkerTests : IAsyncDisposable
         Assert.Equal(Published, _broker.Heard);
     }
 
+    [Fact]
+    public async Task The_plant_hears_what_waits_and_the_broker_keeps_the_last_of_it()
+    {
+        var since = new DateTimeOffset(2026, 1, 2, 3, 4, 5, TimeSpan.Zero);
+        await PublishAsync(1, TimeSpan.Zero, arrivals: 1, until: _ => _broker.Announced is not null, backlog: new("cmm", 1069, since, 2, null));
+
+        var (topic, isKept, text) = _broker.Announced!.Value;
+        using var message = JsonDocument.Parse(text);
+        Assert.Equal(("plant/steps/backlog", true), (topic, isKept));
+        Assert.Equal(1071, message.RootElement.GetProperty("waiting").GetInt64());
+        Assert.Equal("2026-01-02T03:04:05Z", message.RootElement.GetProperty("oldestSince").GetString());
+        Assert.True(message.RootElement.GetProperty("oldestS").GetInt64() > 0);
+        Assert.Equal(1069, message.RootElement.GetProperty("gauges")[0].GetProperty("files").GetInt32());
+        var page = File.ReadAllText(Repository.PathTo("docs", "events.md"));
+        Assert.All(
+            message.RootElement.EnumerateObject().Concat(message.RootElement.GetProperty("gauges")[0].EnumerateObject()),
+            m => Assert.Contains($"`{m.Name}`", page, StringComparison.Ordinal));
+    }
+
     public async ValueTask DisposeAsync()
     {
         await _broker.DisposeAsync();
@@ -77,7 +98,8 @@ public sealed class EventWorkerTests : IAsyncDisposable
     private IEnumerable<string> Published => _store.AuditEntries(_begin, int.MaxValue).Select(e => e.Hash);
 
     // A process that publishes until the broker has heard so much, and is stopped in order; how much counts as delivered then.
-    private async Task<long> PublishAsync(int heard, TimeSpan settle, int arrivals = Steps, Func<long, bool>? until = null)
+    private async Task<long> PublishAsync(
+        int heard, TimeSpan settle, int arrivals = Steps, Func<long, bool>? until = null, GaugeBacklog? backlog = null)
     {
         var flow = new CellFlow(
             _cell.Settings,
@@ -86,6 +108,7 @@ public sealed class EventWorkerTests : IAsyncDisposable
             Logger.None,
             new() { BrokerPing = TimeSpan.FromMilliseconds(10), BrokerSettle = settle },
             CancellationToken.None);
+        if (backlog is not null) flow.Backlogs.Note(backlog);
         var cursor = new EventCursor(_store, _cell.Settings.Name);
         using var stop = new CancellationTokenSource();
         await using (var events = new EventWorker(flow, _broker.Settings))

@@ -37,6 +37,13 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         Write(json, "inWork", status.InWork);
         Write(json, "proposed", status.Proposed);
         Write(json, "failed", status.Failed);
+        json.WriteStartArray("backlog");
+        foreach (var backlog in status.Backlog)
+        {
+            Write(json, backlog);
+        }
+
+        json.WriteEndArray();
         json.WriteStartObject("counts");
         foreach (var state in Enum.GetValues<CorrectionState>())
         {
@@ -90,6 +97,12 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             page.Line($"{Number(inWork)} arrived and not computed yet.");
         }
 
+        foreach (var backlog in status.Backlog.Where(b => b.Count > 0))
+        {
+            page.Line(PrintedText.OneLine($"{backlog.Gauge}: {(backlog.AreMore ? "at least " : "")}{Number(backlog.Files)} files and "
+                + $"{Number(backlog.Pieces)} measurements wait, the oldest since {Time(backlog.Since!.Value)}"));
+        }
+
         var next = WhatNext().ToArray();
         page.Line();
         page.Heading(next.Length == 0 ? "Nothing to do." : "What to do next");
@@ -97,6 +110,17 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         {
             page.Line("- " + PrintedText.OneLine(line));
         }
+    }
+
+    private static void Write(Utf8JsonWriter json, GaugeBacklog backlog)
+    {
+        json.WriteStartObject();
+        json.WriteString("gauge", backlog.Gauge);
+        json.WriteNumber("files", backlog.Files);
+        json.WriteNumber("pieces", backlog.Pieces);
+        json.WriteString("oldestSince", backlog.Since is { } since ? CorrectionJson.Time(since) : null);
+        json.WriteBoolean("growing", backlog.IsGrowing);
+        json.WriteEndObject();
     }
 
     private static void Write(Utf8JsonWriter json, SlotStatus slot)
@@ -239,7 +263,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         foreach (var trouble in Troubles(isTampered: false))
         {
-            yield return trouble.Code == CellCodes.WaitsTooLong
+            yield return trouble.Code is CellCodes.WaitsTooLong or CellCodes.BacklogGrows or CellCodes.PieceWaits
                 ? $"{trouble.Where}: {trouble.Message}"
                 : trouble.Code == CellCodes.ChangedAtMachine
                 ? $"{trouble.Where}: look at it at the machine. Then release the correction with --reason "

@@ -10,5 +10,13 @@ internal sealed class CellStatusVerb() : CellVerb(
     "errormatch cell status samples/cell/cell.json")
 {
     protected override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation) =>
-        WithStoreToRead(settings, store => new CellStatusAnswer(settings, CellStatus.Of(settings, store, TimeProvider.System)));
+        WithStoreToRead(settings, store =>
+        {
+            var status = CellStatus.Of(settings, store, TimeProvider.System);
+
+            // A cell that does not run counts nothing.
+            return new CellStatusAnswer(
+                settings,
+                status.IsRunning ? status : status with { Backlog = GaugeBacklog.Of(settings, store, TimeProvider.System) });
+        });
 }

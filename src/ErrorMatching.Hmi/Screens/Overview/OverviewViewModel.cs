@@ -191,17 +191,33 @@ public sealed class OverviewViewModel : ScreenViewModel
         _ => Texts.Current.With("Overview.LastCut", CorrectionLabel.Of(last.Correction)),
     };
 
-    private static GaugeTile Tile(CellStatus status, GaugeSettings gauge)
+    private GaugeTile Tile(CellStatus status, GaugeSettings gauge)
     {
         var texts = Texts.Current;
         var source = gauge.Machine is { } machine
             ? texts.With("Overview.AtMachine", machine)
             : Path.GetFileName(Path.TrimEndingDirectorySeparator(gauge.Incoming ?? ""));
         var trouble = Troubles(status).FirstOrDefault(t => t.Where == CellTrouble.OfGauge(gauge.Name)
-            || t.Where == CellTrouble.OfFolder(gauge.Name));
+            || t.Where == CellTrouble.OfFolder(gauge.Name) || t.Where == CellTrouble.OfBacklog(gauge.Name));
         return trouble is null
-            ? new(gauge.Name, source, texts[status.IsRunning ? "Overview.GaugeWatched" : "Overview.GaugeNotWatched"], Severity.Quiet)
+            ? new(gauge.Name, source, status.IsRunning ? WaitingAt(status, gauge) : texts["Overview.GaugeNotWatched"], Severity.Quiet)
             : new(gauge.Name, source, CodeText.Of(trouble.Code, trouble.Statement), Severity.Alarm);
+    }
+
+    private string WaitingAt(CellStatus status, GaugeSettings gauge)
+    {
+        var texts = Texts.Current;
+        var backlog = status.Backlog.FirstOrDefault(b => b.Gauge == gauge.Name);
+        string[] lines = [
+            .. new[]
+            {
+                Line("Overview.FilesWait", backlog?.Files ?? 0, backlog?.FilesSince),
+                Line("Overview.PiecesWait", backlog?.Pieces ?? 0, backlog?.PiecesSince),
+            }.OfType<string>()];
+        return lines.Length == 0 ? texts["Overview.GaugeWatched"] : string.Join('\n', lines);
+
+        string? Line(string key, long count, DateTimeOffset? since) => since is { } oldest
+            ? texts.Counted(key, (int)Math.Min(count, int.MaxValue), Shown.Count(count), Shown.Time(oldest, Station.Clock)) : null;
     }
 
     private WaitingTile Tile(Correction correction, Severity severity) => Tile(
