@@ -38,6 +38,11 @@ internal sealed partial class ContentArchive : IDisposable
     public static bool IsThere(string? folder, string? name) =>
         folder is not null && IsName(name) && File.Exists(Path.Combine(folder, name!));
 
+    /// <summary>The message that an archive is not there.</summary>
+    public static string Missing(string? folder, string? name) =>
+        $"The archive {name} is not in {folder ?? "the folder of the archives, which the configuration does not name"}. Bring the file "
+            + "back there.";
+
     /// <summary>Opens an archive to read it.</summary>
     /// <param name="folder">The folder of the archives; null if there is none.</param>
     /// <param name="name">Its name.</param>
@@ -47,10 +52,7 @@ internal sealed partial class ContentArchive : IDisposable
     {
         if (!IsThere(folder, name))
         {
-            throw new StoreException(
-                StoreError.Archived,
-                $"The archive {name} is not in {folder ?? "the folder of the archives, which the configuration does not name"}. Bring the "
-                    + "file back there, then repeat this.");
+            throw new StoreException(StoreError.Archived, Missing(folder, name) + " Then repeat this.");
         }
 
         return OpenFile(Path.Combine(folder!, name!));

@@ -21,6 +21,9 @@ internal sealed record NothingToSend(CorrectionBasis Basis, string Code, Stateme
 
     /// <summary>The same as a page.</summary>
     public ReadOnlyMemory<byte>? Page { get; init; }
+
+    /// <summary>True if the page was drawn from the report alone.</summary>
+    public bool IsPageOfReport { get; init; }
 }
 
 /// <summary>Why no program may be made from a measurement.</summary>

@@ -27,6 +27,9 @@ public sealed record ComputedProgram : Computation
     /// <summary>The report as a page.</summary>
     public required ReadOnlyMemory<byte> Page { get; init; }
 
+    /// <summary>True if the page was drawn from the report alone.</summary>
+    internal bool IsPageOfReport { get; init; }
+
     /// <summary>The largest displacement of this step in mm, at a key point, or between or next to key points if a block must move further
     /// there.</summary>
     public required double LargestMm { get; init; }

@@ -98,10 +98,12 @@ internal sealed class MatingCorrection
     private static NothingToSend Verified(CorrectionBasis basis, VerifyReport report)
     {
         var json = VerifyReportJson.Write(report);
+        var page = ReportPages.Of(json);
         return new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With())
         {
             Report = json,
-            Page = ReportPages.Of(json) ?? VerifyReportHtml.Write(report),
+            Page = page ?? VerifyReportHtml.Write(report),
+            IsPageOfReport = page is not null,
         };
     }
 
@@ -147,6 +149,7 @@ internal sealed class MatingCorrection
 
         // The page shows the numbers of the recorded report, with its decimals: so the store can draw it again.
         var json = matched.ReportJson();
+        var page = ReportPages.Of(json);
         return (_request.Job.Accumulates ? limits.OfSum(sum.Mm, sum.At, sum.Block) : null) ?? (Computation)new ComputedProgram
         {
             Basis = Basis(matched.Report.Inputs, _request.Base ?? matched.Match.Input.Program),
@@ -155,7 +158,8 @@ internal sealed class MatingCorrection
             Offset = offset is null ? null : RecordedOffset.Of(offset),
             Undo = offset is { Undo: { } undo } ? undo : default(ReadOnlyMemory<byte>?),
             Report = json,
-            Page = ReportPages.Of(json) ?? matched.ReportHtml(),
+            Page = page ?? matched.ReportHtml(),
+            IsPageOfReport = page is not null,
             LargestMm = mm,
             LargestAt = at,
             Corrections = steps,

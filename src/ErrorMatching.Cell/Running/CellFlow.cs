@@ -84,10 +84,11 @@ internal sealed class CellFlow(
         CorrectionState to,
         Statement basis,
         Func<Correction, Correction>? with = null,
-        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null,
+        bool isPageOfReport = false)
     {
         AroundStep?.Invoke(to, false);
-        var now = store.Step(from, to, ByCell, basis, with, contents);
+        var now = store.Step(from, to, ByCell, basis, with, contents, isPageOfReport);
         AroundStep?.Invoke(to, true);
         StepLog.Write(log, from.State, now, basis.Sentence);
         CellTelemetry.Count(now);

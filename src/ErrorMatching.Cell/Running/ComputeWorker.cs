@@ -92,7 +92,8 @@ internal sealed class ComputeWorker(CellFlow flow)
             ReportSha256 = nothing.Report is { } report ? HashOf(report) : null,
             PageSha256 = nothing.Page is { } page ? HashOf(page) : null,
         },
-        [.. new[] { nothing.Report, nothing.Page }.OfType<ReadOnlyMemory<byte>>()]);
+        [.. new[] { nothing.Report, nothing.Page }.OfType<ReadOnlyMemory<byte>>()],
+        nothing.IsPageOfReport);
 
     private void Keep(Correction recognized, CellJobSettings job, ComputedProgram computed)
     {
@@ -116,7 +117,8 @@ internal sealed class ComputeWorker(CellFlow flow)
                 SumMm = computed.SumMm,
                 SumsSha256 = sums is { } kept ? HashOf(kept) : null,
             },
-            [computed.Program, computed.Report, computed.Page, .. new[] { sums, computed.Undo }.OfType<ReadOnlyMemory<byte>>()]);
+            [computed.Program, computed.Report, computed.Page, .. new[] { sums, computed.Undo }.OfType<ReadOnlyMemory<byte>>()],
+            computed.IsPageOfReport);
     }
 
     // Its identity becomes free: the refused measurement may come again once the reason is gone.

@@ -24,9 +24,15 @@ internal sealed class SlotView(CellFlow flow, MachineSettings machine, SlotSetti
         _count = Unknown;
         Holding = flow.Store.Slot(machine.Name, slot.Name);
         Held = Holding.Correction is { } id ? flow.Store.Find(id)! : null;
-        First = Held is null ? SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial) : null;
+        First = Held is null ? FirstInLine() : null;
         _count = count;
     }
+
+    // Only where the serial number decides, all others in line must be looked at.
+    private Correction? FirstInLine() =>
+        flow.Store.FirstInLine(machine.Name, slot.Name) is not { } first ? null
+        : IsInOrderOfSerial(first.Job!) ? SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial)
+        : first;
 
     private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
 }

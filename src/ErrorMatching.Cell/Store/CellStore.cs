@@ -112,6 +112,9 @@ public sealed class CellStore : IDisposable
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => _corrections.Line(machine, slot);
 
+    /// <summary>The first correction of <see cref="Line"/>, without reading the others; null if the line is empty.</summary>
+    internal Correction? FirstInLine(string machine, string slot) => _corrections.FirstInLine(machine, slot);
+
     /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
     /// store.</summary>
     /// <param name="state">The state.</param>
@@ -193,12 +196,24 @@ public sealed class CellStore : IDisposable
         string by,
         Statement basis,
         Func<Correction, Correction>? with = null,
-        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null) => Step(from, to, by, basis, with, contents, isPageOfReport: false);
+
+    /// <summary>The same.</summary>
+    /// <param name="isPageOfReport">True if the page among the contents was drawn from the report among them, by
+    /// <see cref="ReportPages"/>.</param>
+    internal Correction Step(
+        Correction from,
+        CorrectionState to,
+        string by,
+        Statement basis,
+        Func<Correction, Correction>? with,
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents,
+        bool isPageOfReport)
     {
         ArgumentNullException.ThrowIfNull(from);
         StepWriter.DemandAllowed(from, to);
         var wanted = CorrectionRow.Stored(with?.Invoke(from) ?? from);
-        var kept = StoredContent.Pack(contents ?? [], wanted);
+        var kept = StoredContent.Pack(contents ?? [], wanted, isPageOfReport);
         return Write(transaction =>
         {
             foreach (var (sha256, content) in kept) StoredContent.Keep(transaction, sha256, content);
@@ -242,6 +257,14 @@ public sealed class CellStore : IDisposable
     /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
     /// the database schema. <c>audit verify</c> may find more.</summary>
     public IReadOnlyList<Statement> Tampered() => _outside.Find();
+
+    /// <summary>Archives that contents were moved to and that are not in their folder, each in a sentence.</summary>
+    public IReadOnlyList<string> MissingArchives() =>
+    [
+        .. Read($"SELECT DISTINCT source FROM content WHERE form = '{PackedContent.Archive}' ORDER BY source", r => r.TextOrNull(0))
+            .Where(name => !ContentArchive.IsThere(Database.ArchiveFolder, name))
+            .Select(name => ContentArchive.Missing(Database.ArchiveFolder, name)),
+    ];
 
     /// <summary>What a slot holds.</summary>
     public SlotHolding Slot(string machine, string slot) =>

@@ -23,20 +23,55 @@ internal sealed class CorrectionQueries(CellDatabase database)
             CorrectionRow.ReadStep,
             new { id });
 
+    // A failed one with a program is in line, too.
+    private static readonly CorrectionState[] InLine =
+    [
+        CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved,
+    ];
+
     /// <inheritdoc cref="CellStore.Line"/>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
         CorrectionRow.Select
             + " WHERE machine = @machine AND slot = @slot AND ("
-            + CorrectionRow.IsIn(
-                "state",
-                CorrectionState.Archived,
-                CorrectionState.Recognized,
-                CorrectionState.Computed,
-                CorrectionState.Proposed,
-                CorrectionState.Approved)
+            + CorrectionRow.IsIn("state", InLine)
             + " OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
         CorrectionRow.Read,
         new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
+
+    /// <inheritdoc cref="CellStore.FirstInLine"/>
+    public Correction? FirstInLine(string machine, string slot)
+    {
+        // The least number of each state is the first of an index, and so is the least place of those that were given again. The one of
+        // both that comes first is the first in line: who was given again comes before its own number.
+        string[] inLine = [.. InLine.Select(s => $"state = '{CorrectionRow.Word(s)}'"),
+            $"state = '{CorrectionRow.Word(CorrectionState.Failed)}' AND program_sha256 IS NOT NULL"];
+        const string Here = "machine = @machine AND slot = @slot AND ";
+        var least = string.Join(
+            " UNION ALL ",
+            inLine.SelectMany(s => new[]
+            {
+                $"SELECT min(id) AS turn FROM correction WHERE {Here}{s}",
+                $"SELECT min(measured_as) AS turn FROM correction WHERE {Here}{s} AND measured_as IS NOT NULL",
+            }));
+        if (Read($"SELECT min(turn) FROM ({least}) AS least", r => r.IsDBNull(0) ? (long?)null : r.GetInt64(0), new { machine, slot })
+            is not [{ } turn])
+        {
+            return null;
+        }
+
+        var any = $"{Here}({string.Join(" OR ", inLine.Select(s => $"({s})"))})";
+        return First(
+                CorrectionRow.Select + $" WHERE id = @turn AND measured_as IS NULL AND {any}",
+                CorrectionRow.Read,
+                new { machine, slot, turn })
+            ?? First(
+                CorrectionRow.Select + $" WHERE measured_as = @turn AND {any} ORDER BY id LIMIT 1",
+                CorrectionRow.Read,
+                new { machine, slot, turn })
+
+            // It took a step between the two looks.
+            ?? Line(machine, slot).FirstOrDefault();
+    }
 
     /// <inheritdoc cref="CellStore.First(CorrectionState, int, IReadOnlyList{string}?, IReadOnlyList{string}?)"/>
     public IReadOnlyList<Correction> First(

@@ -12,8 +12,10 @@ internal static class StoredContent
     /// <summary>Packs contents, outside of any change: that takes its time.</summary>
     /// <param name="contents">The plain contents.</param>
     /// <param name="correction">The correction that they belong to. Its page is not kept if its report gives the same bytes.</param>
+    /// <param name="isPageOfReport">True if the page was just drawn from the report, so that nobody needs to draw it again to know
+    /// that.</param>
     public static IReadOnlyList<(string Sha256, PackedContent Content)> Pack(
-        IReadOnlyList<ReadOnlyMemory<byte>> contents, Correction? correction = null)
+        IReadOnlyList<ReadOnlyMemory<byte>> contents, Correction? correction = null, bool isPageOfReport = false)
     {
         var named = contents.Select(c => (Sha256: Sha256(c.Span), Plain: c)).ToArray();
         return [.. named.Select(c => (c.Sha256, PageOf(c.Sha256, c.Plain) ?? PackedContent.Of(c.Plain)))];
@@ -22,7 +24,8 @@ internal static class StoredContent
         {
             if (correction?.PageSha256 != sha256 || correction.ReportSha256 is not { } source) return null;
             var report = named.FirstOrDefault(c => c.Sha256 == source).Plain;
-            return !report.IsEmpty && ReportPages.Of(report) is { } page && page.AsSpan().SequenceEqual(plain.Span)
+            return !report.IsEmpty
+                && (isPageOfReport || (ReportPages.Of(report) is { } page && page.AsSpan().SequenceEqual(plain.Span)))
                 ? new([], PackedContent.Page, plain.Length, source, ReportPages.Version)
                 : null;
         }

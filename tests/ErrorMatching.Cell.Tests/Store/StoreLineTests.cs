@@ -26,6 +26,35 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
     }
 
     [Fact]
+    public void The_first_in_line_is_found_without_the_others_whatever_was_given_again()
+    {
+        var store = Open();
+        Assert.Null(FirstInLine());
+        Approve(store, "elsewhere", "G0");
+        var ids = Enumerable.Range(1, 5).Select(i => Approve(store, $"file {i}", $"H{i}").Id).ToArray();
+        Assert.Equal(FirstInLine()!.Id, store.Line("mill", "1")[0].Id);
+
+        // The third, then the first is given again: each keeps its place.
+        store.Resubmit(store.Find(ids[2])!, "anna", null);
+        FirstInLine();
+        var again = store.Resubmit(store.Line("mill", "1")[0], "anna", null);
+        Assert.Equal(again.Id, FirstInLine()!.Id);
+        var failed = store.Step(Recognize(store, again, "A-9"), CorrectionState.Failed, "cell", "no file");
+        Assert.NotEqual(failed.Id, FirstInLine()!.Id);
+        while (FirstInLine() is { } first) store.Step(first, EndOf(first.State), "cell", "for the test");
+
+        Correction? FirstInLine()
+        {
+            var first = store.FirstInLine("mill", "1");
+            Assert.Equal(store.Line("mill", "1").FirstOrDefault()?.Id, first?.Id);
+            return first;
+        }
+
+        static CorrectionState EndOf(CorrectionState state) =>
+            state is CorrectionState.Archived or CorrectionState.Recognized ? CorrectionState.Refused : CorrectionState.Rejected;
+    }
+
+    [Fact]
     public void The_first_in_a_state_are_those_of_the_gauges_and_jobs_that_are_asked_for()
     {
         var store = Open();
