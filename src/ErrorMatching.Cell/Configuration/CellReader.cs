@@ -20,6 +20,7 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             Name = root["name"].Text,
             Store = ReadStore(root["store"]),
             KeysFolder = _paths.Of(root.Find("keys")?.Text ?? "keys"),
+            WitnessFile = root.Find("witness") is { } witness ? _paths.Of(witness.Text) : null,
             LogFolder = _paths.Of(root.Find("logs")?.Text ?? "logs"),
             Gauges = [.. gauges.Select(g => g.Settings)],
             Machines = [.. machines.Select(m => m.Settings)],

@@ -22,6 +22,9 @@ public sealed record CellSettings
     /// secrets.</summary>
     public required string KeysFolder { get; init; }
 
+    /// <summary>A file apart from store and keys that remembers how far the audit trail goes; null for none.</summary>
+    public string? WitnessFile { get; init; }
+
     /// <summary>Folder of the rolling logs.</summary>
     public required string LogFolder { get; init; }
 

@@ -7,11 +7,22 @@ namespace ErrorMatching.Cell;
 /// <summary>The audit trail of a store, for verification and export.</summary>
 /// <param name="store">The store.</param>
 /// <param name="keysFolder">The folder of the keys that sealed it. It is not created here.</param>
+/// <param name="witnessFile">A second file that remembers the last seen end; null for none.</param>
 /// <remarks>Failures of the store throw a <see cref="StoreException"/>, failures of the keys a <see cref="PeopleException"/>.</remarks>
-public sealed class AuditTrail(CellStore store, string keysFolder)
+public sealed class AuditTrail(CellStore store, string keysFolder, string? witnessFile = null)
 {
+    private readonly SecondWitness? _second = witnessFile is null ? null : new(witnessFile);
+
     private static readonly string[] Columns = ["number", "time", "who", "what", "subject", "basis", "previous", "hash", "rows",
         "subjectRecorded", "basisRecorded"];
+
+    /// <summary>The audit trail of a cell's store.</summary>
+    /// <param name="store">The store.</param>
+    /// <param name="settings">The cell.</param>
+    public AuditTrail(CellStore store, CellSettings settings)
+        : this(store, (settings ?? throw new ArgumentNullException(nameof(settings))).KeysFolder, settings.WitnessFile)
+    {
+    }
 
     /// <summary>Checks every entry of one snapshot of the trail. An intact end is remembered next to the keys, if they exist.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
@@ -21,7 +32,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     /// <param name="cancellation">Cancels the check.</param>
     public AuditFinding Verify(IProgress<CellProgress>? progress, CancellationToken cancellation)
     {
-        var (key, witness) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder));
+        var (key, witness, second) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), _second?.Find());
         var finding = store.Database.TwoSnapshots((connection, transaction, rows) =>
         {
             var head = AuditRow.Head(connection, transaction, "");
@@ -34,9 +45,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
                     count,
                     progress,
                     cancellation), head, key, meaning.Add);
-            var seen = Rows.Query(
-                connection, AuditRow.Select + " WHERE seq = @Seq", AuditRow.ReadOrUnreadable, new { Seq = witness?.Seq ?? 0 }, transaction);
-            fault ??= KeysFault(key, witness, head, seen) ?? meaning.Fault(store.Database);
+            fault ??= KeysFault(key, witness, second, head, At) ?? meaning.Fault(store.Database);
             if (key is not null) fault ??= AuditCheckpoint.Fault(connection, transaction, key);
             var contents = new CheckedContents();
             fault ??= contents.Fault(connection, transaction, rows, progress, cancellation);
@@ -49,10 +58,13 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
                 Pages = contents.Pages,
                 Archives = archives.Found,
             };
+
+            IReadOnlyList<AuditEntry> At(long seq) => Rows.Query(
+                connection, AuditRow.Select + " WHERE seq = @seq", AuditRow.ReadOrUnreadable, new { seq }, transaction);
         });
         if (finding.Holds && finding.Entries > (witness?.Seq ?? 0))
         {
-            Keep(new AuditWitness(finding.Entries, finding.Hash));
+            KeepIfPossible(new AuditWitness(finding.Entries, finding.Hash), witness);
         }
 
         return finding;
@@ -63,41 +75,62 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     /// <returns>The fault; null if there is none, or the store never had a key.</returns>
     public AuditFault? EndFault()
     {
-        var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
-        return KeysFault(key, witness, head, witness is { Seq: > 0 } ? store.AuditEntries(witness.Seq - 1, 1) : [], mayBeUnsealed: true)
+        var (key, head) = (AuditKey.Find(keysFolder), store.AuditHead());
+        return KeysFault(key, AuditWitness.Find(keysFolder), _second?.Find(), head, At, mayBeUnsealed: true)
             ?? (key is null || head.IsSealedBy(key) ? null : new(AuditFaultKind.Unsealed, head.Seq, string.Create(
                 CultureInfo.InvariantCulture,
                 $"The end of the audit trail, entry {head.Seq}, is not sealed by the cell's key: the store was written to by something "
                     + $"else, or the key is another one.")));
+
+        IReadOnlyList<AuditEntry> At(long seq) => seq > 0 ? store.AuditEntries(seq - 1, 1) : [];
     }
 
     private AuditFault? KeysFault(
-        byte[]? key, AuditWitness? witness, AuditHead head, IReadOnlyList<AuditEntry> seen, bool mayBeUnsealed = false) =>
+        byte[]? key,
+        AuditWitness? witness,
+        AuditWitness? second,
+        AuditHead head,
+        Func<long, IReadOnlyList<AuditEntry>> at,
+        bool mayBeUnsealed = false) =>
         key is null ? mayBeUnsealed && head.Seal is null ? null : new(AuditFaultKind.KeysMissing, head.Seq, AuditKey.Missing(keysFolder))
         : witness is null ? new(AuditFaultKind.WitnessMissing, head.Seq, AuditWitness.Missing(keysFolder))
-        : witness.Fault(head, seen);
+        : witness.Fault(head, at(witness.Seq), Path.Combine(keysFolder, AuditWitness.FileName))
+            ?? (second is not null ? second.Fault(head, at(second.Seq), _second!.File)
+            : _second is not null && witness.Second == _second.File ? new(AuditFaultKind.WitnessMissing, head.Seq, _second.Missing())
+            : null);
 
     // The result is valid even if it cannot be saved on a read-only disk.
-    private void Keep(AuditWitness witness)
+    private void KeepIfPossible(AuditWitness seen, AuditWitness? before)
     {
         try
         {
-            witness.Keep(keysFolder);
+            if (before is not null) Keep(seen);
         }
         catch (PeopleException e) when (e.InnerException is IOException or UnauthorizedAccessException)
         {
         }
     }
 
-    /// <summary>Remembers the trail's end next to the keys, after checking only that end. The more often this runs, the less can be cut off
-    /// unnoticed. Does nothing if the end has a fault.</summary>
-    public void Remember()
+    // The second file first: from then on, the first one says that it must be there.
+    private void Keep(AuditWitness seen)
+    {
+        _second?.Keep(seen);
+        (seen with { Second = _second?.File }).Keep(keysFolder);
+    }
+
+    /// <summary>Remembers the trail's end next to the keys and in the second file, after checking only that end. The more often this runs,
+    /// the less can be cut off unnoticed. Does nothing if the end has a fault.</summary>
+    /// <returns>The fault; null if there is none.</returns>
+    public AuditFault? Remember()
     {
         var head = store.AuditHead();
-        if (EndFault() is null && AuditWitness.Find(keysFolder) is { } witness && head.Seq > witness.Seq)
+        if (EndFault() is { } fault) return fault;
+        if (AuditWitness.Find(keysFolder) is { } witness && (head.Seq > witness.Seq || witness.Second != _second?.File))
         {
-            new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
+            Keep(new AuditWitness(head.Seq, head.Hash));
         }
+
+        return null;
     }
 
     /// <summary>Accepts the end of a store that was rolled back on purpose, such as by a restored backup, or whose last seen end is no
@@ -108,7 +141,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
     /// <returns>True if it was accepted.</returns>
     public bool TakeOver(string by, Statement basis)
     {
-        var (key, witness, head) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), store.AuditHead());
+        var (key, witness, second) = (AuditKey.Find(keysFolder), AuditWitness.Find(keysFolder), _second?.Find());
+        var head = store.AuditHead();
         if (key is null || !head.IsSealedBy(key) || EndFault() is null)
         {
             return false;
@@ -117,11 +151,17 @@ public sealed class AuditTrail(CellStore store, string keysFolder)
         store.Audit(
             by,
             "trail-set-back",
-            witness is null ? Recorded.WitnessBegun.With(basis) : Recorded.SetBack.With(basis, witness.Seq, witness.Hash));
+            Further(witness, second) is not { } seen || seen.Fault(head, At(seen.Seq), "") is null
+                ? Recorded.WitnessBegun.With(basis) : Recorded.SetBack.With(basis, seen.Seq, seen.Hash));
         head = store.AuditHead();
-        new AuditWitness(head.Seq, head.Hash).Keep(keysFolder);
+        Keep(new AuditWitness(head.Seq, head.Hash));
         return true;
+
+        IReadOnlyList<AuditEntry> At(long seq) => seq > 0 ? store.AuditEntries(seq - 1, 1) : [];
     }
+
+    private static AuditWitness? Further(AuditWitness? one, AuditWitness? other) =>
+        one is null || other?.Seq > one.Seq ? other : one;
 
     /// <summary>Writes all entries as CSV by RFC 4180 that no spreadsheet executes: times in UTC, and an apostrophe before anything that
     /// looks like a formula. Subject and basis are English sentences; the last columns have them as they are recorded.</summary>

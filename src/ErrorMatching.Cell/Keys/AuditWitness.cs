@@ -9,6 +9,9 @@ namespace ErrorMatching.Cell;
 /// <param name="Hash">Its hash.</param>
 internal sealed record AuditWitness(long Seq, string Hash)
 {
+    /// <summary>The file of <see cref="SecondWitness"/> that was written, too; null for none. From then on, it must be there.</summary>
+    public string? Second { get; init; }
+
     /// <summary>The file's name in the key folder.</summary>
     public const string FileName = "audit.seen";
 
@@ -21,15 +24,23 @@ internal sealed record AuditWitness(long Seq, string Hash)
             return null;
         }
 
-        var words = Encoding.UTF8.GetString(new KeyFolder(keysFolder).Read(FileName)).TrimEnd('\n').Split(' ');
-        return words is [var seq, { Length: 64 } hash]
-            && long.TryParse(seq, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
-            ? new(number, hash)
-            : throw new PeopleException(
-                PeopleError.KeysUnusable,
-                $"{Path.Combine(keysFolder, FileName)} is not what the cell wrote there: a number and a hash. Bring it back from a "
-                    + $"backup.");
+        return Read(new KeyFolder(keysFolder).Read(FileName), Path.Combine(keysFolder, FileName));
     }
+
+    /// <summary>Reads what was remembered: a number and a hash, and in a second line the second file.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
+    public static AuditWitness Read(byte[] bytes, string file)
+    {
+        var lines = Encoding.UTF8.GetString(bytes).TrimEnd('\n').Split('\n', 2);
+        return lines[0].Split(' ') is [var seq, { Length: 64 } hash]
+            && long.TryParse(seq, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
+            ? new(number, hash) { Second = lines.Length > 1 ? lines[1] : null }
+            : throw Unreadable(file);
+    }
+
+    /// <summary>The failure to read a file that has something else.</summary>
+    public static PeopleException Unreadable(string file) => new(
+        PeopleError.KeysUnusable, $"{file} is not what the cell wrote there: a number and a hash. Bring it back from a backup.");
 
     /// <summary>Starts an empty record for a key that is being created. An existing record is kept.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
@@ -44,22 +55,31 @@ internal sealed record AuditWitness(long Seq, string Hash)
     /// <summary>The fault of a trail that is intact in itself; null if there is none.</summary>
     /// <param name="head">The end of the trail.</param>
     /// <param name="seen">The entry with the remembered number, or none.</param>
-    public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen) =>
+    /// <param name="file">The file in which it is remembered.</param>
+    public AuditFault? Fault(AuditHead head, IReadOnlyList<AuditEntry> seen, string file) =>
         Seq == 0 ? null :
         head.Seq < Seq ? new(AuditFaultKind.Removed, head.Seq + 1, string.Create(
             CultureInfo.InvariantCulture,
-            $"Entries {head.Seq + 1} to {Seq} are missing: the trail went that far when it was last looked at."))
+            $"Entries {head.Seq + 1} to {Seq} are missing: {file} says that the trail went to entry {Seq}, and the store ends with entry "
+                + $"{head.Seq} of {head.At:yyyy-MM-dd HH:mm:ss} UTC. {WhatToDo}"))
         : seen is [var entry] && entry.Seq == Seq && entry.Hash == Hash ? null
         : new(
             AuditFaultKind.Changed,
             Seq,
             string.Create(
                 CultureInfo.InvariantCulture,
-                $"Entry {Seq}, or one before it with all that follow, is not what it was when the trail was last looked at."));
+                $"Entry {Seq}, or one before it with all that follow, is not what {file} says that it was. The store ends with entry "
+                    + $"{head.Seq} of {head.At:yyyy-MM-dd HH:mm:ss} UTC. {WhatToDo}"));
+
+    private const string WhatToDo =
+        "The store was set back. If it was not you, bring the right store back. If a backup was brought back on purpose, whoever "
+            + "administers the computer accepts it, on record: errormatch audit take-over CONFIG --reason WHY.";
 
     /// <summary>Saves it.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.KeysUnusable"/>.</exception>
     public void Keep(string keysFolder) => new KeyFolder(keysFolder).Write(FileName, Bytes(), overwrite: true);
 
-    private byte[] Bytes() => Encoding.UTF8.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{Seq} {Hash}\n"));
+    /// <summary>As it is stored.</summary>
+    public byte[] Bytes() => Encoding.UTF8.GetBytes(string.Create(
+        CultureInfo.InvariantCulture, $"{Seq} {Hash}\n{(Second is null ? "" : Second + "\n")}"));
 }

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Consecutive failed sign-ins by name, for users and unknown names alike: an unknown name is locked in the same way, so that the
@@ -12,6 +14,9 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
     /// <summary>and the oldest of them beyond this number.</summary>
     private const int MostStrangers = 1000;
 
+    // More failures do not lock for longer.
+    private const int MostRecorded = 64;
+
     /// <summary>Maximum number of unknown names recorded in the audit trail per hour, so that guessing cannot fill it.</summary>
     public const int MostStrangersInTrail = 20;
 
@@ -23,6 +28,28 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
             r => new SignInFailures(r.GetInt32(0), StoredTime.From(r.GetInt64(1))),
             new { Hash = UserName.Hash(name) });
         return rows is [var row] ? row : new(0, transaction.Now);
+    }
+
+    /// <summary>The failures of a user. Rows can be removed by whoever can write the store, so what the audit trail says counts, too: an
+    /// attempt that is compared at this moment is in the row only, and all others are in both.</summary>
+    public static SignInFailures Of(StoreTransaction transaction, Person person)
+    {
+        var (kept, name) = (Of(transaction, person.Name), StoredText.Name(person.Name));
+        var unlocked = transaction.Value<long?>(
+            "SELECT max(seq) FROM audit WHERE subject = @Name AND what IN ('user-added', 'user-enabled', 'password-set')",
+            new { Name = StoredText.NameOrNull((Statement?)person.Name)!.Text }) ?? 0;
+        var recorded = transaction.Query(
+                "SELECT what, at FROM audit WHERE who = @name AND seq > @unlocked AND what IN ('sign-in-failed', 'locked', 'signed-in') "
+                    + "ORDER BY seq DESC LIMIT @MostRecorded",
+                r => (IsFailure: r.GetString(0) != "signed-in", At: StoredTime.From(r.GetInt64(1))),
+                new { name, unlocked, MostRecorded })
+            .TakeWhile(e => e.IsFailure).ToArray();
+        return recorded is not [var last, ..] ? kept
+            : new(
+                Math.Max(kept.Failures, recorded.Length),
+
+                // A time to come is of a clock that was set back since: then the row has the time by the present clock.
+                kept.Failures == 0 || (last.At > kept.Last && last.At <= transaction.Now) ? last.At : kept.Last);
     }
 
     /// <summary>Stores the failures for a name.</summary>

@@ -161,7 +161,7 @@ public sealed class UserBook
                 "This cell has no users yet. The first is made by errormatch user add CONFIG NAME --role administrator.");
         }
 
-        var failures = SignInFailures.Of(t, name);
+        var failures = person is null ? SignInFailures.Of(t, name) : SignInFailures.Of(t, person);
 
         // A clock that was set back must not keep a lock until the earlier time is reached again.
         failures = failures.Last > t.Now ? failures with { Last = t.Now } : failures;
@@ -315,7 +315,7 @@ public sealed class UserBook
 
     private static User Known(StoreTransaction t, Person person)
     {
-        var failures = SignInFailures.Of(t, person.Name);
+        var failures = SignInFailures.Of(t, person);
         return new(person.Name, person.Role ?? Role.Operator, person.IsDisabled, person.AddedAt, person.PasswordAt)
         {
             RoleWord = person.RoleWord.ToLowerInvariant(),

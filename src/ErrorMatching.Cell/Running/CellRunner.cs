@@ -137,6 +137,7 @@ public sealed class CellRunner
 
         yield return new Worker(flow, "unserved", new(), new UnservedWorker(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "looking at the record", new(), new RecordWorker(flow).WorkAsync).RunAsync;
+        yield return new Worker(flow, WitnessWorker.Where, flow.Stepped, new WitnessWorker(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "store", new(), new StoreWatch(flow).WorkAsync).RunAsync;
         yield return new Worker(flow, "heartbeat", new(), new HeartbeatWorker(flow, Alive).WorkAsync).RunAsync;
     }

@@ -26,6 +26,9 @@ public sealed record CellStatus(
     /// <summary>What waits at the gauges, as the running cell counted it last; empty if it does not run.</summary>
     public IReadOnlyList<GaugeBacklog> Backlog { get; init; } = [];
 
+    /// <summary>Archives that are not in their folder, each in a sentence; a running cell has them among its troubles.</summary>
+    public IReadOnlyList<string> MissingArchives { get; init; } = [];
+
     /// <summary>The number of corrections in a state.</summary>
     public long CountOf(CorrectionState state) => Counts.GetValueOrDefault(state);
 

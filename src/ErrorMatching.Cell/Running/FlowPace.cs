@@ -72,6 +72,9 @@ internal sealed record FlowPace
     /// <summary>How often to publish what waits, if that has not changed.</summary>
     public TimeSpan BacklogAgain { get; init; } = TimeSpan.FromMinutes(1);
 
+    /// <summary>How often to remember the end of the audit trail outside of the store.</summary>
+    public TimeSpan Witness { get; init; } = TimeSpan.FromSeconds(30);
+
     /// <summary>The pause after a number of consecutive failures, counted from 0.</summary>
     public TimeSpan PauseAfter(int failures) => TimeSpan.FromTicks(Math.Min(LongestPause.Ticks, Pause.Ticks << Math.Min(failures, 10)));
 }

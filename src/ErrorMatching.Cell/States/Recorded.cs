@@ -111,8 +111,8 @@ public static class Recorded
             + "the cell computes.");
     internal static readonly SentenceForm PieceWaits = new(
         "piece-waits",
-        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. {2:0} files wait at the gauge {3}, "
-            + "and {4:0} measurements are not computed.");
+        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. {2:0} files wait at the gauge "
+            + "{3}, and {4:0} measurements are not computed.");
     internal static readonly SentenceForm StartedMeanwhile = new(
         "started-meanwhile",
         "{0} started {1} while it was being replaced: it may run the old program or the new one. Find out at the "
@@ -373,8 +373,8 @@ public static class Recorded
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
         EitherProgram, ChangedBefore, OfOtherCell, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
-        ReadBackUnseen, MachineBusy, MachineBusyUnnamed, MachineUnknown, WaitsTooLong, BacklogGrows, PieceWaits, StartedMeanwhile, StateAway,
-        StateSlow, StateWrong, StateStale, StateUnavailable,
+        ReadBackUnseen, MachineBusy, MachineBusyUnnamed, MachineUnknown, WaitsTooLong, BacklogGrows, PieceWaits, StartedMeanwhile,
+        StateAway, StateSlow, StateWrong, StateStale, StateUnavailable,
         UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,
         AmbiguousPiece, ContradictoryPiece, SaysNoName, SaysTwo, UnusableJob, UnreadableInside, TooLarge, AlreadyKnown,
         SumsUnknown,

@@ -94,7 +94,7 @@ public sealed class Station : IDisposable
         try
         {
             Session.SignOut();
-            new AuditTrail(Store, Settings.KeysFolder).Remember();
+            new AuditTrail(Store, Settings).Remember();
         }
         catch (Exception e) when (e is StoreException or PeopleException)
         {
@@ -109,7 +109,7 @@ public sealed class Station : IDisposable
     private static CellStore Opened(CellSettings settings, TimeProvider clock)
     {
         var store = CellStore.Open(settings.Store, clock, AuditKey.OpenFor(settings));
-        if (new AuditTrail(store, settings.KeysFolder).EndFault() is not { } fault)
+        if (new AuditTrail(store, settings).EndFault() is not { } fault)
         {
             return store;
         }

@@ -73,7 +73,8 @@ public sealed class EventWorkerTests : IAsyncDisposable
     public async Task The_plant_hears_what_waits_and_the_broker_keeps_the_last_of_it()
     {
         var since = new DateTimeOffset(2026, 1, 2, 3, 4, 5, TimeSpan.Zero);
-        await PublishAsync(1, TimeSpan.Zero, arrivals: 1, until: _ => _broker.Announced is not null, backlog: new("cmm", 1069, since, 2, null));
+        await PublishAsync(
+            1, TimeSpan.Zero, arrivals: 1, until: _ => _broker.Announced is not null, backlog: new("cmm", 1069, since, 2, null));
 
         var (topic, isKept, text) = _broker.Announced!.Value;
         using var message = JsonDocument.Parse(text);

@@ -35,6 +35,30 @@ public sealed class CheckedArchivesTests : PeopleTest
         Assert.True(new AuditTrail(Store, Keys).Verify().Holds);
     }
 
+    [Fact]
+    public async Task An_archive_that_is_not_there_is_a_trouble_of_the_cell()
+    {
+        await using var cell = new RunningCell();
+        Assert.Empty(Store.MissingArchives());
+        var name = Thinned();
+        Assert.Empty(Store.MissingArchives());
+        var flow = new CellFlow(cell.Settings, Store, Clock, Serilog.Core.Logger.None, new(), CancellationToken.None);
+        var worker = new RecordWorker(flow);
+        await worker.WorkAsync(TestContext.Current.CancellationToken);
+        Assert.Empty(flow.Troubles.Open);
+
+        File.Move(PathOf("cell.db.archives/" + name), PathOf("elsewhere"));
+        await worker.WorkAsync(TestContext.Current.CancellationToken);
+        var trouble = Assert.Single(flow.Troubles.Open);
+        Assert.Equal(("archives", "store-archived"), (trouble.Where, trouble.Code));
+        Assert.Contains(name, trouble.Message, StringComparison.Ordinal);
+        Assert.Equal([trouble.Message], Store.MissingArchives());
+
+        File.Move(PathOf("elsewhere"), PathOf("cell.db.archives/" + name));
+        await worker.WorkAsync(TestContext.Current.CancellationToken);
+        Assert.Empty(flow.Troubles.Open);
+    }
+
     // Somebody who can write the store, and says that a content is somewhere else.
     [Theory]
     [InlineData("contents-0123456789abcdef.db")]

@@ -36,6 +36,46 @@ public sealed class SignInTests : PeopleTest
     public void A_name_of_a_megabyte_answers_so_as_well() =>
         Refused(PeopleError.SignInRefused, () => Users.SignIn(new string('a', 1 << 20), new string('b', 1 << 20)));
 
+    [Theory]
+    [InlineData("DELETE FROM sign_in_failure")]
+    [InlineData("UPDATE sign_in_failure SET failures = 0")]
+    [InlineData("UPDATE sign_in_failure SET failures = 4")]
+    [InlineData("UPDATE sign_in_failure SET failed_at = 0")]
+    public void Whoever_changes_the_rows_of_failures_unlocks_nobody(string tampering)
+    {
+        for (var i = 0; i < 6; i++)
+        {
+            Clock.Pass(TimeSpan.FromSeconds(31));
+            Refused(PeopleError.SignInRefused, () => Users.SignIn("Anna", "wrong"));
+        }
+
+        Store.Database.Change((connection, transaction) => Dapper.SqlMapper.Execute(connection, tampering, transaction: transaction));
+
+        Assert.Equal(Clock.Now.AddMinutes(1), Refused(PeopleError.LockedOut, () => Users.SignIn("anna", Right)).LockedUntil);
+        Assert.Equal((6, Clock.Now.AddMinutes(1)), (Users.List()[0].Failures, Users.List()[0].LockedUntil));
+
+        // The next failure counts on, and a success ends it.
+        Clock.Pass(TimeSpan.FromSeconds(61));
+        Assert.Equal(Clock.Now.AddMinutes(2), Refused(PeopleError.SignInRefused, () => Users.SignIn("Anna", "wrong")).LockedUntil);
+        Clock.Pass(TimeSpan.FromSeconds(121));
+        Users.SignIn("Anna", Right);
+        Assert.Equal(0, Users.List()[0].Failures);
+        Assert.Null(Refused(PeopleError.SignInRefused, () => Users.SignIn("Anna", "wrong")).LockedUntil);
+    }
+
+    [Fact]
+    public void Whom_an_administrator_unlocks_is_unlocked_and_strangers_count_for_nobody()
+    {
+        Users.Add(Anna(), "Ben", Role.Setter, Other);
+        for (var i = 0; i < 5; i++) Refused(PeopleError.SignInRefused, () => Users.SignIn("Ben", "wrong"));
+        Refused(PeopleError.LockedOut, () => Users.SignIn("Ben", Other));
+        Users.Enable(Anna(), "Ben");
+        Users.SignIn("Ben", Other);
+        for (var i = 0; i < 5; i++) Refused(PeopleError.SignInRefused, () => Users.SignIn("Ben", "wrong"));
+        Users.SetPassword(Anna(), "Ben", "another word of his");
+        Users.SignIn("Ben", "another word of his");
+    }
+
     [Fact]
     public void Failures_lock_for_30_s_then_twice_as_long_each()
     {

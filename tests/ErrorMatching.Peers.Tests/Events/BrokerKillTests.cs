@@ -89,7 +89,8 @@ public sealed class BrokerKillTests(ITestOutputHelper output)
         await plant.IsThere();
         await using var cell = new PublishedCell(broker.Settings, settle: TimeSpan.FromMilliseconds(200));
         cell.Arrive(30);
-        await PlantSubscriber.Until(() => plant.Raw.Count >= 30 && new EventCursor(cell.Store, "Cell 1").Read() == cell.Store.AuditHead().Seq);
+        var cursor = new EventCursor(cell.Store, "Cell 1");
+        await PlantSubscriber.Until(() => plant.Raw.Count >= 30 && cursor.Read() == cell.Store.AuditHead().Seq);
         await cell.StopAsync();
         cell.Begin();
         cell.Arrive();

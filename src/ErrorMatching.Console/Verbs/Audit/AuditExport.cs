@@ -24,7 +24,7 @@ internal sealed class AuditExport : CellVerb
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         using var progress = new CellProgressLine(ProgressTo);
-        var trail = new AuditTrail(store, settings.KeysFolder);
+        var trail = new AuditTrail(store, settings);
         if (arguments.GetValue(_out) is { } file)
         {
             var (written, hash) = (0L, "");

@@ -24,7 +24,7 @@ internal sealed class AuditTakeOver : CellVerb
     {
         DemandStore(settings);
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);
-        var trail = new AuditTrail(store, settings.KeysFolder);
+        var trail = new AuditTrail(store, settings);
         var isTaken = trail.TakeOver(SystemUser.Name(Environment.GetEnvironmentVariable), arguments.GetRequiredValue(_reason));
         return trail.EndFault() is { } fault ? FailureOfCell.Audit(fault) : new TakeOverAnswer(isTaken);
     }

@@ -15,7 +15,7 @@ internal sealed class AuditVerify()
         DemandStore(settings);
         using var store = CellStore.OpenToRead(settings.Store, TimeProvider.System, AuditKey.Find(settings.KeysFolder));
         using var progress = new CellProgressLine(ProgressTo);
-        var finding = new AuditTrail(store, settings.KeysFolder).Verify(progress, cancellation);
+        var finding = new AuditTrail(store, settings).Verify(progress, cancellation);
         return finding.Fault is { } fault ? FailureOfCell.Audit(fault) : new AuditVerifyAnswer(finding);
     }
 }

@@ -28,7 +28,7 @@ internal sealed class CellRestore : CellVerb
 
         using (var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false))
         {
-            new AuditTrail(store, settings.KeysFolder).TakeOver(by, Recorded.BackupBroughtBack.With(file));
+            new AuditTrail(store, settings).TakeOver(by, Recorded.BackupBroughtBack.With(file));
         }
 
         return new CellFileAnswer(

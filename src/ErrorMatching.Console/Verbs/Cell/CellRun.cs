@@ -96,7 +96,7 @@ internal sealed class CellRun : CellVerb
         if (await TakeAsync(right, settings, log, isStandby, clock, cancellation) is { } refused) return refused;
 
         // A store that was rolled back does not know what was sent since, and would send it again.
-        if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
+        if (new AuditTrail(store, settings).EndFault() is { } fault)
         {
             log.Fatal("{Cell} does not start: {Message}", settings.Name, fault.Message);
             return FailureOfCell.Audit(fault);
@@ -137,7 +137,7 @@ internal sealed class CellRun : CellVerb
 
         await stop.CancelAsync();
         store.Audit("cell", "stopped", Recorded.Stopped.With(), settings.Name);
-        new AuditTrail(store, settings.KeysFolder).Remember();
+        new AuditTrail(store, settings).Remember();
         return new CellRunAnswer(settings, since, clock.GetUtcNow());
     }
 

@@ -236,6 +236,11 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
             yield return (CellCodes.Of(StoreError.Tampered), tampered.Sentence);
         }
 
+        foreach (var missing in status.MissingArchives.Take(MostListed))
+        {
+            yield return (CellCodes.Of(StoreError.Archived), missing);
+        }
+
         foreach (var failed in status.Failed.Take(MostListed))
         {
             yield return (failed.Code ?? "failed", $"Correction {Number(failed.Id)} ({failed.FileName}) failed: {failed.Reason}");

@@ -14,9 +14,11 @@ internal sealed class CellStatusVerb() : CellVerb(
         {
             var status = CellStatus.Of(settings, store, TimeProvider.System);
 
-            // A cell that does not run counts nothing.
-            return new CellStatusAnswer(
-                settings,
-                status.IsRunning ? status : status with { Backlog = GaugeBacklog.Of(settings, store, TimeProvider.System) });
+            // A cell that does not run counts nothing, and misses nothing.
+            return new CellStatusAnswer(settings, status.IsRunning ? status : status with
+            {
+                Backlog = GaugeBacklog.Of(settings, store, TimeProvider.System),
+                MissingArchives = store.MissingArchives(),
+            });
         });
 }

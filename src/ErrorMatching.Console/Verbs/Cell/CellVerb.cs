@@ -51,7 +51,7 @@ internal abstract class CellVerb : Verb
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.OpenFor(settings), inspect: false);
 
         // Nothing is added to a store that was rolled back: its trail would get two ends.
-        if (new AuditTrail(store, settings.KeysFolder).EndFault() is { } fault)
+        if (new AuditTrail(store, settings).EndFault() is { } fault)
         {
             return FailureOfCell.Audit(fault);
         }
@@ -72,7 +72,7 @@ internal abstract class CellVerb : Verb
         var outcome = work(store);
         try
         {
-            new AuditTrail(store, settings.KeysFolder).Remember();
+            new AuditTrail(store, settings).Remember();
         }
         catch (Exception e) when (e is PeopleException or StoreException)
         {

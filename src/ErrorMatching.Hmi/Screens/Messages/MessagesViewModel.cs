@@ -31,7 +31,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         Verify = new(async cancellation =>
         {
             AuditFinding? finding = null;
-            if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings.KeysFolder).Verify(null, cancellation)))
+            if (await TryAsync(() => finding = new AuditTrail(Station.Store, Station.Settings).Verify(null, cancellation)))
             {
                 _finding = finding;
                 OnPropertyChanged(nameof(Finding));
