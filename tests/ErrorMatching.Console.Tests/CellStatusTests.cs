@@ -46,7 +46,7 @@ public sealed class CellStatusTests : IDisposable
                     backlog.GetProperty("oldestSince").GetDateTimeOffset(),
                     backlog.GetProperty("growing").GetBoolean()));
             Assert.Contains(
-                "cmm: 1069 files and 3 measurements wait, the oldest since 2026-11-21 20:00:00Z",
+                "cmm: waiting since 2026-11-21 20:00:00Z: files 1069, measurements not computed 3",
                 Shell.Run("cell", "status", _cell.Config).Output,
                 StringComparison.Ordinal);
         }

@@ -107,12 +107,12 @@ public static class Recorded
         "waits-too-long", "Correction {0:0} has waited for the machine since {1:yyyy-MM-dd HH:mm} UTC. {2}");
     internal static readonly SentenceForm BacklogGrows = new(
         "backlog-grows",
-        "What waits has grown for a minute: {0:0} files at the gauge {1}, and {2:0} measurements that are not computed. More arrives than "
-            + "the cell computes.");
+        "What waits has grown for a minute: more arrives than the cell computes. Files at the gauge {1}: {0:0}. Measurements that are not "
+            + "computed: {2:0}.");
     internal static readonly SentenceForm PieceWaits = new(
         "piece-waits",
-        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. {2:0} files wait at the gauge "
-            + "{3}, and {4:0} measurements are not computed.");
+        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. Files at the gauge {3}: {2:0}. "
+            + "Measurements that are not computed: {4:0}.");
     internal static readonly SentenceForm StartedMeanwhile = new(
         "started-meanwhile",
         "{0} started {1} while it was being replaced: it may run the old program or the new one. Find out at the "

@@ -88,7 +88,7 @@ public sealed class BacklogTests
 
         var trouble = Assert.Single(flow.Troubles.Open);
         Assert.Equal(("backlog cmm", "piece-waits"), (trouble.Where, trouble.Code));
-        Assert.Contains("1 files wait at the gauge cmm", trouble.Message, StringComparison.Ordinal);
+        Assert.Contains("Files at the gauge cmm: 1.", trouble.Message, StringComparison.Ordinal);
         await new HeartbeatWorker(flow, null).WorkAsync(CancellationToken.None);
         var status = CellStatus.Of(cell.Settings, cell.Store, _clock);
         Assert.False(status.IsHealthy);

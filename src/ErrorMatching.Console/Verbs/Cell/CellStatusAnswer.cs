@@ -99,8 +99,8 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         foreach (var backlog in status.Backlog.Where(b => b.Count > 0))
         {
-            page.Line(PrintedText.OneLine($"{backlog.Gauge}: {(backlog.AreMore ? "at least " : "")}{Number(backlog.Files)} files and "
-                + $"{Number(backlog.Pieces)} measurements wait, the oldest since {Time(backlog.Since!.Value)}"));
+            page.Line(PrintedText.OneLine($"{backlog.Gauge}: waiting since {Time(backlog.Since!.Value)}: files "
+                + $"{(backlog.AreMore ? "at least " : "")}{Number(backlog.Files)}, measurements not computed {Number(backlog.Pieces)}"));
         }
 
         var next = WhatNext().ToArray();
