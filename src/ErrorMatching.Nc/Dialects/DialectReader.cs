@@ -13,6 +13,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> FunctionRoles = KebabNames.Of(typeof(FunctionRole));
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
+    private static readonly Dictionary<string, int> Namings = KebabNames.Of(typeof(ProgramNaming));
     private static readonly Dictionary<string, int> Starts = KebabNames.Of(typeof(CompensationStart));
     private static readonly Dictionary<string, int> CornerNames = KebabNames.Of(typeof(CompensationCorner));
 
@@ -80,6 +81,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
             case "commentLength": tables.CommentLength = (int)value.Number; break;
             case "turnsLetter": tables.TurnsLetter = LetterOf(value); break;
+            case "programNames": tables.ProgramNaming = (ProgramNaming)Namings[value.Text]; break;
             case "workOffsets": SetWorkOffsets(value); break;
             case "offsetProgram": tables.Offsets.Program = LinesOf(value, OffsetRule.InProgram, []); break;
             case "radiusOffset": tables.Offsets.Radius = LinesOf(value, OffsetRule.InRadius, OffsetRule.BeforeRadius); break;

@@ -51,6 +51,8 @@ internal sealed class DialectTables
 
     public int CommentLength { get; set; }
 
+    public ProgramNaming ProgramNaming { get; set; }
+
     public OffsetRule Offsets { get; } = new();
 
     public CompensationRule Compensation { get; } = new();

@@ -94,6 +94,9 @@ public sealed class NcDialect
     /// <summary>Most characters of a comment, with what encloses it.</summary>
     public int CommentLength => _tables.CommentLength;
 
+    /// <summary>By what the control names its programs.</summary>
+    public ProgramNaming ProgramNaming => _tables.ProgramNaming;
+
     /// <summary>How the control leads the tool's center under cutter compensation.</summary>
     internal CompensationRule Compensation => _tables.Compensation;
 

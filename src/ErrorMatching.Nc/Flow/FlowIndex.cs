@@ -31,7 +31,7 @@ internal sealed class FlowIndex
                 continue;
             }
 
-            if (HeadingOf(text, head.At) is { } heading)
+            if (HeadingOf(text, head.At, syntax) is { } heading)
             {
                 // LinuxCNC continues past the number of a subprogram; only the second percent sign ends the file.
                 if (syntax == NcSyntax.LinuxCnc)
@@ -136,8 +136,9 @@ internal sealed class FlowIndex
         }
     }
 
-    // The name of the program that begins here; empty at the marked start or end of the tape; null for any other block.
-    private string? HeadingOf(ReadOnlySpan<byte> text, int at)
+    /// <summary>The name of the program that begins at a statement; empty at the marked start or end of the tape; null for any other
+    /// block.</summary>
+    internal static string? HeadingOf(ReadOnlySpan<byte> text, int at, NcSyntax syntax)
     {
         if (at >= text.Length)
         {
@@ -146,20 +147,20 @@ internal sealed class FlowIndex
 
         if (text[at] == '%')
         {
-            return _syntax == NcSyntax.Siemens ? NcText.Decode(text[(at + 1)..]).Trim().ToUpperInvariant() : "";
+            return syntax == NcSyntax.Siemens ? NcText.Decode(text[(at + 1)..]).Trim().ToUpperInvariant() : "";
         }
 
-        if (LanguageSpelling.Of(_syntax) is { } language)
+        if (LanguageSpelling.Of(syntax) is { } language)
         {
             return language.ProgramAt(text, at);
         }
 
-        if (_syntax == NcSyntax.Iso)
+        if (syntax == NcSyntax.Iso)
         {
             return BlockHead.ProgramAt(text, at).Name;
         }
 
-        if (_syntax == NcSyntax.Siemens || (text[at] | 0x20) != 'o' || BlockHead.NumberAt(text, at + 1) is not { Length: > 0 } number)
+        if (syntax == NcSyntax.Siemens || (text[at] | 0x20) != 'o' || BlockHead.NumberAt(text, at + 1) is not { Length: > 0 } number)
         {
             return null;
         }

@@ -42,6 +42,17 @@ public static class OffsetProgram
         return 0;
     }
 
+    /// <summary>The names at the head of the program: what the control will call it.</summary>
+    /// <param name="dialect">The control.</param>
+    /// <param name="programNumber">Number of the program, where programs have one.</param>
+    public static IReadOnlyList<string> HeadsOf(NcDialect dialect, int programNumber)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        var values = new Dictionary<string, string>(StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
+        var lines = dialect.Offsets.Program.Where(l => l != "{body}").SelectMany(l => Filled([l], values, false));
+        return ProgramHeads.Of(NcProgram.Read(Encoding.ASCII.GetBytes(string.Join('\n', lines)), dialect.Syntax), dialect);
+    }
+
     /// <summary>Writes the program.</summary>
     /// <param name="dialect">The control.</param>
     /// <param name="radius">The correction of a radius; null if none is made.</param>

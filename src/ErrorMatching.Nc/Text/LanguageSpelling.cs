@@ -45,6 +45,9 @@ internal abstract class LanguageSpelling
     /// there.</summary>
     public abstract string? ProgramAt(ReadOnlySpan<byte> text, int at);
 
+    /// <summary>The name at the head of a program, if a statement states it; null if not.</summary>
+    public virtual string? HeadAt(ReadOnlySpan<byte> text, int at) => ProgramAt(text, at);
+
     /// <summary>The label that a keyword or name defines, without quotation marks; empty if it defines none.</summary>
     public abstract ReadOnlySpan<byte> LabelOf(ReadOnlySpan<byte> keyword);
 

@@ -78,6 +78,22 @@ internal sealed class KlartextSpelling : LanguageSpelling
 
     public override string? ProgramAt(ReadOnlySpan<byte> text, int at) => null;
 
+    // The statement ends before the unit.
+    public override string? HeadAt(ReadOnlySpan<byte> text, int at)
+    {
+        foreach (ref readonly var token in new NcTokenizer(text, 0, text.Length, NcSyntax.Klartext))
+        {
+            if (token.Start == at)
+            {
+                var statement = text.Slice(token.Start, token.Length);
+                var words = NcText.Decode(statement).Split([' ', '\t'], 3, StringSplitOptions.RemoveEmptyEntries);
+                return IsHeading(statement) && words is [_, _, var name] ? name.Trim().Trim('"') : null;
+            }
+        }
+
+        return null;
+    }
+
     public override ReadOnlySpan<byte> LabelOf(ReadOnlySpan<byte> keyword) =>
         Ascii.EqualsIgnoreCase(NameOf(keyword), "LBL"u8) ? keyword[3..].Trim(" \t\""u8) : [];
 
