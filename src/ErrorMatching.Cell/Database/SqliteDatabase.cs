@@ -265,7 +265,9 @@ internal sealed class SqliteDatabase : CellDatabase
         var folder = Path.GetDirectoryName(Path.GetFullPath(_file))!;
         if (!Directory.Exists(folder))
             throw new StoreException(
-                StoreError.Missing, $"The store's folder {folder} is not there. Make it, or mount the disk that has it.");
+                StoreError.Missing,
+                $"The store's folder {folder} is not there. If there was a store, mount the disk that has it. If not, errormatch user add "
+                    + "makes the folder and the store, with its first user.");
         if (File.Exists(_file + "-wal"))
             throw new StoreException(
                 StoreError.Damaged, $"The store {_file} is gone but its log {_file}-wal is there. Restore the latest backup.");

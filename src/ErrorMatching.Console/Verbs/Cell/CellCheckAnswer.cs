@@ -120,7 +120,7 @@ internal sealed class CellCheckAnswer(CellSettings settings, CellCheck check) : 
     private string StoreState => check.Store switch
     {
         { Problem: not null } => State(check.Store.Problem),
-        { IsThere: false } => "not there yet: errormatch user add makes it",
+        { IsThere: false } => "not there yet: errormatch user add makes it, with its folder and its first user",
         { Form: var form, Latest: var latest } =>
             form < latest
                 ? string.Create(CultureInfo.InvariantCulture, $"form {form}, which is taken to form {latest} when the cell starts")

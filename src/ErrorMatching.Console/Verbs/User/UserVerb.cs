@@ -14,7 +14,11 @@ internal abstract class UserVerb : SigningVerb
 
     protected sealed override VerbResult Run(CellSettings settings, ParseResult arguments, CancellationToken cancellation)
     {
-        if (!MayBeFirst)
+        if (MayBeFirst)
+        {
+            StoreFolder.Make(settings);
+        }
+        else
         {
             DemandStore(settings);
         }
