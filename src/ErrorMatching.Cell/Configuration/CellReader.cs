@@ -29,6 +29,7 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             Events = root.Find("events") is { } events ? EventReader.Read(events, _paths, problems) : null,
         };
         new FolderContradictions(root, settings, problems).Find(_paths.Of(Path.GetFileName(file)), jobs);
+        new ForeignWriters(root, settings, problems).Find(_paths.Of(Path.GetFileName(file)), jobs);
         WarnOfUnused();
         return settings with { Warnings = problems.Warnings };
     }
