@@ -11,15 +11,6 @@ public sealed class CellAgainTests
     {
         using var cell = CellFolder.WithPeople();
         var (theoretical, part) = (cell["job/theoretical.csv"], Repository.PathTo("samples", "complex-mating", "part.csv"));
-        Directory.CreateDirectory(cell["job"]);
-        foreach (var file in Directory.EnumerateFiles(Repository.PathTo("samples", "complex-mating")))
-        {
-            File.Copy(file, Path.Combine(cell["job"], Path.GetFileName(file)));
-        }
-
-        await File.WriteAllTextAsync(cell.Config, (await File.ReadAllTextAsync(cell.Config, TestContext.Current.CancellationToken)).Replace(
-            Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job/job.json", StringComparison.Ordinal),
-            TestContext.Current.CancellationToken);
         using var running = await BackgroundCell.Start(cell.Config);
         File.Copy(part, cell["written"]);
         File.Move(cell["written"], cell["incoming/S1.csv"]);

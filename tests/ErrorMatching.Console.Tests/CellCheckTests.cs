@@ -37,10 +37,10 @@ public sealed class CellCheckTests : IDisposable
         var away = Shell.Json(3, "errormatch/cell-check/1", "cell", "check", _cell.Config);
         Assert.Equal("state-away", Assert.Single(away.GetProperty("errors").EnumerateArray()).Text("code"));
 
-        File.WriteAllText(_cell["plc.txt"], "STATE=HELD\nPROGRAM=O2001.NC\nEND\n");
+        File.WriteAllText(_cell["plc.txt"], "STATE=HELD\nPROGRAM=O0211.NC\nEND\n");
         var machine = Shell.Json(0, "errormatch/cell-check/1", "cell", "check", _cell.Config).GetProperty("machines")[0];
         Assert.Equal("held", machine.GetProperty("machineState").Text("activity"));
-        Assert.Contains("plc.txt: held, O2001.NC", Shell.Run("cell", "check", _cell.Config).Output, StringComparison.Ordinal);
+        Assert.Contains("plc.txt: held, O0211.NC", Shell.Run("cell", "check", _cell.Config).Output, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -63,13 +63,7 @@ public sealed class CellCheckTests : IDisposable
     [Fact]
     public void A_program_that_is_missing_is_exit_1()
     {
-        var job = _cell["job.json"];
-        File.WriteAllText(job, File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json")));
-        File.Copy(Repository.PathTo("samples", "complex-mating", "theoretical.csv"), _cell["theoretical.csv"]);
-        File.WriteAllText(
-            _cell.Config,
-            File.ReadAllText(_cell.Config).Replace(
-                Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), "job.json", StringComparison.Ordinal));
+        File.Delete(_cell["job/counterpart.nc"]);
         var document = Shell.Json(1, "errormatch/cell-check/1", "cell", "check", _cell.Config);
         Assert.Equal("file-unreadable", Assert.Single(document.GetProperty("errors").EnumerateArray()).Text("code"));
     }

@@ -12,7 +12,7 @@ internal sealed class CellFolder : IDisposable
         {
           "kind": "cell", "name": "Cell 1", "store": { "kind": "sqlite", "file": "cell.db" }, "keys": "keys", "logs": "logs",
           "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename" }],
-          "machines": [{ "name": "vmc1", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "machine" }, "slots": [{ "name": "A", "program": "O2001.NC" }] }],
+          "machines": [{ "name": "vmc1", "dialect": "delta-nc300", "transport": { "kind": "folder", "folder": "machine" }, "slots": [{ "name": "A", "program": "O0211.NC" }] }],
           "jobs": [{ "name": "housing", "job": "JOB", "gauges": ["cmm"], "recognize": { "fileName": "^(?<serial>[A-Z0-9]+)\\.csv$" }, "machine": "vmc1", "slot": "A" }],
           "policy": { "approve": "person" }
         }
@@ -22,10 +22,11 @@ internal sealed class CellFolder : IDisposable
 
     public CellFolder()
     {
-        Config = _folder.File(
-            "cell.json",
-            Configuration.Replace(
-                "JOB", Repository.PathTo("samples", "complex-mating", "job.json").Replace('\\', '/'), StringComparison.Ordinal));
+        // A copy: a cell refuses what everybody may write, as a clone under another umask may be.
+        Directory.CreateDirectory(_folder["job"]);
+        foreach (var file in Directory.EnumerateFiles(Repository.PathTo("samples", "complex-mating")))
+            File.Copy(file, Path.Combine(_folder["job"], Path.GetFileName(file)));
+        Config = _folder.File("cell.json", Configuration.Replace("JOB", "job/job.json", StringComparison.Ordinal));
         Directory.CreateDirectory(_folder["incoming"]);
         Directory.CreateDirectory(_folder["machine"]);
     }

@@ -14,7 +14,7 @@ public sealed class CellVerbTests
     {
         using var cell = CellFolder.WithPeople();
         var original = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "counterpart.nc"));
-        File.WriteAllBytes(cell["machine/O2001.NC"], original);
+        File.WriteAllBytes(cell["machine/O0211.NC"], original);
         using var running = await BackgroundCell.Start(cell.Config);
         Drop(cell, "S1.csv", Part);
         await Until(cell, 1, "proposed");
@@ -27,7 +27,7 @@ public sealed class CellVerbTests
         Assert.Equal(
             0, cell.Piped([CellFolder.Annas], "cell", "approve", cell.Config, "1", "--user", Anna, "--reason", "looks right").Exit);
         await Until(cell, 1, "verified");
-        var sent = File.ReadAllBytes(cell["machine/O2001.NC"]);
+        var sent = File.ReadAllBytes(cell["machine/O0211.NC"]);
         Assert.NotEqual(original, sent);
 
         var shown = Shell.Json(0, "errormatch/cell-correction/1", "cell", "show", cell.Config, "1", "--out", cell["out"]);
@@ -41,15 +41,15 @@ public sealed class CellVerbTests
         Assert.All(
             shown.GetProperty("steps").EnumerateArray().Where(s => s.Text("by") == "Anna"),
             s => Assert.Equal(JsonValueKind.Null, s.GetProperty("basisStatement").ValueKind));
-        Assert.Equal(sent, File.ReadAllBytes(cell["out/1-O2001.NC"]));
-        Assert.Equal(original, File.ReadAllBytes(cell["out/1-previous-O2001.NC"]));
+        Assert.Equal(sent, File.ReadAllBytes(cell["out/1-O0211.NC"]));
+        Assert.Equal(original, File.ReadAllBytes(cell["out/1-previous-O0211.NC"]));
         Assert.Equal(Part, File.ReadAllText(cell["out/1-measurement-S1.csv"]));
         Assert.All(
-            new[] { "1-report.html", "1-report.json", "1-job.json", "1-base-O2001.NC" },
+            new[] { "1-report.html", "1-report.json", "1-job.json", "1-base-O0211.NC" },
             f => Assert.True(new FileInfo(cell["out/" + f]).Length > 0));
 
         Assert.Equal(0, cell.Piped([CellFolder.Annas], "cell", "revert", cell.Config, "1", "--user", Anna, "--reason", "chatter").Exit);
-        Assert.Equal(original, File.ReadAllBytes(cell["machine/O2001.NC"]));
+        Assert.Equal(original, File.ReadAllBytes(cell["machine/O0211.NC"]));
         Assert.Equal(
             "reverted",
             Shell.Json(0, "errormatch/cell-status/1", "cell", "status", cell.Config)

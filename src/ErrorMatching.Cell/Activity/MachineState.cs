@@ -31,13 +31,17 @@ public sealed record MachineState(MachineActivity Activity, IReadOnlyList<string
 
     /// <summary>True if the machine runs a program, or may: a held or alarmed program counts as running, and so does an unknown
     /// one.</summary>
-    /// <param name="program">The program's name at the machine.</param>
-    public bool Uses(string program) => Activity switch
+    /// <param name="program">The program, by all its names.</param>
+    public bool Uses(ProgramIdentity program)
     {
-        MachineActivity.Idle => false,
-        MachineActivity.Unknown => true,
-        _ => Programs is null || Programs.Any(p => ActiveProgram.IsSame(p, program)),
-    };
+        ArgumentNullException.ThrowIfNull(program);
+        return Activity switch
+        {
+            MachineActivity.Idle => false,
+            MachineActivity.Unknown => true,
+            _ => Programs is null || Programs.Any(program.MayBe),
+        };
+    }
 
     /// <summary>True if both are the same state of affairs, whenever they were reported.</summary>
     internal bool IsLike(MachineState other) =>

@@ -52,6 +52,9 @@ internal abstract class MachineStateSource(string place, TimeSpan limit)
     protected static string Short(string text) =>
         PrintedText.OneLine(text.Length > MostQuoted ? text[..MostQuoted] + "..." : text.TrimEnd('.'));
 
+    /// <summary>The name of a program from outside, on one line. Of a long path, the end is kept: that is what names the program.</summary>
+    protected static string Name(string text) => PrintedText.OneLine(text.Length > MostQuoted ? "..." + text[^MostQuoted..] : text);
+
     /// <summary>The exception for an answer that is not what it must be.</summary>
     /// <param name="what">What is wrong, with at most a short quotation.</param>
     protected StateException Wrong(string what) => new(StateCodes.Wrong, Recorded.StateWrong.With(place, Short(what)));

@@ -46,11 +46,12 @@ public sealed record CellCheck(
         var machines = await new MachineCheck(settings, store).OfAllAsync(m => Looked(m), cancellation).ConfigureAwait(false);
         var broker = settings.Events is { } events ? Looked(await BrokerCheck.OfAsync(events, cancellation).ConfigureAwait(false)) : null;
         var gauges = new GaugeCheck(settings, machines);
+        var names = new NameCheck(settings, machines);
         return new(
             [.. settings.Gauges.Select(g => Looked(gauges.Of(g, cancellation)))],
             machines,
             store,
-            [.. settings.Jobs.Select(j => Looked(JobCheck.Of(j, cancellation)))])
+            [.. settings.Jobs.Select(j => Looked(names.Of(JobCheck.Of(j, cancellation))))])
         {
             Broker = broker,
         };

@@ -1,3 +1,4 @@
+using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -18,7 +19,7 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         Name = item["name"].Text,
         Dialect = ReadDialect(item["dialect"]),
         Transport = TransportKinds.Read(item["transport"], paths, problems),
-        Slots = ReadSlots(item["slots"]),
+        Slots = ReadSlots(item["slots"], NamingOf(item["dialect"].Text)),
         Timeout = TimeSpan.FromSeconds(item.Find("timeoutS")?.Number ?? 30),
         State = item.Find("state") is { } state ? StateKinds.Read(state, paths, problems) : null,
         Attempts = (int)(item.Find("attempts")?.Number ?? 3),
@@ -57,11 +58,25 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         return file;
     }
 
-    private List<SlotSettings> ReadSlots(JsonItem slots)
+    // A dialect that cannot be read is reported by itself.
+    private ProgramNaming NamingOf(string dialect)
+    {
+        try
+        {
+            return InputFile.Dialect(NcDialects.IsFile(dialect) ? paths.Of(dialect) : dialect).ProgramNaming;
+        }
+        catch (InputException)
+        {
+            return ProgramNaming.ByFile;
+        }
+    }
+
+    private List<SlotSettings> ReadSlots(JsonItem slots, ProgramNaming naming)
     {
         Names.RefuseTwins(slots.Items, "name", "duplicate-name", "slot", problems);
         Names.RefuseTwins(slots.Items, "program", "program-of-two-slots", "program", problems);
         Names.RefuseTwins(slots.Items, "readyFile", "ready-file-of-two-slots", "ready file", problems);
+        RefuseSameNumbers([.. slots.Items.Select(s => s["program"])], naming);
         var programs = slots.Items.Select(s => s["program"].Text).ToHashSet(StringComparer.OrdinalIgnoreCase);
         foreach (var slot in slots.Items)
         {
@@ -83,6 +98,24 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
         }
 
         return [.. slots.Items.Select(s => new SlotSettings(s["name"].Text, s["program"].Text, s.Find("readyFile")?.Text))];
+    }
+
+    // To the control, O100.NC and 0100.NC are one program.
+    private void RefuseSameNumbers(JsonItem[] programs, ProgramNaming naming)
+    {
+        for (var i = 1; i < programs.Length; i++)
+        {
+            if (programs.Take(i).FirstOrDefault(
+                p => !p.Text.Equals(programs[i].Text, StringComparison.OrdinalIgnoreCase)
+                    && new ProgramIdentity(p.Text, naming).SharedWith(new(programs[i].Text, naming)) is not null) is { } before)
+            {
+                problems.Refuse(
+                    programs[i],
+                    "program-of-two-slots",
+                    $"the program \"{programs[i].Text}\", which the control cannot tell from \"{before.Text}\" of another slot",
+                    "a name or number that no other has");
+            }
+        }
     }
 
     private void RefuseBadName(JsonItem item)

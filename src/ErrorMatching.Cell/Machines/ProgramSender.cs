@@ -7,13 +7,14 @@ namespace ErrorMatching.Cell;
 /// <summary>Sends programs to a machine. Whatever fails and whenever, the machine has either the old program or the new one, complete, and
 /// no change that a person made there is lost.</summary>
 /// <remarks>
-/// <para>A program is written under a temporary name, read back, and compared. Then the machine's current program is checked again. Only if
-/// it is still the one to be replaced, the new one is renamed over it and read back. If the transport supports it, the previous program
-/// keeps a name until it is compared as well (<see cref="IMachineFolder.ReplaceAsync"/>), and a last-moment change gets its place back. On
-/// a server that does not rename over a file, the old program is first renamed aside. If the connection breaks at that moment, both are
-/// complete under other names, and <see cref="RecoverAsync"/> restores the old one.</para>
+/// <para>A program is written under a name of this attempt alone, read back, and compared. Then the machine's current program is checked
+/// again. Only if it is still the one to be replaced, the new one is renamed over it and read back. If the transport supports it, the
+/// previous program keeps a name until it is compared as well (<see cref="IMachineFolder.ReplaceAsync"/>), and a last-moment change gets
+/// its place back. On a server that does not rename over a file, the old program is first renamed aside. If the connection breaks at that
+/// moment, both are complete under other names, and <see cref="RecoverAsync"/> restores the old one.</para>
 /// <para>A temporary file is never mistaken for a program: a file is renamed only after it was read back and found equal. Only one sender
-/// at a time may work on a program.</para>
+/// at a time may work on a program. An earlier one that was frozen in the middle of an operation may go on later;
+/// <see cref="RecoverAsync"/> takes all its names from it, so that the rest of the operation finds nothing.</para>
 /// <para>With a guard, a program that the machine runs, or may run, is not replaced: the machine is asked immediately before each operation
 /// that takes a program's name from it, and once more afterward. A name that is free may get its program back at any
 /// time.</para></remarks>
@@ -61,16 +62,19 @@ public sealed class ProgramSender(
             throw new ArgumentException($"The tag '{tag}' of a transfer must be 1 to 32 letters and digits.", nameof(tag));
 
         var isFirst = true;
+        byte[]? there = null;
         await _tries.ExecuteAsync(
             async c =>
             {
                 if (!isFirst && await IsThereAfterAllAsync(program, bytes, c).ConfigureAwait(false))
                     return;
                 isFirst = false;
-                await SendOnceAsync(program, replaces, bytes, tag, c).ConfigureAwait(false);
+                there = await SendOnceAsync(program, replaces, bytes, tag, c).ConfigureAwait(false);
             },
             cancellation).ConfigureAwait(false);
-        return guard is null ? null : await guard.AfterAsync(program, cancellation).ConfigureAwait(false);
+        return guard is null
+            ? null
+            : await guard.AfterAsync(program, [MachinePrograms.Content(there), bytes], cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Cleans up after an interrupted transfer: afterward the machine has the old program or the new one, complete, under its
@@ -94,11 +98,12 @@ public sealed class ProgramSender(
         return AreSame(await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false), bytes);
     }
 
-    private async Task SendOnceAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag,
+    // Returns the program that was replaced.
+    private async Task<byte[]?> SendOnceAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, string tag,
         CancellationToken cancellation)
     {
         // Also before writing, so that a busy machine is not troubled with a file that it does not get.
-        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
+        await DemandNotUsedAsync(program, [bytes], cancellation).ConfigureAwait(false);
         var written = ProgramNames.New(program, tag);
         try
         {
@@ -106,9 +111,10 @@ public sealed class ProgramSender(
                 throw Differs(program, "was written under a temporary name", "The machine still has the old program.");
 
             // Writing is slow, and meanwhile a person may save at the control.
-            await LookAsync(program, replaces, bytes, cancellation).ConfigureAwait(false);
-            if (!AreSame(await ReplaceAsync(written, program, replaces, bytes, cancellation).ConfigureAwait(false), bytes))
+            var there = await LookAsync(program, replaces, bytes, cancellation).ConfigureAwait(false);
+            if (!AreSame(await ReplaceAsync(written, program, replaces, bytes, there, cancellation).ConfigureAwait(false), bytes))
                 throw Differs(program, "took its name", "Nobody may run it before it was sent again.");
+            return there;
         }
         catch (Exception failure) when (failure is ChangedAtMachineException or MachineBusyException
             || (failure is TransportException { Error: var error } && IsReachable(error)))
@@ -119,13 +125,15 @@ public sealed class ProgramSender(
     }
 
     // A misread byte is not a change: a difference must be read identically twice.
-    private async Task LookAsync(string program, string? replaces, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    private async Task<byte[]?> LookAsync(
+        string program, string? replaces, ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         var found = await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false);
         if (HashOf(found) == replaces)
-            return;
+            return found;
         await DemandSameAsync(program, found, cancellation).ConfigureAwait(false);
         DemandUnchanged(program, replaces, bytes, found);
+        return found;
     }
 
     private async Task DemandSameAsync(string name, byte[]? found, CancellationToken cancellation)
@@ -137,17 +145,17 @@ public sealed class ProgramSender(
                 + "Somebody may be saving it; else look for a bad cable.");
     }
 
-    private async Task<byte[]> ReplaceAsync(string written, string program, string? replaces, ReadOnlyMemory<byte> bytes,
+    private async Task<byte[]> ReplaceAsync(string written, string program, string? replaces, ReadOnlyMemory<byte> bytes, byte[]? there,
         CancellationToken cancellation)
     {
-        var aside = ProgramNames.Old(program);
-        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
+        var aside = ProgramNames.Old(written);
+        await DemandNotUsedAsync(program, [MachinePrograms.Content(there), bytes], cancellation).ConfigureAwait(false);
         if (await folder.ReplaceAsync(written, program, aside, MostBytes, cancellation).ConfigureAwait(false) is { } replaced)
         {
             if (replaced.Was is { } was)
             {
                 if (HashOf(was) != replaces && !AreSame(was, bytes))
-                    await PutBackAsync(program, cancellation).ConfigureAwait(false);
+                    await PutBackAsync(program, new(aside, was), bytes, cancellation).ConfigureAwait(false);
                 DemandUnchanged(program, replaces, bytes, was);
                 await folder.DeleteAsync(aside, cancellation).ConfigureAwait(false);
             }
@@ -162,73 +170,96 @@ public sealed class ProgramSender(
         catch (TransportException failure) when (failure.Error == TransportError.CannotReplace)
         {
             // The second step takes nothing away: once the old program is aside, its name is free.
-            await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
+            await DemandNotUsedAsync(program, [MachinePrograms.Content(there), bytes], cancellation).ConfigureAwait(false);
             var was = await folder.RenameAsync(program, aside, MostBytes, cancellation).ConfigureAwait(false);
             if (HashOf(was) != replaces && !AreSame(was, bytes))
                 await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
             DemandUnchanged(program, replaces, bytes, was);
-            var there = await folder.RenameAsync(written, program, MostBytes, cancellation).ConfigureAwait(false);
+            var now = await folder.RenameAsync(written, program, MostBytes, cancellation).ConfigureAwait(false);
             await folder.DeleteAsync(aside, cancellation).ConfigureAwait(false);
-            return there;
+            return now;
         }
     }
 
+    // A transfer that was interrupted may belong to a process that is frozen, or to a server that is late: it may go on at any instant, by
+    // one operation. So all its names are taken from it before anything else. Its new program is deleted. What it set aside gets a name
+    // that only this attempt knows, and only then is it looked at. In this order: a new program becomes one set aside, never the reverse.
     private async Task RecoverOnceAsync(string program, CancellationToken cancellation)
     {
         var names = await folder.ListAsync(cancellation).ConfigureAwait(false);
-        var aside = ProgramNames.Old(program);
-        if (names.Contains(aside, StringComparer.Ordinal))
+        var written = names.Where(n => ProgramNames.IsNewOf(program, n)).ToArray();
+        foreach (var name in written)
+            await folder.DeleteAsync(name, cancellation).ConfigureAwait(false);
+        if (written.Length > 0)
+            names = await folder.ListAsync(cancellation).ConfigureAwait(false);
+
+        var found = new List<AsideProgram>();
+        foreach (var name in names.Where(n => ProgramNames.IsOldOf(program, n)))
         {
-            if (names.Contains(program, StringComparer.Ordinal))
-                await SettleAsync(program, aside, cancellation).ConfigureAwait(false);
-            else
-                await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
+            var own = ProgramNames.Old(ProgramNames.New(program, "found"));
+            found.Add(new(own, await folder.RenameAsync(name, own, MostBytes, cancellation).ConfigureAwait(false)));
         }
 
-        foreach (var name in names.Where(n => ProgramNames.IsNewOf(program, n)))
+        if (found.Count > 0)
+            await SettleAsync(program, found, cancellation).ConfigureAwait(false);
+    }
+
+    // What is stored nowhere else is a last-moment change: it gets the program's name. A free name gets the old program.
+    private async Task SettleAsync(string program, List<AsideProgram> found, CancellationToken cancellation)
+    {
+        var changes = found.Where(f => !isKept(HashOf(f.Was)!)).ToArray();
+        foreach (var change in changes)
+            await DemandSameAsync(change.Name, change.Was, cancellation).ConfigureAwait(false);
+
+        var there = await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false);
+        var first = changes.Length > 0 ? changes[0] : found[0];
+        var isOne = (changes.Length > 0 ? changes : [.. found]).All(f => AreSame(f.Was, first.Was));
+        if (there is null || (changes.Length > 0 && !AreSame(there, first.Was)))
+        {
+            if (!isOne || (there is not null && !isKept(HashOf(there)!)))
+                throw new ChangedAtMachineException(first.Was, Recorded.ChangedTwice.With(program, folder.Machine, first.Name));
+            await PutBackAsync(program, first, MachinePrograms.Content(there), cancellation).ConfigureAwait(false);
+        }
+        else if (!isOne && changes.Length > 0)
+        {
+            throw new ChangedAtMachineException(first.Was, Recorded.ChangedTwice.With(program, folder.Machine, first.Name));
+        }
+
+        foreach (var (name, _) in found)
             await folder.DeleteAsync(name, cancellation).ConfigureAwait(false);
     }
 
-    // An interruption left two programs. The one that is stored nowhere else is a last-moment change: it gets the slot.
-    private async Task SettleAsync(string program, string aside, CancellationToken cancellation)
+    // Gives the program that was set aside its name again. What has the name now is stored elsewhere; null if the name is free. What
+    // turns out to have had it in the very moment, and is stored nowhere, is kept under the other name.
+    private async Task PutBackAsync(string program, AsideProgram aside, ReadOnlyMemory<byte>? there, CancellationToken cancellation)
     {
-        var was = await folder.ReadAsync(aside, MostBytes, cancellation).ConfigureAwait(false);
-        if (was is null)
-            return;
-        if (!isKept(HashOf(was)!))
+        if (there is not null)
+            await DemandNotUsedAsync(program, [MachinePrograms.Content(aside.Was), there], cancellation).ConfigureAwait(false);
+        if (await folder.ReplaceAsync(aside.Name, program, aside.Name, MostBytes, cancellation).ConfigureAwait(false) is { } back)
         {
-            await DemandSameAsync(aside, was, cancellation).ConfigureAwait(false);
-            var there = await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false);
-            if (!AreSame(there, was))
-            {
-                if (there is not null && !isKept(HashOf(there)!))
-                    throw new ChangedAtMachineException(was, Recorded.ChangedTwice.With(program, folder.Machine, aside));
-                await PutBackAsync(program, cancellation).ConfigureAwait(false);
-            }
+            DemandKept(program, aside.Name, back.Was, there);
+            return;
         }
 
-        await folder.DeleteAsync(aside, cancellation).ConfigureAwait(false);
-    }
-
-    // Restores the program that was set aside; the one now under its name is stored elsewhere.
-    private async Task PutBackAsync(string program, CancellationToken cancellation)
-    {
-        var aside = ProgramNames.Old(program);
-        await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
-        if (await folder.ReplaceAsync(aside, program, aside, MostBytes, cancellation).ConfigureAwait(false) is not null)
-            return;
         try
         {
-            await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
+            await folder.RenameAsync(aside.Name, program, MostBytes, cancellation).ConfigureAwait(false);
         }
         catch (TransportException failure) when (failure.Error == TransportError.CannotReplace)
         {
-            await DemandNotUsedAsync(program, cancellation).ConfigureAwait(false);
-            var away = ProgramNames.New(program, "back");
-            await folder.RenameAsync(program, away, MostBytes, cancellation).ConfigureAwait(false);
-            await folder.RenameAsync(aside, program, MostBytes, cancellation).ConfigureAwait(false);
+            await DemandNotUsedAsync(program, [MachinePrograms.Content(aside.Was), there], cancellation).ConfigureAwait(false);
+            var away = ProgramNames.Old(ProgramNames.New(program, "back"));
+            var was = await folder.RenameAsync(program, away, MostBytes, cancellation).ConfigureAwait(false);
+            await folder.RenameAsync(aside.Name, program, MostBytes, cancellation).ConfigureAwait(false);
+            DemandKept(program, away, was, there);
             await folder.DeleteAsync(away, cancellation).ConfigureAwait(false);
         }
+    }
+
+    private void DemandKept(string program, string name, byte[]? was, ReadOnlyMemory<byte>? there)
+    {
+        if (was is not null && !(there is { } known && AreSame(was, known)) && !isKept(HashOf(was)!))
+            throw new ChangedAtMachineException(was, Recorded.ChangedTwice.With(program, folder.Machine, name));
     }
 
     private void DemandUnchanged(string program, string? replaces, ReadOnlyMemory<byte> bytes, byte[]? found)
@@ -238,20 +269,20 @@ public sealed class ProgramSender(
     }
 
     // Frees the space on a full disk and restores the old program after a two-step rename. If that fails too, the first failure is the one
-    // to report, and the next start recovers.
+    // to report, and the next start recovers; but two programs that nobody keeps are more than any failure.
     private async Task CleanAsync(string program, CancellationToken cancellation)
     {
         try
         {
             await RecoverOnceAsync(program, cancellation).ConfigureAwait(false);
         }
-        catch (Exception failure) when (failure is TransportException or ChangedAtMachineException or MachineBusyException)
+        catch (Exception failure) when (failure is TransportException or MachineBusyException)
         {
         }
     }
 
-    private Task DemandNotUsedAsync(string program, CancellationToken cancellation) =>
-        guard?.DemandAsync(program, cancellation) ?? Task.CompletedTask;
+    private Task DemandNotUsedAsync(string program, ReadOnlyMemory<byte>?[] contents, CancellationToken cancellation) =>
+        guard?.DemandAsync(program, contents, cancellation) ?? Task.CompletedTask;
 
     private static bool IsReachable(TransportError error) => error is
         TransportError.Denied or TransportError.Full or TransportError.CannotReplace or TransportError.Differs or TransportError.TooLarge
@@ -269,6 +300,9 @@ public sealed class ProgramSender(
                 $"{folder.Machine}: '{program}' is no name for a program at a machine. Allowed: {ProgramNames.Rule}. Change the slot's "
                     + $"program in the cell's configuration.");
     }
+
+    // A program under a name of this attempt.
+    private sealed record AsideProgram(string Name, byte[] Was);
 
     private TransportException Differs(string program, string when, string then) => new(
         TransportError.Differs,

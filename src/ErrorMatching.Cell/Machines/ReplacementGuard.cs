@@ -31,35 +31,56 @@ public sealed class ReplacementGuard
 
     /// <summary>Asks whether a program may be replaced now.</summary>
     /// <param name="program">Its name at the machine.</param>
+    /// <param name="contents">What it contains there, and what it is to contain: the machine may call it by either. Null for
+    /// nothing.</param>
     /// <param name="cancellation">Cancels immediately.</param>
     /// <returns>Why not; null if it may.</returns>
-    public async Task<Statement?> WhyNotAsync(string program, CancellationToken cancellation)
+    public async Task<Statement?> WhyNotAsync(
+        string program, IReadOnlyCollection<ReadOnlyMemory<byte>?> contents, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(contents);
+        var state = await AskAsync(cancellation).ConfigureAwait(false);
+        return MayReplace(state, MachinePrograms.Identify(_machine, program, contents)) ? null : Why(state, program);
+    }
+
+    /// <summary>The same, with contents that are read only if it depends on them.</summary>
+    internal async Task<Statement?> WhyNotAsync(
+        string program,
+        Func<CancellationToken, Task<IReadOnlyCollection<ReadOnlyMemory<byte>?>>> contents,
+        CancellationToken cancellation)
     {
         var state = await AskAsync(cancellation).ConfigureAwait(false);
-        return MayReplace(state, program) ? null : Why(state, program);
+        if (state.Activity == MachineActivity.Idle)
+            return null;
+        return state.Activity != MachineActivity.Unknown && !_settings.OnlyIdle
+            && !state.Uses(MachinePrograms.Identify(_machine, program, await contents(cancellation).ConfigureAwait(false)))
+            ? null
+            : Why(state, program);
     }
 
     /// <summary>Demands that a program may be replaced now.</summary>
     /// <exception cref="MachineBusyException">It may not.</exception>
-    internal async Task DemandAsync(string program, CancellationToken cancellation)
+    internal async Task DemandAsync(
+        string program, IReadOnlyCollection<ReadOnlyMemory<byte>?> contents, CancellationToken cancellation)
     {
-        if (await WhyNotAsync(program, cancellation).ConfigureAwait(false) is { } why)
+        if (await WhyNotAsync(program, contents, cancellation).ConfigureAwait(false) is { } why)
             throw new MachineBusyException(why, isReplaced: false);
     }
 
     /// <summary>Asks after a replacement whether the machine started the program meanwhile.</summary>
     /// <returns>Null if it did not; why that is unknown if the machine does not say.</returns>
     /// <exception cref="MachineBusyException">It did: nobody knows whether it runs the old program or the new one.</exception>
-    internal async Task<Statement?> AfterAsync(string program, CancellationToken cancellation)
+    internal async Task<Statement?> AfterAsync(
+        string program, IReadOnlyCollection<ReadOnlyMemory<byte>?> contents, CancellationToken cancellation)
     {
         var state = await AskAsync(cancellation).ConfigureAwait(false);
         return state.Activity == MachineActivity.Unknown ? state.Why
-            : state.Uses(program)
+            : state.Uses(MachinePrograms.Identify(_machine, program, contents))
                 ? throw new MachineBusyException(Recorded.StartedMeanwhile.With(_machine.Name, program), isReplaced: true)
             : null;
     }
 
-    private bool MayReplace(MachineState state, string program) =>
+    private bool MayReplace(MachineState state, ProgramIdentity program) =>
         _settings.OnlyIdle ? state.Activity == MachineActivity.Idle : !state.Uses(program);
 
     private Statement Why(MachineState state, string program) => state switch

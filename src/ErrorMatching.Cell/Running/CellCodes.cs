@@ -42,6 +42,12 @@ public static class CellCodes
     /// <summary>The cell does not know the program in the slot.</summary>
     public const string ChangedAtMachine = "changed-at-machine";
 
+    /// <summary>The control would call a program otherwise than its slot's file, or than the program that is there.</summary>
+    public const string NamedOtherwise = "program-named-otherwise";
+
+    /// <summary>Another program of the machine has the name or number by which the control would call a program.</summary>
+    public const string NameTaken = "program-name-taken";
+
     /// <summary>A program waits for its machine longer than the limit.</summary>
     public const string WaitsTooLong = "waits-too-long";
 

@@ -80,6 +80,7 @@ public sealed class CellRunner
         CellFlow flow, Sources sources, OpenFolders folders, EventWorker? events)
     {
         var originals = new OriginalPrograms(_settings);
+        var programs = new JobPrograms(_settings);
         foreach (var (gauge, source) in sources.All)
         {
             yield return new Worker(flow, CellTrouble.OfGauge(gauge), new(), source.WorkAsync).RunAsync;
@@ -126,7 +127,7 @@ public sealed class CellRunner
                 var sender = new ProgramSender(fenced, _store.Keeps, tries, guard);
                 yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
                     new SlotWorker(flow, machine, slot, right, fenced, sender, listing, originals,
-                        new(flow, machine, slot, guard)).WorkAsync).RunAsync;
+                        new(flow, machine, slot, folder, programs), new(flow, machine, slot, guard, sender)).WorkAsync).RunAsync;
             }
         }
 

@@ -4,16 +4,21 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Lets the programs of a slot wait while their machine must not be disturbed. A wait that is longer than its limit is a trouble;
 /// the program still waits, and nothing is lost.</summary>
-internal sealed class DeliveryWait(CellFlow flow, MachineSettings machine, SlotSettings slot, ReplacementGuard? guard)
+internal sealed class DeliveryWait(
+    CellFlow flow, MachineSettings machine, SlotSettings slot, ReplacementGuard? guard, ProgramSender sender)
 {
+    // How long a program that was read at the machine is not read again: a control that cuts should not be asked every second.
+    private static readonly TimeSpan Memory = TimeSpan.FromMinutes(1);
+
     private readonly string _where = CellTrouble.OfDelivery(machine.Name, slot.Name);
+    private (byte[]? Content, long At)? _there;
 
     /// <summary>Asks the machine whether the next program must wait.</summary>
     public async Task<bool> MustWaitAsync(Correction next, CancellationToken stop)
     {
         if (guard is null)
             return false;
-        if (await guard.WhyNotAsync(slot.Program, stop) is not { } why)
+        if (await guard.WhyNotAsync(slot.Program, c => ContentsAsync(next, c), stop) is not { } why)
         {
             End();
             return false;
@@ -21,6 +26,27 @@ internal sealed class DeliveryWait(CellFlow flow, MachineSettings machine, SlotS
 
         Note(next, why);
         return true;
+    }
+
+    // The machine may call the slot's program by what is in it, and by what is to be in it.
+    private async Task<IReadOnlyCollection<ReadOnlyMemory<byte>?>> ContentsAsync(Correction next, CancellationToken stop)
+    {
+        if (_there is not { } there || flow.Clock.GetElapsedTime(there.At) > Memory)
+        {
+            try
+            {
+                there = (await sender.CurrentAsync(slot.Program, stop), flow.Clock.GetTimestamp());
+            }
+            catch (TransportException e) when (!e.IsWorthAnotherTry)
+            {
+                // The transfer fails with it.
+                there = (null, flow.Clock.GetTimestamp());
+            }
+
+            _there = there;
+        }
+
+        return [MachinePrograms.Content(there.Content), flow.Store.Content(next.ProgramSha256!)];
     }
 
     /// <summary>A program waits.</summary>
@@ -41,9 +67,13 @@ internal sealed class DeliveryWait(CellFlow flow, MachineSettings machine, SlotS
         }
     }
 
+    /// <summary>The program at the machine may not be the one that was read.</summary>
+    public void Forget() => _there = null;
+
     /// <summary>Nothing waits any more.</summary>
     public void End()
     {
+        _there = null;
         if (flow.Machines.End(machine.Name, slot.Name))
             flow.Log.Information("{Machine}/{Slot}: the machine may get its program now", machine.Name, slot.Name);
         flow.Troubles.End(_where);

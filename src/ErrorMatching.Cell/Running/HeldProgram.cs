@@ -45,6 +45,13 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
     public async Task<bool> ReadAsync(Correction held, string? program, CancellationToken cancellation)
     {
         var found = await sender.CurrentAsync(slot.Program, cancellation);
+        if (found is null)
+        {
+            // A process that had the right before, was frozen and went on may have set it aside, where a server has no other way.
+            await sender.RecoverAsync(slot.Program, cancellation);
+            found = await sender.CurrentAsync(slot.Program, cancellation);
+        }
+
         var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
         if (hash == program)
         {

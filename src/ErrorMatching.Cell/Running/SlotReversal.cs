@@ -101,9 +101,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         var guard = ReplacementGuard.Of(machine, clock);
         var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock), guard);
         await sender.RecoverAsync(slot.Program, cancellation);
-        var found = await sender.CurrentAsync(slot.Program, cancellation) is { } bytes
-            ? Convert.ToHexStringLower(SHA256.HashData(bytes))
-            : null;
+        var there = await sender.CurrentAsync(slot.Program, cancellation);
+        var found = there is null ? null : Convert.ToHexStringLower(SHA256.HashData(there));
         if (found != correction.ProgramSha256 && found != previous)
         {
             throw new DecisionException(
@@ -118,7 +117,8 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
 
         if (guard is not null && found != previous)
         {
-            await guard.DemandAsync(slot.Program, cancellation);
+            await guard.DemandAsync(
+                slot.Program, [MachinePrograms.Content(there), store.Content(previous)], cancellation);
         }
 
         if (slot.ReadyFile is { } ready)

@@ -14,10 +14,11 @@ namespace ErrorMatching.Cell;
 /// <param name="sender">Sends programs to the folder, and reads them.</param>
 /// <param name="listing">The folder's listing, for ready files.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
+/// <param name="names">What the control would call the slot's programs.</param>
 /// <param name="delivery">Lets programs wait for the machine.</param>
 internal sealed class SlotWorker(
     CellFlow flow, MachineSettings machine, SlotSettings slot, SlotRight right, IMachineFolder folder, ProgramSender sender,
-    MachineListing listing, OriginalPrograms originals, DeliveryWait delivery)
+    MachineListing listing, OriginalPrograms originals, SlotNames names, DeliveryWait delivery)
 {
     private readonly SlotView _view = new(flow, machine, slot);
     private readonly HeldProgram _held = new(flow, machine, slot, sender);
@@ -88,6 +89,7 @@ internal sealed class SlotWorker(
         }
         catch (MachineBusyException e)
         {
+            delivery.Forget();
             delivery.Note(correction, e.Statement);
             return flow.Pace.Busy;
         }
@@ -112,9 +114,11 @@ internal sealed class SlotWorker(
         }
 
         byte[]? found;
+        (string Code, Statement Why)? named;
         try
         {
             found = await LookAsync(flow.Finish);
+            named = await names.WhyNotAsync(approved, found, HashOf(found), flow.Finish);
         }
         catch (ChangedAtMachineException e)
         {
@@ -130,19 +134,27 @@ internal sealed class SlotWorker(
 
         var hash = HashOf(found);
         var unknown = _known.WhyNot(found, hash, approved);
+        var mayReplace = unknown is null && named is null;
         var uploading = Step(
             approved,
             CorrectionState.Uploading,
             hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
             // Only the step that refuses an unknown program names it: if the process ends in between, the next one finds it unknown again.
-            c => unknown is null ? c with { PreviousSha256 = hash } : c,
-            unknown is null && found is not null ? [found] : null);
-        if (unknown is null)
+            c => mayReplace ? c with { PreviousSha256 = hash } : c,
+            mayReplace && found is not null ? [found] : null);
+        if (mayReplace)
         {
             return uploading;
         }
 
-        Fail(uploading, CellCodes.ChangedAtMachine, unknown, found);
+        if (unknown is null && named is { } name)
+        {
+            // What was found is named if it is a person's to decide: approved again, it may be replaced.
+            Fail(uploading, name.Code, name.Why, name.Why.Is(Recorded.NamedOtherwiseThere) ? found : null);
+            return null;
+        }
+
+        Fail(uploading, CellCodes.ChangedAtMachine, unknown!, found);
         return null;
     }
 

@@ -80,6 +80,27 @@ public static class Recorded
         "{0} at {1} changed while it was being replaced: it is neither the program before nor the one to send. It is kept as {2}. Look "
             + "at it, then approve again to replace it, or reject.");
 
+    internal static readonly SentenceForm NamedOtherwise = new(
+        "named-otherwise",
+        "The program for {0} at {1} is {2} at its head: the control would call it so, whatever the file is called. Nothing was sent. Give "
+            + "the slot's file and the job's program the same name or number, then approve again.");
+    internal static readonly SentenceForm NamedOtherwiseThere = new(
+        "named-otherwise-there",
+        "{0} at {1} is {2} at its head, and the program to send is {3}: the control would no longer have the first of them. Nothing was "
+            + "sent. Look whether that is meant; then approve again, or reject.");
+    internal static readonly SentenceForm NameOfSlot = new(
+        "name-of-slot",
+        "The control would call the program for {0} at {1} by {2}, and so it calls a program of slot {3}. Nothing was sent. Give each "
+            + "program a name and a number of its own, then approve again.");
+    internal static readonly SentenceForm NameOfJob = new(
+        "name-of-job",
+        "The control would call the program for {0} at {1} by {2}, and so it calls the program {3} of the job {4}, which is at the machine, "
+            + "too. Nothing was sent. Give each program a name and a number of its own, then approve again.");
+    internal static readonly SentenceForm NameOfFile = new(
+        "name-of-file",
+        "The control would call the program for {0} at {1} by {2}, and the file {3} at the machine has that name, too. Nothing was sent. "
+            + "Look which of them is meant, remove or rename the other, then approve again.");
+
     internal static readonly SentenceForm ChangedTwice = new(
         "changed-twice",
         "{0} at {1} was changed in the very moment in which it was replaced, and what was there before is beside it as {2}: "
@@ -372,7 +393,8 @@ public static class Recorded
         AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared,
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
-        EitherProgram, ChangedBefore, OfOtherCell, ChangedMeanwhile, ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
+        EitherProgram, ChangedBefore, OfOtherCell, ChangedMeanwhile, NamedOtherwise, NamedOtherwiseThere, NameOfSlot, NameOfJob, NameOfFile,
+        ChangedTwice, ChangedWhileHeld, HeldAgain, AnswersAgain,
         ReadBackUnseen, MachineBusy, MachineBusyUnnamed, MachineUnknown, WaitsTooLong, BacklogGrows, PieceWaits, StartedMeanwhile,
         StateAway, StateSlow, StateWrong, StateStale, StateUnavailable,
         UnknownPiece, AskedNobody, AskedWants, LikeAll, LikeName, LikeField, LikeColumn,

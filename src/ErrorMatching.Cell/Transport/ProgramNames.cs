@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Cell;
@@ -14,6 +15,10 @@ internal static partial class ProgramNames
     private const string NewSuffix = ".emnew";
     private const string OldSuffix = ".emold";
 
+    // This process: two on one computer, or one that was started again, must not be mistaken for each other.
+    private static readonly string Owner = Guid.NewGuid().ToString("N")[..8];
+    private static uint _attempts;
+
     /// <summary>True if the name is allowed for a program.</summary>
     public static bool Allows(string name) =>
         Allowed().IsMatch(name) && !Reserved().IsMatch(name) && !HasSuffix(name, NewSuffix) && !HasSuffix(name, OldSuffix);
@@ -28,19 +33,27 @@ internal static partial class ProgramNames
     /// <summary>True if the tag is allowed in a transfer's temporary name.</summary>
     internal static bool AllowsTag(string tag) => Tag().IsMatch(tag);
 
-    /// <summary>The name under which a program is written before it gets its own. Each attempt has a different one: what a lost connection
-    /// still writes must not reach the next attempt's file.</summary>
-    internal static string New(string program, string tag) => $"{program}.{tag}-{Guid.NewGuid().ToString("N")[..8]}{NewSuffix}";
+    /// <summary>The name under which a program is written before it gets its own. It names the process and its attempt, and no two attempts
+    /// have the same: what a lost connection or a frozen process still does must not reach the file of another attempt.</summary>
+    internal static string New(string program, string tag) => string.Create(
+        CultureInfo.InvariantCulture, $"{program}.{tag}-{Owner}-{Interlocked.Increment(ref _attempts)}{NewSuffix}");
 
-    /// <summary>The old program's name while the new one is renamed, on servers that do not rename over a file.</summary>
-    internal static string Old(string program) => program + OldSuffix;
+    /// <summary>The name for the program that an attempt replaces, until it is compared.</summary>
+    /// <param name="written">The attempt's name of the new program, from <see cref="New"/>.</param>
+    internal static string Old(string written) => written[..^NewSuffix.Length] + OldSuffix;
 
-    /// <summary>True if <see cref="New"/> returned this name for this program.</summary>
-    internal static bool IsNewOf(string program, string name) =>
+    /// <summary>True if <see cref="New"/> returned this name for this program, here or in another process.</summary>
+    internal static bool IsNewOf(string program, string name) => IsOf(program, name, NewSuffix);
+
+    /// <summary>True if <see cref="Old"/> returned this name for this program, here or in another process. Earlier versions had the same
+    /// name for all attempts.</summary>
+    internal static bool IsOldOf(string program, string name) => name == program + OldSuffix || IsOf(program, name, OldSuffix);
+
+    private static bool IsOf(string program, string name, string suffix) =>
         name.StartsWith(program + ".", StringComparison.Ordinal)
-        && name.EndsWith(NewSuffix, StringComparison.Ordinal)
-        && name.Length > program.Length + 1 + NewSuffix.Length
-        && TagAndNumber().IsMatch(name[(program.Length + 1)..^NewSuffix.Length]);
+        && name.EndsWith(suffix, StringComparison.Ordinal)
+        && name.Length > program.Length + 1 + suffix.Length
+        && Attempt().IsMatch(name[(program.Length + 1)..^suffix.Length]);
 
     private static bool HasSuffix(string name, string suffix) => name.EndsWith(suffix, StringComparison.OrdinalIgnoreCase);
 
@@ -59,6 +72,7 @@ internal static partial class ProgramNames
     [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex Tag();
 
-    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}-[0-9a-f]{8}\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
-    private static partial Regex TagAndNumber();
+    // The attempt's number is missing in names of earlier versions.
+    [GeneratedRegex(@"\A[A-Za-z0-9]{1,32}-[0-9a-f]{8}(-[0-9]{1,10})?\z", RegexOptions.ExplicitCapture, Timeout.Infinite)]
+    private static partial Regex Attempt();
 }

@@ -33,9 +33,9 @@ public sealed class ActiveProgramTests
     [InlineData(MachineActivity.Unknown, true)]
     public void A_program_is_in_use_unless_the_machine_is_idle_or_has_another_one(MachineActivity activity, bool isUsed)
     {
-        Assert.Equal(isUsed, ToldState.Of(activity, "A.NC", "P1.NC").Uses("P1.NC"));
-        Assert.Equal(isUsed, new MachineState(activity, null, null).Uses("P1.NC"));
-        Assert.Equal(activity == MachineActivity.Unknown, ToldState.Of(activity, "A.NC").Uses("P1.NC"));
-        Assert.Equal(activity == MachineActivity.Unknown, ToldState.Of(activity).Uses("P1.NC"));
+        Assert.Equal(isUsed, ToldState.Of(activity, "A.NC", "P1.NC").Uses(new ProgramIdentity("P1.NC")));
+        Assert.Equal(isUsed, new MachineState(activity, null, null).Uses(new ProgramIdentity("P1.NC")));
+        Assert.Equal(activity == MachineActivity.Unknown, ToldState.Of(activity, "A.NC").Uses(new ProgramIdentity("P1.NC")));
+        Assert.Equal(activity == MachineActivity.Unknown, ToldState.Of(activity).Uses(new ProgramIdentity("P1.NC")));
     }
 }

@@ -55,8 +55,8 @@ public sealed class MtConnectTests
         {
             var state = await AskAsync(One(execution, version: version));
             Assert.Equal((activity, null), (state.Activity, state.Code));
-            Assert.Equal(activity != MachineActivity.Idle, state.Uses("O2001.NC"));
-            Assert.False(state.Uses("O2002.NC"));
+            Assert.Equal(activity != MachineActivity.Idle, state.Uses(new ProgramIdentity("O2001.NC")));
+            Assert.False(state.Uses(new ProgramIdentity("O2002.NC")));
             Assert.Equal(DateTimeOffset.Parse("2026-11-26T07:30:00.5Z", CultureInfo.InvariantCulture), state.Since);
         }
     }
@@ -67,7 +67,7 @@ public sealed class MtConnectTests
 
     [Fact]
     public async Task A_program_that_is_edited_at_the_control_is_in_use() =>
-        Assert.True((await AskAsync(One("READY", mode: "EDIT"))).Uses("O2001.NC"));
+        Assert.True((await AskAsync(One("READY", mode: "EDIT"))).Uses(new ProgramIdentity("O2001.NC")));
 
     [Theory]
     [InlineData("TRIGGERED", "Normal")]
@@ -75,8 +75,8 @@ public sealed class MtConnectTests
     public async Task Emergency_stop_and_faults_of_the_control_are_an_alarm(string stop, string condition)
     {
         var state = await AskAsync(One("READY", stop: stop, condition: condition));
-        Assert.Equal((MachineActivity.Alarm, true), (state.Activity, state.Uses("O2001.NC")));
-        Assert.False(state.Uses("O9.NC"));
+        Assert.Equal((MachineActivity.Alarm, true), (state.Activity, state.Uses(new ProgramIdentity("O2001.NC"))));
+        Assert.False(state.Uses(new ProgramIdentity("O9.NC")));
     }
 
     [Theory]
@@ -87,7 +87,7 @@ public sealed class MtConnectTests
         string execution, string program, MachineActivity activity)
     {
         var state = await AskAsync(One(execution, program));
-        Assert.Equal((activity, true, null), (state.Activity, state.Uses("O9.NC"), state.Code));
+        Assert.Equal((activity, true, null), (state.Activity, state.Uses(new ProgramIdentity("O9.NC")), state.Code));
     }
 
     // Two paths, one of them busy: what is only selected in the idle one is free.
@@ -103,14 +103,14 @@ public sealed class MtConnectTests
             "</DeviceStream>",
             $"""<ComponentStream component="Path" name="path2" componentId="p2"><Events><Execution dataItemId="e2" timestamp="2026-11-26T07:30:00Z" sequence="9">{second}</Execution><Program dataItemId="g2" timestamp="2026-11-26T07:30:00Z" sequence="10">{other}</Program></Events></ComponentStream></DeviceStream>""",
             StringComparison.Ordinal);
-        Assert.Equal(isUsed, (await AskAsync(two)).Uses(asked));
+        Assert.Equal(isUsed, (await AskAsync(two)).Uses(new ProgramIdentity(asked)));
     }
 
     [Fact]
     public async Task A_main_program_and_the_active_one_are_both_in_use()
     {
         var state = await AskAsync(One("ACTIVE").Replace("</Program>", """</Program><Program dataItemId="a" subType="ACTIVE" timestamp="2026-11-26T07:30:00Z" sequence="8">O77</Program>""", StringComparison.Ordinal));
-        Assert.True(state.Uses("O2001.NC") && state.Uses("O77.NC") && !state.Uses("O1.NC"));
+        Assert.True(state.Uses(new ProgramIdentity("O2001.NC")) && state.Uses(new ProgramIdentity("O77.NC")) && !state.Uses(new ProgramIdentity("O1.NC")));
     }
 
     [Fact]

@@ -15,6 +15,11 @@ public sealed class CellCheckTests : IDisposable
             File.Copy(file, _cell.PathOf("jobs/" + Path.GetFileName(file)), overwrite: true);
         }
 
+        // Each slot has a program of its own number.
+        var program = File.ReadAllText(_cell.PathOf("jobs/counterpart.nc"));
+        foreach (var (name, number) in new[] { ("counterpart.nc", "O2001"), ("O2002.nc", "O2002"), ("O3001.nc", "O3001") })
+            _cell.Write("jobs/" + name, program.Replace("O0211", number, StringComparison.Ordinal));
+
         Directory.CreateDirectory(_cell.PathOf("machine"));
     }
 
@@ -139,6 +144,38 @@ public sealed class CellCheckTests : IDisposable
         Assert.NotEmpty(check.Wrong);
         _cell.Write("jobs/counterpart.nc", "N10 G90 G1 X1 F100\nN20 GOTO 10\n");
         Assert.NotNull((await Check(CellFolder.Right)).Jobs[0].Problem);
+    }
+
+    // A number that the file's name denies, a number of two slots, a file at the machine that has the number, too.
+    [Theory]
+    [InlineData("counterpart.nc", "O0240", null, "program-named-otherwise", "O0240 at its head, and goes to O2001.NC")]
+    [InlineData("O2002.nc", "O2001", null, "program-name-taken", "of slot A, O2001.NC")]
+    [InlineData("O2002.nc", "O2002", "2002.TXT", "program-name-taken", "the file 2002.TXT at the machine")]
+    [InlineData("O2002.nc", "O2002", "o02002", "program-name-taken", "the file o02002 at the machine")]
+    public async Task A_name_by_which_the_control_would_mean_another_program_is_wrong(
+        string file, string number, string? there, string code, string says)
+    {
+        Assert.Empty((await Check(CellFolder.Right)).Wrong);
+        var before = file == "counterpart.nc" ? "O2001" : "O2002";
+        _cell.Write("jobs/" + file, (await File.ReadAllTextAsync(_cell.PathOf("jobs/" + file), TestContext.Current.CancellationToken))
+            .Replace(before, number, StringComparison.Ordinal));
+        if (there is not null) _cell.Write("machine/" + there, "");
+        _cell.Write("machine/O2002.NC", "");
+        _cell.Write("machine/O2002.BAK", "");
+        var wrong = (await Check(CellFolder.Right)).Wrong.SelectMany(p => p.Errors).ToArray();
+        Assert.Contains(wrong, e => e.Code == code && e.Message.Contains(says, StringComparison.Ordinal));
+        Assert.All(wrong, e => Assert.EndsWith(".nc", e.Place.File, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_base_program_in_a_file_of_another_number_is_wrong()
+    {
+        File.Move(_cell.PathOf("jobs/O2002.nc"), _cell.PathOf("jobs/O0077.nc"));
+        var job = await File.ReadAllTextAsync(_cell.PathOf("jobs/feedback.json"), TestContext.Current.CancellationToken);
+        _cell.Write("jobs/feedback.json", job.Replace("O2002.nc", "O0077.nc", StringComparison.Ordinal));
+        var wrong = Assert.Single((await Check(CellFolder.Right)).Wrong.SelectMany(p => p.Errors));
+        Assert.Equal("program-named-otherwise", wrong.Code);
+        Assert.Contains("another program than O2002", wrong.Message, StringComparison.Ordinal);
     }
 
     private Task<CellCheck> Check(string text) => CellCheck.OfAsync(_cell.Read(text), TestContext.Current.CancellationToken);

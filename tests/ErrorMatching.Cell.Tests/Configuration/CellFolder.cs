@@ -43,8 +43,9 @@ internal sealed class CellFolder : IDisposable
     {
         var mating = File.ReadAllText(Repository.PathTo("samples", "complex-mating", "job.json"));
         Write("jobs/mating.json", mating);
-        Write("jobs/feedback.json", mating.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
-        Write("jobs/ruled.json", mating.Replace(
+        Write("jobs/feedback.json", mating.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal)
+            .Replace("\"counterpart.nc\"", "\"O2002.nc\"", StringComparison.Ordinal));
+        Write("jobs/ruled.json", mating.Replace("\"counterpart.nc\"", "\"O3001.nc\"", StringComparison.Ordinal).Replace(
             "\"alignment\"",
             """
             "recognition": { "part": [{ "in": "file-name", "pattern": "-part" }], "counterpart": [{ "in": "file-name", "pattern": "-cp" }] },

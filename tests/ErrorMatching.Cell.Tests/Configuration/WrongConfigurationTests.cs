@@ -91,6 +91,7 @@ public sealed class WrongConfigurationTests : IDisposable
 
         // Programs and ready files at machines.
         { "\"program\": \"O2002.NC\"", "\"program\": \"o2001.nc\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots", "again" },
+        { "\"program\": \"O2002.NC\"", "\"program\": \"2001.TXT\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots", "cannot tell from" },
         {
             "\"program\": \"O2002.NC\"",
             "\"program\": \"../O2002.NC\"",
@@ -351,7 +352,10 @@ public sealed class WrongConfigurationTests : IDisposable
         var problems = Problems(
             CellFolder.With("\"folder\": \"machine\"", "\"folder\": \"jobs\"")
                 .Replace("\"O3001.NC\"", "\"counterpart.nc\"", StringComparison.Ordinal)
-                .Replace("\"O2002.NC\"", "\"COUNTERPART.NC\"", StringComparison.Ordinal));
+                .Replace("\"O2002.NC\"", "\"COUNTERPART.NC\"", StringComparison.Ordinal)
+                .Replace("jobs/feedback.json", "jobs/mating.json", StringComparison.Ordinal)
+                .Replace("jobs/ruled.json", "jobs/mating.json", StringComparison.Ordinal)
+                .Replace(", \"accumulates\": true", "", StringComparison.Ordinal));
         Assert.Equal(["$.jobs[0].job", "$.jobs[1].job", "$.jobs[2].job"], problems.Select(p => p.Place.Path));
         Assert.All(problems, p => Assert.Equal("original-at-machine", p.Code));
     }

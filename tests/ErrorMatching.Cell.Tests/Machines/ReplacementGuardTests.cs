@@ -82,7 +82,7 @@ public sealed class ReplacementGuardTests
         folder.Files[Program] = New;
         folder.Files[Program + ".emold"] = edited;
         await Assert.ThrowsAsync<MachineBusyException>(() => Sender(folder, () => Busy).RecoverAsync(Program, Token));
-        Assert.Equal((New, edited), (folder.Files[Program], folder.Files[Program + ".emold"]));
+        Assert.Equal((New, edited), (folder.Files[Program], Assert.Single(folder.Files, f => f.Key != Program).Value));
         await Sender(folder, () => Free).RecoverAsync(Program, Token);
         Assert.Equal(edited, Assert.Single(folder.Files).Value);
     }
@@ -102,10 +102,10 @@ public sealed class ReplacementGuardTests
     public async Task A_shop_whose_programs_call_each_other_can_demand_an_idle_machine()
     {
         var other = ToldState.Of(MachineActivity.Running, "MAIN.MPF");
-        Assert.Null(await Guard(new ToldState(() => other)).WhyNotAsync(Program, Token));
-        var why = await Guard(new ToldState(() => other) { OnlyIdle = true }).WhyNotAsync(Program, Token);
+        Assert.Null(await Guard(new ToldState(() => other)).WhyNotAsync(Program, [], Token));
+        var why = await Guard(new ToldState(() => other) { OnlyIdle = true }).WhyNotAsync(Program, [], Token);
         Assert.Contains("running with the program MAIN.MPF", why?.Sentence, StringComparison.Ordinal);
-        Assert.Null(await Guard(new ToldState(() => Free) { OnlyIdle = true }).WhyNotAsync(Program, Token));
+        Assert.Null(await Guard(new ToldState(() => Free) { OnlyIdle = true }).WhyNotAsync(Program, [], Token));
     }
 
     // The law: over 1,000 random changes with each kind of server, not one replacement while running.

@@ -44,6 +44,43 @@ public sealed class DeliveryWaitTests
         await cell.Until(1, CorrectionState.Verified);
     }
 
+    // The file of the slot is P1.NC, and the program in it is O0211: the control calls it by its number.
+    [Theory]
+    [InlineData("O0211")]
+    [InlineData("211")]
+    [InlineData("//CNC_MEM/USER/PATH1/O0211")]
+    [InlineData("O0211(COMPLEX MATING)")]
+    [InlineData("")]
+    public async Task A_program_that_the_machine_runs_by_its_number_is_not_replaced(string reported)
+    {
+        var state = ToldState.Of(MachineActivity.Running, reported);
+        await using var cell = Cell(() => state);
+        var original = cell.Machine["m1"].Files[RunningCell.Program];
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await cell.Until(1, CorrectionState.Approved);
+        await RunningCell.Until(
+            () => Status(cell).Slots[0].Delivery is { Correction: 1 } || cell.Store.Find(1)!.State != CorrectionState.Approved);
+        await cell.UntilLookedAgain("slot m1/A");
+        Assert.Equal((CorrectionState.Approved, original), (cell.Store.Find(1)!.State, cell.Machine["m1"].Files[RunningCell.Program]));
+        state = Other;
+        await cell.Until(1, CorrectionState.Verified);
+    }
+
+    // What is there has another number than what is to be sent: both are in use.
+    [Fact]
+    public async Task The_program_before_counts_by_its_own_number_too()
+    {
+        var state = ToldState.Of(MachineActivity.Running, "O0999");
+        await using var cell = Cell(() => state);
+        var there = System.Text.Encoding.ASCII.GetBytes("%\nO0999\nG0 X0\nM30\n%\n");
+        cell.Machine["m1"].Files[RunningCell.Program] = there;
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await RunningCell.Until(() => Status(cell).Slots[0].Delivery is { Correction: 1 });
+        Assert.Equal(there, cell.Machine["m1"].Files[RunningCell.Program]);
+    }
+
     [Fact]
     public async Task A_wait_beyond_its_limit_is_a_trouble_and_no_loss()
     {

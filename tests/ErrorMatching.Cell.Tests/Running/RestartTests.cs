@@ -15,7 +15,7 @@ public sealed class RestartTests
     {
         await using var cell = new RunningCell();
         var machine = cell.Machine["m1"];
-        var original = File.ReadAllBytes(cell.PathOf("job/counterpart.nc"));
+        var original = File.ReadAllBytes(cell.PathOf("job/counterpart-b.nc"));
         machine.Files["P2.NC"] = original;
         var killer = new Killer(instant);
         cell.AroundStep = (_, _) => killer.Tick();

@@ -35,6 +35,14 @@ internal sealed class RunningCell : IAsyncDisposable
         var feedback = File.ReadAllText(PathOf("job/job.json")).Replace(
             "\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal);
         File.WriteAllText(PathOf("job/feedback.json"), feedback);
+
+        // Two slots of one machine have programs of two numbers.
+        File.WriteAllText(
+            PathOf("job/b.json"),
+            File.ReadAllText(PathOf("job/job.json")).Replace("\"counterpart.nc\"", "\"counterpart-b.nc\"", StringComparison.Ordinal));
+        File.WriteAllText(
+            PathOf("job/counterpart-b.nc"),
+            File.ReadAllText(PathOf("job/counterpart.nc")).Replace("O0211", "O0212", StringComparison.Ordinal));
         foreach (var folder in new[] { "incoming", "m1", "m2" })
         {
             Directory.CreateDirectory(PathOf(folder));
@@ -82,6 +90,9 @@ internal sealed class RunningCell : IAsyncDisposable
     /// <summary>How machine m1 is asked what it is doing; null if nothing says that.</summary>
     public StateSettings? State { get; set; }
 
+    /// <summary>The file of the slot A of machine m1.</summary>
+    public string SlotFile { get; set; } = Program;
+
     public CellSettings Settings
     {
         get
@@ -95,10 +106,10 @@ internal sealed class RunningCell : IAsyncDisposable
         {
           "kind": "cell", "name": "Test cell", "store": { "kind": "sqlite", "file": "cell.db" }, "keys": "keys", "logs": "logs",
           "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename", "everyMs": 20 }],
-          "machines": [{{Machines}}],
+          "machines": [{{Machines.Replace(Program, SlotFile, StringComparison.Ordinal)}}],
           "jobs": [
             { "name": "a", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^a_(?<serial>[A-Z0-9-]+)(_.*)?\\.csv$" }, "machine": "m1", "slot": "A", "order": "{{Order}}" },
-            { "name": "b", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^b_(?<serial>[A-Z0-9-]+)(_(?<workOrder>WO[0-9]+))?(_.*)?\\.csv$" }, "machine": "m1", "slot": "B" },
+            { "name": "b", "job": "job/b.json", "gauges": ["cmm"], "recognize": { "fileName": "^b_(?<serial>[A-Z0-9-]+)(_(?<workOrder>WO[0-9]+))?(_.*)?\\.csv$" }, "machine": "m1", "slot": "B" },
             { "name": "c", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^c_(?<serial>[A-Z0-9-]+)(_.*)?\\.csv$" }, "machine": "m2", "slot": "A" },
             { "name": "part", "job": "job/job.json", "gauges": ["cmm"], "recognize": { "fileName": "^first-article" }, "piece": "counterpart", "machine": "m2", "slot": "A" }
           ],

@@ -214,7 +214,7 @@ public sealed class FolderTransportTests : IDisposable
         };
         await new ProgramSender(folder, _ => true).SendAsync("P1.MPF", Convert.ToHexStringLower(SHA256.HashData([1])), new byte[] { 2 },
             "7", Token);
-        Assert.Equal(["writing", "syncing", "reading", "replacing", "syncing names", "deleting"], done);
+        Assert.Equal(["writing", "syncing", "reading", "replacing", "exchanging", "comparing", "syncing names", "deleting"], done);
         done.Clear();
         await folder.RenameAsync("P1.MPF", "P2.MPF", 10, Token);
         Assert.Equal(["renaming", "syncing names"], done);

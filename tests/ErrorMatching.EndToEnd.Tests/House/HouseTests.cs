@@ -9,7 +9,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>What holds of the sources as a whole.</summary>
 public sealed partial class HouseTests
 {
-    private const int MostLines = 400;
+    private const int MostLines = 450;
     private const int MostColumns = 140;
 
     // What each project may refer to. Whoever adds an arrow here turns the architecture round, or says in ARCHITECTURE.md why not.

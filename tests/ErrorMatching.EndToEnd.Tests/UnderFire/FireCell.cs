@@ -39,6 +39,7 @@ internal sealed class FireCell : IDisposable
             File.Copy(file, Path.Combine(this["job"], Path.GetFileName(file)));
         }
 
+        File.WriteAllBytes(this["job", "counterpart.nc"], FireFiles.Original);
         foreach (var slot in Slots)
         {
             File.Copy(this["job", "counterpart.nc"], Path.Combine(Machine, ProgramOf(slot)), overwrite: true);

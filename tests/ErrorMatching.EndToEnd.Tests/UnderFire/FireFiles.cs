@@ -12,13 +12,20 @@ internal sealed class FireFiles
 {
     private static readonly string Folder = Repository.PathTo("samples", "complex-mating");
     private static readonly string[] Part = File.ReadAllLines(Path.Combine(Folder, "part.csv"));
-    private static readonly byte[] Base = File.ReadAllBytes(Path.Combine(Folder, "counterpart.nc"));
+
+    // All slots of a machine get this program, so it has no number by which the control could confuse them.
+    private static readonly byte[] Base = Encoding.Latin1.GetBytes(
+        File.ReadAllText(Path.Combine(Folder, "counterpart.nc"), Encoding.Latin1).Replace("O0211", "(O0211)", StringComparison.Ordinal));
+
     private static readonly MatingJob Job = MatingJob.Parse(
         File.ReadAllBytes(Path.Combine(Folder, "job.json")), Path.Combine(Folder, "job.json"));
     private static readonly MeasurementFile Theoretical = MeasurementReader.Read(
         Path.Combine(Folder, "theoretical.csv"), MeasurementFormat.Points);
 
     private readonly Dictionary<string, string> _programs = new(StringComparer.Ordinal);
+
+    /// <summary>The program that no correction has touched.</summary>
+    public static ReadOnlySpan<byte> Original => Base;
 
     /// <summary>SHA-256 of the program that no correction has touched.</summary>
     public static string OriginalSha256 { get; } = Hash(Base);

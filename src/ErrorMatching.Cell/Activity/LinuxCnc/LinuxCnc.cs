@@ -34,7 +34,7 @@ internal sealed class LinuxCnc(LinuxCncSettings settings) : MachineStateSource(s
             var status = await lines.AskAsync("get program_status", "PROGRAM_STATUS", cancellation).ConfigureAwait(false);
             if (status == before)
             {
-                return new(isStopped ? MachineActivity.Alarm : ActivityOf(status), program is "NONE" ? [] : [Short(program)], null);
+                return new(isStopped ? MachineActivity.Alarm : ActivityOf(status), program is "NONE" ? [] : [Name(program)], null);
             }
         }
 

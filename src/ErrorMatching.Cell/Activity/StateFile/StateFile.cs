@@ -74,7 +74,7 @@ internal sealed class StateFile(StateFileSettings settings, TimeProvider clock) 
                 case ["PROGRAM", var name]:
                     programs ??= [];
                     if (name.Trim().Length > 0)
-                        programs.Add(Short(name.Trim()));
+                        programs.Add(Name(name.Trim()));
                     break;
                 case ["SINCE", var time] when since is null:
                     since = DateTimeOffset.TryParse(time, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal, out var at)

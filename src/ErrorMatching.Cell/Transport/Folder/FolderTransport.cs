@@ -92,13 +92,14 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
     }
 
     // The new program gets the third name before the two are exchanged. So an interruption leaves one of the two programs under that name,
-    // never half a transfer.
+    // never half a transfer. Both names are of this attempt alone: a process that goes on here after another one took them finds nothing.
     private ReplacedProgram? Replace(string from, string to, string aside, long mostBytes)
     {
         if (from != aside && LinuxCalls.RenameToFree(from, aside) != true)
             return null;
         while (true)
         {
+            Doing?.Invoke("exchanging " + to);
             switch (LinuxCalls.Exchange(aside, to))
             {
                 case true:
@@ -132,11 +133,13 @@ internal sealed class FolderTransport(string machine, string folder, TimeSpan li
         byte[] was;
         try
         {
+            Doing?.Invoke("comparing " + to);
             was = Read(aside, mostBytes);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or TransportException)
         {
             // A program that cannot be read cannot be kept: it gets its name back.
+            Doing?.Invoke("giving back " + to);
             LinuxCalls.Exchange(aside, to);
             throw;
         }
