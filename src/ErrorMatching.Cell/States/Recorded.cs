@@ -94,8 +94,8 @@ public static class Recorded
             + "program a name and a number of its own, then approve again.");
     internal static readonly SentenceForm NameOfJob = new(
         "name-of-job",
-        "The control would call the program for {0} at {1} by {2}, and so it calls the program {3} of the job {4}, which is at the machine, "
-            + "too. Nothing was sent. Give each program a name and a number of its own, then approve again.");
+        "The control would call the program for {0} at {1} by {2}, and so it calls the program {3} of the job {4}, which is at the "
+            + "machine, too. Nothing was sent. Give each program a name and a number of its own, then approve again.");
     internal static readonly SentenceForm NameOfFile = new(
         "name-of-file",
         "The control would call the program for {0} at {1} by {2}, and the file {3} at the machine has that name, too. Nothing was sent. "

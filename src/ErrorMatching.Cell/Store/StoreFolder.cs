@@ -3,8 +3,8 @@ namespace ErrorMatching.Cell;
 /// <summary>The folder of a store in a file.</summary>
 public static class StoreFolder
 {
-    /// <summary>Makes the folder for a store that is to be made. Only a person does that, by adding its first user: a cell that runs must not
-    /// take the empty mount point of a disk for the place of a new store.</summary>
+    /// <summary>Makes the folder for a store that is to be made. Only a person does that, by adding its first user: a cell that runs must
+    /// not take the empty mount point of a disk for the place of a new store.</summary>
     /// <param name="settings">The configuration.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.Missing"/> if a cell ran here before; with
     /// <see cref="StoreError.ReadOnly"/> if the folder cannot be made.</exception>
@@ -21,8 +21,8 @@ public static class StoreFolder
         {
             throw new StoreException(
                 StoreError.Missing,
-                $"The store's folder {folder} is not there, and {settings.KeysFolder} says that there was a store. Mount the disk that has it, "
-                    + "or restore the latest backup. Only if the cell is to begin anew: make the folder.");
+                $"The store's folder {folder} is not there, and {settings.KeysFolder} says that there was a store. Mount the disk that has "
+                    + "it, or restore the latest backup. Only if the cell is to begin again: make the folder.");
         }
 
         try
@@ -43,8 +43,10 @@ public static class StoreFolder
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             throw new StoreException(
-                StoreError.ReadOnly, $"The store's folder {folder} cannot be made: {e.Message.TrimEnd('.')}. Make it, and give it to the user "
-                    + "that the cell runs as.", e);
+                StoreError.ReadOnly,
+                $"The store's folder {folder} cannot be made: {e.Message.TrimEnd('.')}. Make it, and give it to the user that the cell "
+                    + "runs as.",
+                e);
         }
     }
 }

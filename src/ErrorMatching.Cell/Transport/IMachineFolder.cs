@@ -33,8 +33,8 @@ public interface IMachineFolder : IDisposable
     /// one of them, complete.</summary>
     /// <param name="from">The file; it may already have the third name.</param>
     /// <param name="to">The program's name.</param>
-    /// <param name="aside">The third name, which nothing else may have, and no other attempt. It is free afterward if the program's name was
-    /// free before.</param>
+    /// <param name="aside">The third name, which nothing else may have, and no other attempt. It is free afterward if the program's name
+    /// was free before.</param>
     /// <param name="mostBytes">Maximum number of bytes to read.</param>
     /// <param name="cancellation">Cancels immediately.</param>
     /// <returns>Null if the transport does not support it; then nothing has changed.</returns>
