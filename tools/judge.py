@@ -534,7 +534,7 @@ class Comparison:
         moved = self.now[i].center - self.was[i].center if self.was[i].is_arc() else None
         self.need(i, moved is None or near(vector(entry["center"]), moved), "its center moved otherwise than the certificate says")
     def check_moved(self, i, entry):
-        was, by = self.was[i], self.now[i].center - self.was[i].center if self.was[i].is_arc() else V(ZERO, ZERO)
+        was = self.was[i]
         self.need(i, set(entry["moved"]) - {"center"} == {"start", "end"}, "the certificate measured other places")
         self.check_center(i, entry["moved"])
         for n, joint in (("start", i), ("end", i + 1)):
@@ -543,8 +543,8 @@ class Comparison:
             level = was.upright or not self.moves[joint][was.plane[2]] or self.points and (joint == i or behind)
             self.need(i, level, "it moved along the tool axis")
         stays = not was.in_plane() and self.move(i, False) == self.move(i, True)
-        slides = was.cuts() and by.norm() <= 3 * self.increment and all(
-            self.own(i).distance(place) <= self.tolerance(i) for place in self.now[i].ends())
+        slides = was.cuts() and self.tolerance(i) >= (self.arc(i, True).furthest(self.own(i)) if was.is_arc() else max(
+            self.own(i).distance(place) for place in self.now[i].ends()))
         if entry["as"] == "positioning":
             self.need(i, was.kind == "G0" or stays, "it cuts elsewhere")
         elif entry["as"] == "slides":

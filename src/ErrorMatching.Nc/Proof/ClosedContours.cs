@@ -22,14 +22,16 @@ internal sealed class ClosedContours
         {
             var (first, last) = task.Elements[run];
             var (start, end) = (motions.StartOf(first), motions.EndOf(last));
-            var closing = ProofTask.Same(motions.EndOf(first), start) ? first : contours.FirstEndingAt(start, first + 1, first);
+            var closing = ProofTask.Same(motions.EndOf(first), start) ? first
+                : IsLead(first) ? -1 : contours.FirstEndingAt(start, first + 1, first);
             if (closing >= 0)
             {
                 _otherEnds[first] = closing + 1;
                 _otherEnds.TryAdd(closing + 1, first);
             }
 
-            var opening = ProofTask.Same(motions.StartOf(last), end) ? last : contours.LastStartingAt(end, last - 1, last);
+            var opening = ProofTask.Same(motions.StartOf(last), end) ? last
+                : IsLead(last) ? -1 : contours.LastStartingAt(end, last - 1, last);
             if (opening >= 0)
             {
                 _otherEnds[last + 1] = opening;
@@ -45,6 +47,9 @@ internal sealed class ClosedContours
 
     /// <summary>The other joint at the same place of the piece; -1 if there is none.</summary>
     public int OtherEnd(int joint) => _otherEnds.TryGetValue(joint, out var other) ? other : -1;
+
+    // A way in or out on which cutter compensation is switched begins or ends where the tool's center is, not on a contour.
+    private bool IsLead(int motion) => _task.Before.Motions.SwitchesCompensation(motion);
 
     // Inner joints of a run to which it returns, and where it turns at least once or makes a full circle. Two paths that cross smoothly
     // need not keep crossing.

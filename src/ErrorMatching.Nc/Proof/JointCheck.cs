@@ -163,6 +163,9 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
 
     private Vector3 MoveOf(int joint) => PlaceOf(task.After.Motions, joint) - WasAt(joint);
 
+    // Behind something that the program does not determine, a motion begins elsewhere; the joint is where the one before it ends.
     private static Point3 PlaceOf(NcMotions motions, int joint) =>
-        joint < motions.Length ? motions.StartOf(joint) : motions.EndOf(joint - 1);
+        joint < motions.Length && (joint == 0 || motions[joint].UnknownStart == AxisSet.None)
+            ? motions.StartOf(joint)
+            : motions.EndOf(joint - 1);
 }

@@ -80,7 +80,7 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
     {
         if (was.IsArc)
         {
-            return now.Center.DistanceTo(was.Center) <= 3 * task.Increment && arcs.EndsOnCircle(was, now);
+            return ProofTask.Furthest(now, was.Arc.Circle) <= task.ArcTolerance + ProofTask.Mismatch(was);
         }
 
         if (was.PlaneStart == was.PlaneEnd)

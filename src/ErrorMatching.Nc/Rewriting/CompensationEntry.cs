@@ -60,6 +60,36 @@ internal static class CompensationEntry
         return null;
     }
 
+    /// <summary>The reason why a change would let cutter compensation begin or end with another motion, or null: one that stood still in
+    /// the plane after the switch, and would move now.</summary>
+    public static Refusal? Earlier(PathChange change)
+    {
+        var motions = change.Path.Motions;
+        foreach (var i in change.Affected())
+        {
+            if (motions.MovesInPlane(i) || change.PlaneMoveOf(i, motions[i].Plane) == change.PlaneMoveOf(i + 1, motions[i].Plane))
+            {
+                continue;
+            }
+
+            var next = i + 1;
+            while (next < motions.Length && !motions.MovesInPlane(next))
+            {
+                next++;
+            }
+
+            if (next < motions.Length && motions.SwitchesCompensation(next))
+            {
+                return Refuse(
+                    change, motions[i],
+                    "it would be the first motion after the switch, and so the one with which it takes effect. Post the switch in the block "
+                        + "that moves.");
+            }
+        }
+
+        return null;
+    }
+
     private static Vector2 After(PathChange change, int i)
     {
         var motion = change.Path.Motions[i];

@@ -71,7 +71,7 @@ internal sealed class ElementDisplacer
         {
             var (first, last) = runs[run];
             var (closing, opening) = closures[run] = _rings.Closures(first, last, contours);
-            if ((_inner.MoveSmooth(first, last) ?? _rings.Close(first, last, closing, opening) ?? _inner.MoveCorners(first, last))
+            if ((_rings.OpenPass(first, last, contours) ?? _inner.MoveSmooth(first, last) ?? _rings.Close(first, last, closing, opening) ?? _inner.MoveCorners(first, last))
                 is { } refusal)
             {
                 return refusal;
@@ -91,6 +91,10 @@ internal sealed class ElementDisplacer
 
         return null;
     }
+
+    // A piece that shrank to one corner can be drawn out again by the next.
+    private double Length(int i, in NcMotion motion) => (motion.PlaneEnd + _change.PlaneMoveOf(i + 1, motion.Plane))
+        .DistanceTo(motion.PlaneStart + _change.PlaneMoveOf(i, motion.Plane));
 
     private int Unnamed(int motion) => motion >= 0 && _elements.Contains(motion) ? -1 : motion;
 
@@ -144,9 +148,18 @@ internal sealed class ElementDisplacer
             var i = affected[k];
             if (motions[i] is not { IsCut: true, MovesInPlane: true } motion
                 || !(_change.IsSet(i) || _change.IsSet(i + 1))
-                || _pieces.AreShrunk(i))
+                || (_pieces.AreShrunk(i) && Length(i, motion) < RunEnds.SamePlace))
             {
                 continue;
+            }
+
+            if (motion.IsArc && motion.PlaneStart == motion.PlaneEnd && !_elements.Contains(i)
+                && _change.PlaneMoveOf(i, motion.Plane) != _change.PlaneMoveOf(i + 1, motion.Plane))
+            {
+                return _elements.At(
+                    motion,
+                    NcRefusalCodes.ElementFlips,
+                    "this full circle begins or ends where a displaced contour does, and would no longer close. Name it as well.");
             }
 
             if (!_change.KeepsSense(i))

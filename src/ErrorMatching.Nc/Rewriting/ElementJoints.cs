@@ -79,6 +79,26 @@ internal sealed class ElementJoints(DisplacedElements elements)
             : null;
     }
 
+    /// <summary>True if two elements of which short pieces were cut off go on almost straight, are displaced alike, and meet further along
+    /// than rounding explains.</summary>
+    public bool IsVague(int before, int behind, Point2 point)
+    {
+        var (a, b) = (_path.Motions[before], _path.Motions[behind]);
+        var (tangentA, tangentB) = (a.TangentAt(1), b.TangentAt(0));
+        var (moveA, moveB) = (elements.WishOf(before).End, elements.WishOf(behind).Start);
+        if (!IsTangent(tangentA, tangentB)
+            || Math.Abs(moveA.Dot(tangentA.Left) - moveB.Dot(tangentB.Left)) > TangentStep * elements.Increment)
+        {
+            return false;
+        }
+
+        var along = (tangentA + tangentB).Normalize();
+        return IsFar(point - a.PlaneEnd, moveA) || IsFar(point - b.PlaneStart, moveB);
+
+        bool IsFar(Vector2 moved, Vector2 wished) =>
+            Math.Abs(moved.Dot(along)) > (0.9 * TangentSine * wished.Length) + (elements.Increment / 2);
+    }
+
     /// <summary>Why two displaced elements do not meet near their joint, and what helps.</summary>
     public string WhyApart(int before, int behind)
     {

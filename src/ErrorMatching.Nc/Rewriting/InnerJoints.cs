@@ -89,6 +89,14 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
             {
                 behind++;
             }
+            else if (behind > before + 1 && joints.IsVague(before, behind, point))
+            {
+                return elements.At(
+                    _path.Motions[before + 1],
+                    NcRefusalCodes.ElementFlips,
+                    "displaced as asked, the corner beside it cuts it off, and what is left meets so shallowly that it could do so anywhere. "
+                        + "Leave it out of the program, or displace less.");
+            }
             else
             {
                 pieces.Shrink(before + 1, behind, point);

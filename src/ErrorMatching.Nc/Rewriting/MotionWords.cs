@@ -67,6 +67,14 @@ internal sealed class MotionWords(PathChange change, IncrementGrid grid, BlockEd
             return unknown;
         }
 
+        if (motion is { IsCut: true, IsArc: false, MovesInPlane: true } && TurnsRound(index, motion))
+        {
+            return BlockRefusal.At(
+                _path.Program, motion.Block, NcRefusalCodes.ElementFlips,
+                "displaced as asked and rounded to what its words can say, it would turn round or vanish: it is hardly longer than that. "
+                    + "Leave it out of the program, or displace less.");
+        }
+
         if (motion.IsArc && _circles.Set(index, motion) is { } refusal)
         {
             return refusal;
@@ -89,6 +97,15 @@ internal sealed class MotionWords(PathChange change, IncrementGrid grid, BlockEd
                 NcRefusalCodes.UnknownState,
                 "the unit changes (G20/G21) between blocks that must change together.")
             : null;
+    }
+
+    // An element that keeps its sense can still lose it by rounding. One that shrank to a corner has both ends there.
+    private bool TurnsRound(int index, in NcMotion motion)
+    {
+        var was = motion.PlaneEnd - motion.PlaneStart;
+        var exact = was + change.PlaneMoveOf(index + 1, motion.Plane) - change.PlaneMoveOf(index, motion.Plane);
+        return exact.Dot(was) > 1e-9 * was.Length && (grid.Rounded(motion.End, index + 1, motion.Plane)
+            - grid.Rounded(motion.Start, index, motion.Plane)).Dot(was) <= 1e-9 * was.Length;
     }
 
     private Refusal? SetCoordinates(int index, in NcMotion motion)

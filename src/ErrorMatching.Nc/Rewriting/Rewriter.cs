@@ -29,7 +29,7 @@ public static class Rewriter
             return change.Refusal;
         }
 
-        return JointObstacles.Of(change.Result) is { } obstacle ? obstacle
+        return (JointObstacles.Of(change.Result) ?? CompensationEntry.Earlier(change.Result)) is { } obstacle ? obstacle
             : CompensatedPath.Concerns(path) ? Compensated(path, change.Result)
             : CompensationEntry.Of(change.Result) is { } entry ? entry
             : WordEditor.Run(change.Result);

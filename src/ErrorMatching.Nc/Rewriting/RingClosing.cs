@@ -17,10 +17,16 @@ internal sealed class RingClosing(DisplacedElements elements, PathChange change,
     /// there is none. A full circle needs no other cut to close.</summary>
     public (int Closing, int Opening) Closures(int first, int last, ContourSearch contours)
     {
-        var isRun = first < last;
+        var (start, end) = (_path.Motions.StartOf(first), _path.Motions.EndOf(last));
+        if (first == last && (start - end).Length < RunEnds.SamePlace)
+        {
+            return (-1, -1);
+        }
+
+        // A way in or out on which cutter compensation is switched begins or ends where the tool's center is, not on a contour.
         return (
-            contours.FirstEndingAt(_path.Motions.StartOf(first), isRun ? first : last + 1, first),
-            contours.LastStartingAt(_path.Motions.EndOf(last), isRun ? last : first - 1, last));
+            _path.Motions.SwitchesCompensation(first) ? -1 : contours.FirstEndingAt(start, first < last ? first : last + 1, first),
+            _path.Motions.SwitchesCompensation(last) ? -1 : contours.LastStartingAt(end, first < last ? last : first - 1, last));
     }
 
     /// <summary>Closes the rings inside a run, and those that it closes with another named cut.</summary>
@@ -38,6 +44,43 @@ internal sealed class RingClosing(DisplacedElements elements, PathChange change,
         return (closing >= 0 && elements.Contains(closing) ? CloseRing(first, closing) : null)
             ?? (opening >= 0 && elements.Contains(opening) ? CloseRing(opening, last) : null);
     }
+
+    /// <summary>The reason why a run must not go on from one pass in depth to the next, or null: there, an unnamed cut begins the pass
+    /// above, or ends the one below. The way down moves alike at both of its ends, so these passes would no longer close.</summary>
+    /// <param name="first">First motion of the run.</param>
+    /// <param name="last">Last motion of the run.</param>
+    /// <param name="contours">Finds where contours close.</param>
+    public Refusal? OpenPass(int first, int last, ContourSearch contours)
+    {
+        var motions = _path.Motions;
+        for (var joint = first + 1; joint <= last; joint++)
+        {
+            var (above, below) = (motions.EndOf(joint - 1), motions.StartOf(joint));
+            if (above == below)
+            {
+                continue;
+            }
+
+            var opening = motions.StartOf(joint - 1) == above ? -1 : contours.LastStartingAt(above, joint - 1, joint - 1);
+            var closing = motions.EndOf(joint) == below ? -1 : contours.FirstEndingAt(below, joint, joint);
+            if (opening >= 0 && !elements.Contains(opening))
+            {
+                return Open(joint - 1, opening, joint, "closes the pass that begins with");
+            }
+
+            if (closing >= 0 && !elements.Contains(closing))
+            {
+                return Open(joint, closing, joint - 1, "begins the pass that ends with");
+            }
+        }
+
+        return null;
+    }
+
+    private Refusal Open(int named, int unnamed, int other, string does) => elements.At(
+        _path.Motions[named], NcRefusalCodes.NoIntersection,
+        $"it {does} {elements.NameOf(unnamed)}, which is not named, and the tool goes straight down between it and {elements.NameOf(other)}. "
+            + "Displaced as asked, that pass would no longer close. Name the same cuts of each pass, and of each pass those that meet there.");
 
     /// <summary>Moves both ends of a ring to where its last element meets its first.</summary>
     /// <param name="first">Its first motion; earlier motions of the same run lead in.</param>

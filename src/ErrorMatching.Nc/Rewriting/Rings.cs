@@ -9,7 +9,8 @@ internal static class Rings
     private const double CornerSine = 0.0995;
 
     /// <summary>Pairs of inner joints of a run at one place. At least one of them is a corner, or they are both ends of a full circle. If
-    /// both are smooth, two paths cross, and they need not keep crossing in one joint.</summary>
+    /// both are smooth, two paths cross, and they need not keep crossing in one joint. Where the tool goes deeper at a joint, one contour
+    /// ends in its upper place and the next begins in its lower one.</summary>
     /// <param name="motions">The path.</param>
     /// <param name="first">First motion of the run.</param>
     /// <param name="last">Last motion of the run.</param>
@@ -20,6 +21,7 @@ internal static class Rings
         {
             if (IsCorner(motions[joint - 1], motions[joint]) || motions.StartOf(joint) == motions.EndOf(joint))
             {
+                corners.Add(motions.EndOf(joint - 1));
                 corners.Add(motions.StartOf(joint));
             }
         }
@@ -27,18 +29,14 @@ internal static class Rings
         var seen = new Dictionary<Point3, int>();
         for (var joint = first + 1; joint <= last && corners.Count > 0; joint++)
         {
-            var place = motions.StartOf(joint);
-            if (!corners.Contains(place))
-            {
-                continue;
-            }
-
-            if (seen.TryGetValue(place, out var before))
+            var (end, start) = (motions.EndOf(joint - 1), motions.StartOf(joint));
+            if (corners.Contains(end) && seen.TryGetValue(end, out var before))
             {
                 yield return (before, joint);
             }
 
-            seen[place] = joint;
+            seen[end] = joint;
+            seen[start] = joint;
         }
     }
 

@@ -123,7 +123,8 @@ internal sealed class RunEnds(DisplacedElements elements, PathChange change, Sho
     }
 
     /// <summary>Where a displaced element meets its neighbor's carrier, and which element remains there after short ones were cut off;
-    /// null if the neighbor cannot slide.</summary>
+    /// null if the neighbor cannot slide. Both ends of a full circle are one place: if one slid by itself, it would leave a gap or
+    /// overlap, or by a last bit no circle at all.</summary>
     private (Point2 Point, int Element)? Slide(int element, int neighbor, bool atStart)
     {
         var (e, n) = (_path.Motions[element], _path.Motions[neighbor]);
@@ -131,6 +132,7 @@ internal sealed class RunEnds(DisplacedElements elements, PathChange change, Sho
             || n.Plane != e.Plane
             || n.Frame != e.Frame
             || n.Has(MotionFlags.CompensationSwitches)
+            || e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9
             || !n.IsKnownInPlane || Obstacles.Of(_path, neighbor) is not null || ChangesTool(atStart ? element : element + 1))
         {
             return null;
@@ -151,18 +153,17 @@ internal sealed class RunEnds(DisplacedElements elements, PathChange change, Sho
             && ElementJoints.IsNear(point, joint, wished.Length)
             && point.DistanceTo(joint) < n.PlaneLength - (2 * elements.Increment))
         {
-            if (e.PlaneStart.DistanceTo(e.PlaneEnd) < 1e-9 && (point - joint - wished).Length > 1e-6)
-            {
-                // Both ends of a full circle are one place: an end that slid along an oblique lead-in would leave a gap or overlap.
-                return null;
-            }
-
             if (!pieces.EndsBefore(element, point, !atStart) || !elements.Contains(element + (atStart ? 1 : -1)))
             {
                 return (point, element);
             }
 
             element += atStart ? 1 : -1;
+            if (Math.Abs(_path.Motions[element].TangentAt(atStart ? 0 : 1).Cross(other)) < ElementJoints.TangentSine)
+            {
+                // What is left meets the neighbor so shallowly that it could end anywhere along it.
+                return null;
+            }
         }
 
         return null;
