@@ -103,6 +103,12 @@ internal sealed class PathChange
             return Obstacles.Of(Path, motion) ?? Obstacles.UnknownPlace(Path, motion);
         }
 
+        if (arc.Has(MotionFlags.BadArc) && (MoveOf(motion) != Vector3.Zero || MoveOf(motion + 1) != Vector3.Zero)
+            && Obstacles.Of(Path, motion) is { } bad)
+        {
+            return bad;
+        }
+
         var across = arc.Plane.Height(default(Point3) + (MoveOf(motion) - MoveOf(motion + 1)));
         if (arc.IsVertical && Math.Abs(across) > 1e-12)
         {
