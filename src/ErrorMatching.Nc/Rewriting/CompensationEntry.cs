@@ -67,13 +67,14 @@ internal static class CompensationEntry
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())
         {
-            if (motions.MovesInPlane(i) || change.PlaneMoveOf(i, motions[i].Plane) == change.PlaneMoveOf(i + 1, motions[i].Plane))
+            if (motions[i].IsArc || motions[i].PlaneStart != motions[i].PlaneEnd
+                || change.PlaneMoveOf(i, motions[i].Plane) == change.PlaneMoveOf(i + 1, motions[i].Plane))
             {
                 continue;
             }
 
             var next = i + 1;
-            while (next < motions.Length && !motions.MovesInPlane(next))
+            while (next < motions.Length && !motions[next].IsArc && motions[next].PlaneStart == motions[next].PlaneEnd)
             {
                 next++;
             }
