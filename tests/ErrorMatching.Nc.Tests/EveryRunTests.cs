@@ -41,7 +41,8 @@ public sealed class EveryRunTests
     public void A_named_way_in_to_passes_is_refused() => Assert.Contains(
         "leads in to the closed contour",
         Bench.RefusedNormal(
-            "G90 G17\nG0 X-5. Y-4. Z2.\nG1 Z-1. F100\nN1 X0. Y0.\nN2 X30.\nN3 Y20.\nN4 X0. Y0.\nG1 Z-2.\nN5 X30.\nN6 Y20.\nN7 X0. Y0.\nG0 Z5.\n",
+            "G90 G17\nG0 X-5. Y-4. Z2.\nG1 Z-1. F100\nN1 X0. Y0.\nN2 X30.\nN3 Y20.\nN4 X0. Y0.\n"
+                + "G1 Z-2.\nN5 X30.\nN6 Y20.\nN7 X0. Y0.\nG0 Z5.\n",
             0.02, "N1..N7").Message,
         StringComparison.Ordinal);
 
@@ -94,14 +95,16 @@ public sealed class EveryRunTests
     public void Every_run_of_the_corpus_is_proved_or_refused()
     {
         var (proved, failed) = (0, new List<string>());
-        foreach (var file in Directory.GetFiles(Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "Corpus"), "*.*", SearchOption.AllDirectories))
+        var folder = Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "Corpus");
+        foreach (var file in Directory.GetFiles(folder, "*.*", SearchOption.AllDirectories))
         {
             var name = Path.GetFileName(Path.GetDirectoryName(file)) switch
             {
                 "siemens" => "siemens-840d", "linuxcnc" => "linuxcnc", "okuma" => "okuma-osp", _ => "fanuc",
             };
             var dialect = NcDialects.Named(name);
-            Judge(Path.GetFileName(file), NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(file), dialect.Syntax), dialect), ref proved, failed);
+            var path = NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(file), dialect.Syntax), dialect);
+            Judge(Path.GetFileName(file), path, ref proved, failed);
         }
 
         Assert.Empty(failed);
@@ -172,7 +175,8 @@ public sealed class EveryRunTests
         var text = $"G21 G40 G90 G17\n{start}\nG1 Z-1. F500.\n";
         for (var pass = 1; pass <= 2 + (seed % 3); pass++)
         {
-            text += (pass == 1 ? "" : seed % 5 == 0 ? "" : $"G1 Z-{pass}.\n") + string.Concat(cuts.Select(c => c[(c.IndexOf(' ') + 1)..] + "\n"));
+            text += (pass == 1 ? "" : seed % 5 == 0 ? "" : $"G1 Z-{pass}.\n")
+                + string.Concat(cuts.Select(c => c[(c.IndexOf(' ') + 1)..] + "\n"));
             text += seed % 5 == 0 ? $"{close} Z-{pass + 1}.\n" : $"{close}\n";
         }
 

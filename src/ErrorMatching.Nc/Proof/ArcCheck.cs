@@ -54,8 +54,8 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
         CheckFollowing(was, now, null, null);
     }
 
-    /// <summary>Checks that an arc follows its ends everywhere. If both ends moved alike, the whole arc moved. Otherwise it is on the circle
-    /// through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends moved
+    /// <summary>Checks that an arc follows its ends everywhere. If both ends moved alike, the whole arc moved. Otherwise it is on the
+    /// circle through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends moved
     /// by more than they did.</summary>
     /// <param name="was">The motion in the original.</param>
     /// <param name="now">The motion in the result.</param>

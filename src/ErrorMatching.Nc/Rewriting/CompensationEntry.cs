@@ -67,8 +67,10 @@ internal static class CompensationEntry
         var motions = change.Path.Motions;
         foreach (var i in change.Affected())
         {
+            // The first motion begins where the tool is.
+            var start = i == 0 ? default : change.PlaneMoveOf(i, motions[i].Plane);
             if (motions[i].IsArc || motions[i].PlaneStart != motions[i].PlaneEnd
-                || change.PlaneMoveOf(i, motions[i].Plane) == change.PlaneMoveOf(i + 1, motions[i].Plane))
+                || start == change.PlaneMoveOf(i + 1, motions[i].Plane))
             {
                 continue;
             }
@@ -83,8 +85,8 @@ internal static class CompensationEntry
             {
                 return Refuse(
                     change, motions[i],
-                    "it would be the first motion after the switch, and so the one with which it takes effect. Post the switch in the block "
-                        + "that moves.");
+                    "it would be the first motion after the switch, and so the one with which it takes effect. Post the switch in the "
+                        + "block that moves.");
             }
         }
 

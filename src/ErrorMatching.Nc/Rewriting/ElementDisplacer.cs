@@ -71,7 +71,8 @@ internal sealed class ElementDisplacer
         {
             var (first, last) = runs[run];
             var (closing, opening) = closures[run] = _rings.Closures(first, last, contours);
-            if ((_rings.OpenPass(first, last, contours) ?? _inner.MoveSmooth(first, last) ?? _rings.Close(first, last, closing, opening) ?? _inner.MoveCorners(first, last))
+            if ((_rings.OpenPass(first, last, contours) ?? _inner.MoveSmooth(first, last)
+                ?? _rings.Close(first, last, closing, opening) ?? _inner.MoveCorners(first, last))
                 is { } refusal)
             {
                 return refusal;

@@ -94,8 +94,8 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
                 return elements.At(
                     _path.Motions[before + 1],
                     NcRefusalCodes.ElementFlips,
-                    "displaced as asked, the corner beside it cuts it off, and what is left meets so shallowly that it could do so anywhere. "
-                        + "Leave it out of the program, or displace less.");
+                    "displaced as asked, the corner beside it cuts it off, and what is left meets so shallowly that it could do so "
+                        + "anywhere. Leave it out of the program, or displace less.");
             }
             else
             {

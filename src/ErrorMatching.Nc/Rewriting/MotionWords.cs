@@ -10,6 +10,9 @@ namespace ErrorMatching.Nc;
 /// <param name="edit">Edits the blocks.</param>
 internal sealed class MotionWords(PathChange change, IncrementGrid grid, BlockEdit edit)
 {
+    /// <summary>Places closer than this are the same, mm.</summary>
+    private const double SamePlace = 1e-9;
+
     private readonly NcPath _path = change.Path;
     private readonly CircleWords _circles = new(change, grid, edit);
 
@@ -161,6 +164,14 @@ internal sealed class MotionWords(PathChange change, IncrementGrid grid, BlockEd
                 var original = incremental
                     ? new NcNumber(0, 0)
                     : NcNumber.Round(IncrementGrid.Coordinate(end, axis) / grid.Unit, 6).Trim();
+                if (!incremental && Math.Abs((original.Value * grid.Unit) - IncrementGrid.Coordinate(end, axis)) > SamePlace)
+                {
+                    return BlockRefusal.At(
+                        _path.Program, motion.Block, NcRefusalCodes.NumberTooLong,
+                        "it needs a coordinate word now, and its place has more digits than such a word can say. Post it "
+                            + "with all of its coordinates.");
+                }
+
                 edit.Set(axis, original + grid.Number(steps));
             }
         }

@@ -26,8 +26,8 @@ public sealed class JointMarginTests
         Assert.Equal(found, Found("N20 X20. Y10.\nG0 Z5.\n", "X0.", end, "N20 X20. Y10.\nG0 Z5.\n"));
 
     // The circle of radius 5 about (13, -4) crosses y = 0.1 at x = 13 - sqrt(25 - 4.1^2) = 10.13818.
-    // An end d further is 0.5724 d inside. 1.6 increments are allowed. By its radius, the whole arc goes along. One that does not slide should pass its old middle, moved by half of
-    // what its end moved.
+    // An end d further is 0.5724 d inside. 1.6 increments are allowed. By its radius, the whole arc goes along. One that does
+    // not slide should pass its old middle, moved by half of what its end moved.
     [Theory]
     [InlineData("X10.1382")]
     [InlineData("X10.1399")]
