@@ -55,8 +55,8 @@ internal sealed class ArcCheck(ProofTask task, ProofFindings findings)
     }
 
     /// <summary>Checks that an arc follows its ends everywhere. If both ends moved alike, the whole arc moved. Otherwise it is on the
-    /// circle through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends moved
-    /// by more than they did.</summary>
+    /// circle through its displaced ends and its old middle, moved by the mean of both ends' displacements, and no place between its ends
+    /// moved by more than they did.</summary>
     /// <param name="was">The motion in the original.</param>
     /// <param name="now">The motion in the result.</param>
     /// <param name="startWish">What was wished for its start, before rounding; null if nothing was.</param>

@@ -80,8 +80,8 @@ internal sealed class RingClosing(DisplacedElements elements, PathChange change,
     private Refusal Open(int named, int unnamed, int other, string does) => elements.At(
         _path.Motions[named], NcRefusalCodes.NoIntersection,
         $"it {does} {elements.NameOf(unnamed)}, which is not named, and the tool goes straight down between it and "
-            + $"{elements.NameOf(other)}. Displaced as asked, that pass would no longer close. Name the same cuts of each pass, and of each "
-            + "pass those that meet there.");
+            + $"{elements.NameOf(other)}. Displaced as asked, that pass would no longer close. Name the same cuts of each pass, and of "
+            + "each pass those that meet there.");
 
     /// <summary>Moves both ends of a ring to where its last element meets its first.</summary>
     /// <param name="first">Its first motion; earlier motions of the same run lead in.</param>
