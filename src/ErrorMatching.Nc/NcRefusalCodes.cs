@@ -106,6 +106,9 @@ public static class NcRefusalCodes
     /// <summary>An expression or statement at which the control would stop.</summary>
     public const string BadExpression = "bad-expression";
 
+    /// <summary>The control refuses the block, so that the program stops there.</summary>
+    public const string RefusedByControl = "refused-by-control";
+
     /// <summary>Programs call one another more deeply than the limit.</summary>
     public const string CallTooDeep = "call-too-deep";
 }

@@ -17,7 +17,7 @@ public sealed class BorderStateTests
     [
         "BlockIntent.Code", "BlockIntent.Family", "BlockIntent.Probes", "BlockIntent.Reference", "BlockIntent.Use",
         "BlockIntent.AboutPole", "BlockIntent.NamesMotion", "BlockIntent.NeedsSense",
-        "BlockIntent.CallsTool", "BlockIntent.Oversize", "CalledTool.Oversize", "CalledTool.Radius",
+        "ControlRefusals._stops", "BlockIntent.CallsTool", "BlockIntent.Oversize", "CalledTool.Oversize", "CalledTool.Radius",
         "Corners._pending.Item2", "CannedCycles._initial", "CannedCycles._unknown", "CannedCycles._words.Item1",
         "CannedCycles._pecksVary", "PolarEnds._pole",
         "CannedCycles._words.Item2", "CannedCycles._words.Item3", "CannedCycles._words.Item4", "CycleSteps.Count", "OffTheWall._shift",

@@ -30,6 +30,7 @@ internal sealed class BlockExecutor
     private readonly OriginCodes _origins;
     private readonly BlockCodes _codes;
     private readonly BlockObstacles _obstacles;
+    private readonly ControlRefusals _refusals;
     private readonly PoleCodes _pole;
     private readonly ToolLengthCodes _lengths;
     private readonly uint _straightLetters;
@@ -45,10 +46,11 @@ internal sealed class BlockExecutor
         (_words, _transforms) = (values.Words, layers.Transforms);
         _writer = new(control, layers, result);
         _pole = new(control, values, result);
+        Refusals = _refusals = new(control, values, result, layers, _intent);
         _ends = new(control, values, layers, _intent);
         _corners = new(control, values, layers, result, _writer);
         _arcs = new(control, values, layers, result, _writer, _corners, _pole);
-        _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps);
+        _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps, _refusals);
         _polar = new(control, values);
         _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
         _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
@@ -82,6 +84,8 @@ internal sealed class BlockExecutor
     public CoordinateLayers Layers { get; }
 
     public BlockReader Reader { get; }
+
+    public ControlRefusals Refusals { get; }
 
     public MachineSwitches Switches { get; }
 
@@ -146,9 +150,14 @@ internal sealed class BlockExecutor
                 return false;
             }
 
+            if (!_refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
+            {
+                return false;
+            }
+
             _control.Mode(meaning == NcMeaning.Rapid ? MotionKind.Rapid : MotionKind.Line);
         }
-        else if (state.Mode is not (MotionKind.Rapid or MotionKind.Line))
+        else if (state.Mode is not (MotionKind.Rapid or MotionKind.Line) || !_refusals.PassStraight(hasCode: false, isLine: false))
         {
             return false;
         }
@@ -227,6 +236,8 @@ internal sealed class BlockExecutor
         {
             _calls.RunBehind(Moved);
         }
+
+        _refusals.EndBlock();
     }
 
     // A departure moves without coordinates, too: to a place that the control computes.
@@ -283,7 +294,7 @@ internal sealed class BlockExecutor
         var saves = modes is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall;
         var before = saves ? _memory.Now(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
         var inchFeed = _control.State.InchFeed;
-        flags |= _codes.ReadCodes() | _codes.ReadFunctions();
+        flags |= _codes.ReadCodes() | _codes.ReadFunctions() | _refusals.Read();
         if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
             ReadNumbers(inchFeed);

@@ -87,8 +87,9 @@ internal sealed partial class BlockWords
                     AddFunction(digits, Math.Max(0, decimals));
                     break;
                 default:
+                    // A block number behind another word counts as a second one.
                     var bit = 1u << letter;
-                    repeated |= present & bit;
+                    repeated |= letter == 'N' - 'A' && words > 1 ? bit : present & bit;
                     present |= bit;
                     integers |= decimals < 0 ? bit : 0;
                     _values[letter] = decimals > 0 ? digits / Powers[decimals] : digits;
@@ -122,6 +123,7 @@ internal sealed partial class BlockWords
                     AddFunction(token.Number.Digits, token.Number.Decimals);
                     break;
                 case NcTokenKind.Word:
+                    Repeated |= token.Letter == 'N' && HasWords() ? Bit('N') : 0;
                     AddNumber(
                         token.Letter - 'A', token.Number.Value, !bytes.Slice(token.ValueStart, token.ValueLength).Contains((byte)'.'));
                     AddDistance(token);
@@ -155,6 +157,8 @@ internal sealed partial class BlockWords
             }
         }
     }
+
+    private bool HasWords() => (Present | Computed) != 0 || _codeCount + _functionCount + _statementCount > 0;
 
     private static double ValueOf(ReadOnlySpan<byte> bytes, NcToken token, Func<NcToken, double?> compute) =>
         token.Number == default && !IsZero(bytes, token) ? compute(token) ?? double.NaN : token.Number.Value;

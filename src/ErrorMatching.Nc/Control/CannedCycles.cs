@@ -10,7 +10,8 @@ internal sealed class CannedCycles(
     MotionWriter writer,
     EndPoints ends,
     OffTheWall wall,
-    CycleSteps steps)
+    CycleSteps steps,
+    ControlRefusals refusals)
 {
     /// <summary>Distance above the last depth at which a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch. Other controls have a
     /// parameter for it (assumed equal).</summary>
@@ -49,6 +50,11 @@ internal sealed class CannedCycles(
         var toolAxis = AxisSet.All & ~plane.Axes();
         var (target, unknown) = ends.Target();
         ReadWords(axis, toolAxis);
+        if (_words.HasPlane && (_unknown & toolAxis) == AxisSet.None)
+        {
+            flags |= refusals.RefuseRising(_words.Plane, _words.Depth);
+        }
+
         if (control.State.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
         {
             // Measured with rs274: its feeds use other axes than its rapids.

@@ -9,7 +9,11 @@ internal sealed class ControlState(NcDialect dialect)
     public const double MmPerInch = 25.4;
 
     /// <summary>Modes and the tool's place: all that plain cuts depend on, so that two runs can be compared by it.</summary>
-    public ModalState State = ModalState.Initial with { RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc };
+    public ModalState State = ModalState.Initial with
+    {
+        RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc,
+        InForce = dialect.Refusals.AtStart,
+    };
 
     /// <summary>Value of the D word in force; null if there was none, NaN if only the machine knows it.</summary>
     public double? Offset { get; set; }
@@ -73,5 +77,6 @@ internal sealed class ControlState(NcDialect dialect)
         State.Unsure = dialect.BlocksNameMotions ? Unsure.Plane | Unsure.Compensation : Unsure.All;
         State.Unknown = AxisSet.All;
         State.Cycle = NcMeaning.Unknown;
+        State.InForce = RefusalTable.Open;
     }
 }

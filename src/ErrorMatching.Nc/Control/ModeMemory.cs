@@ -106,6 +106,8 @@ internal sealed class ModeMemory(
         offsets.Choose(saved.WorkOffset, isKnown: true);
         layers.Offsets.IsUnsure |= saved.IsWorkOffsetUnsure;
         control.State.Unsure |= modes.Unsure & ~Unsure.Mode;
+        var motion = values.Dialect.Refusals.Motion;
+        control.State.InForce = (modes.InForce & ~motion) | (control.State.InForce & motion);
         control.State.Unknown = isSure ? control.State.Unknown : AxisSet.All;
     }
 }

@@ -15,6 +15,7 @@ internal static class DialectPage
             AddSubjects(facts, topic, documents, key, subjects);
         }
 
+        AddNamed(facts, DialectTopic.Refusal, documents, d => d.List("refusals").Select(n => (n["name"].Text, n)));
         AddNamed(facts, DialectTopic.Note, documents, d => d.List("notes").Select(n => (n["topic"].Text, n)));
         return facts;
     }
@@ -91,7 +92,7 @@ internal static class DialectPage
     }
 
     private static DialectFact Fact(DialectTopic topic, string subject, JsonItem item, DialectDocument document) =>
-        new(topic, subject, MeaningOf(item), item["statement"].Text, item["source"].Text, document.Name);
+        new(topic, subject, topic == DialectTopic.Refusal ? RefusalText.Of(item) : MeaningOf(item), item["statement"].Text, item["source"].Text, document.Name);
 
     private static string MeaningOf(JsonItem item)
     {

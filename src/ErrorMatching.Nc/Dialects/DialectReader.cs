@@ -14,6 +14,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
     private static readonly Dictionary<string, int> Namings = KebabNames.Of(typeof(ProgramNaming));
+    private static readonly Dictionary<string, int> Comments = KebabNames.Of(typeof(NestedComments));
     private static readonly Dictionary<string, int> Starts = KebabNames.Of(typeof(CompensationStart));
     private static readonly Dictionary<string, int> CornerNames = KebabNames.Of(typeof(CompensationCorner));
 
@@ -57,6 +58,50 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         {
             Apply(topic, document.List(key), subjects);
         }
+
+        Refuse(document.List("refusals"));
+    }
+
+    // An entry replaces one of the same name of an earlier file.
+    private void Refuse(IReadOnlyList<JsonItem> entries)
+    {
+        var stated = new HashSet<string>(StringComparer.Ordinal);
+        var subjects = new List<SubjectRange>();
+        foreach (var entry in entries)
+        {
+            var name = entry["name"].Text;
+            if (!stated.Add(name))
+            {
+                Problems.Add(JsonRefusal.At(entry["name"], "stated-twice", $"{name} again", "each once in a file"));
+            }
+
+            foreach (var key in RefusalTable.SetsOfCodes)
+            {
+                foreach (var word in entry.Find(key)?.Text.Split([' ', '&'], StringSplitOptions.RemoveEmptyEntries) ?? [])
+                {
+                    if (!SubjectRange.TryRead(word, word[0] == 'M' ? DialectTopic.Function : DialectTopic.Code, subjects, out _)
+                        || !subjects[^1].HasNumbers)
+                    {
+                        Problems.Add(JsonRefusal.At(entry[key], "bad-subject", $"\"{word}\"", "G codes and M functions, with spaces "
+                            + "between them"));
+                    }
+                }
+            }
+
+            var known = tables.Refusals.FindIndex(r => r["name"].Text == name);
+            if (known >= 0)
+            {
+                tables.Refusals.RemoveAt(known);
+            }
+
+            tables.Refusals.Add(entry);
+        }
+
+        if (entries.Count > 0 && Problems.Count == 0 && new RefusalTable(tables.Refusals).HasTooMany)
+        {
+            Problems.Add(JsonRefusal.At(document.Root["refusals"], "too-many-items", "more codes that the refusals distinguish than can be",
+                "fewer"));
+        }
     }
 
     private void Set(string name, JsonItem value)
@@ -82,6 +127,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "commentLength": tables.CommentLength = (int)value.Number; break;
             case "turnsLetter": tables.TurnsLetter = LetterOf(value); break;
             case "programNames": tables.ProgramNaming = (ProgramNaming)Namings[value.Text]; break;
+            case "longestLine": tables.LongestLine = (int)value.Number; break;
+            case "nestedComments": tables.NestedComments = (NestedComments)Comments[value.Text]; break;
             case "workOffsets": SetWorkOffsets(value); break;
             case "offsetProgram": tables.Offsets.Program = LinesOf(value, OffsetRule.InProgram, []); break;
             case "radiusOffset": tables.Offsets.Radius = LinesOf(value, OffsetRule.InRadius, OffsetRule.BeforeRadius); break;

@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>The tables of a dialect while its files are read, from the first base to the requested file: later entries replace earlier
@@ -14,6 +16,7 @@ internal sealed class DialectTables
 
     private const int FamilyShift = 8;
     private readonly List<string> _families = [""];
+    private RefusalTable? _refusals;
 
     public NcSyntax Syntax { get; set; }
 
@@ -52,6 +55,15 @@ internal sealed class DialectTables
     public int CommentLength { get; set; }
 
     public ProgramNaming ProgramNaming { get; set; }
+    public int LongestLine { get; set; } = int.MaxValue;
+
+    public NestedComments NestedComments { get; set; }
+
+    /// <summary>What the control refuses: entries of the files, each name once.</summary>
+    public List<JsonItem> Refusals { get; } = [];
+
+    /// <summary>The same, compiled at first use.</summary>
+    public RefusalTable RefusalTable => _refusals ??= Refusals.Count == 0 ? RefusalTable.Empty : new(Refusals);
 
     public OffsetRule Offsets { get; } = new();
 

@@ -21,6 +21,9 @@ public enum DialectTopic : byte
     /// <summary>Programs stored in the machine.</summary>
     MachineProgram,
 
+    /// <summary>Something that the control refuses in a block.</summary>
+    Refusal,
+
     /// <summary>A statement about the control without data.</summary>
     Note,
 }

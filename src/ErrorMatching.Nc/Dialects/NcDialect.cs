@@ -100,6 +100,15 @@ public sealed class NcDialect
     /// <summary>How the control leads the tool's center under cutter compensation.</summary>
     internal CompensationRule Compensation => _tables.Compensation;
 
+    /// <summary>What the control refuses in a block.</summary>
+    internal RefusalTable Refusals => _tables.RefusalTable;
+
+    /// <summary>Most characters of a block.</summary>
+    internal int LongestLine => _tables.LongestLine;
+
+    /// <summary>What the control does with a parenthesis inside a comment.</summary>
+    internal NestedComments NestedComments => _tables.NestedComments;
+
     /// <summary>How a program changes the control's offsets.</summary>
     internal OffsetRule Offsets => _tables.Offsets;
 

@@ -25,4 +25,7 @@ internal static class LinuxCncNames
         IsPredefined(name)
             || name.StartsWith("_INI[", StringComparison.Ordinal)
             || name.StartsWith("_HAL[", StringComparison.Ordinal);
+
+    /// <summary>True for the numbers of the tool in the spindle and of the place where it is.</summary>
+    public static bool IsReadOnly(int number) => number is (>= 5400 and <= 5413) or (>= 5420 and <= 5428);
 }

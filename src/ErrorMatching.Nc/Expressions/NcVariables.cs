@@ -148,9 +148,14 @@ internal sealed class NcVariables
 
     private string? NumberError(int number, bool assigned)
     {
+        if (_syntax == NcSyntax.LinuxCnc && assigned && LinuxCncNames.IsReadOnly(number))
+        {
+            return string.Create(CultureInfo.InvariantCulture, $"the variable #{number} can only be read");
+        }
+
         var exists = _syntax switch
         {
-            NcSyntax.LinuxCnc => number > 0,
+            NcSyntax.LinuxCnc => number is > 0 and <= LinuxCncNames.LastNumber,
             NcSyntax.Siemens => number >= 0,
             _ => (number > 0 || (number == 0 && !assigned)) && number is not (> 33 and < 100),
         };

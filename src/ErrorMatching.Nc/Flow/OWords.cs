@@ -9,6 +9,9 @@ internal sealed class OWords(CallStack calls, FlowReport report, FlowMemory memo
     {
         switch (statement.Kind)
         {
+            case FlowKind.Sub when HasSubInside(statement):
+                return report.Refuse(NcRefusalCodes.RefusedByControl, statement.Block,
+                    "another subroutine begins before this one ends: the control refuses that. End this one first.");
             case FlowKind.Sub:
                 return statement.End is { } end
                     ? course.Jump(statement.Block, end.Block + 1)
@@ -20,6 +23,19 @@ internal sealed class OWords(CallStack calls, FlowReport report, FlowMemory memo
                     ? report.Refuse(NcRefusalCodes.MissingLabel, statement.Block, "a subroutine ends here that was not called.")
                     : ReturnValue(statement, text);
         }
+    }
+
+    private bool HasSubInside(FlowStatement sub)
+    {
+        for (var block = sub.Block + 1; block < sub.End?.Block; block++)
+        {
+            if (calls.Unit.Index.StatementAt(block) is { Kind: FlowKind.Sub })
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private FlowAction ReturnValue(FlowStatement statement, ReadOnlySpan<byte> text)

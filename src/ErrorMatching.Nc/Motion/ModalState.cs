@@ -42,6 +42,10 @@ internal struct ModalState
 
     public Unsure Unsure;
 
+    /// <summary>The codes in force that what the control refuses depends on, and the letters given so far, as bits of its
+    /// dialect's table.</summary>
+    public ulong InForce;
+
     /// <summary>The modes that a motion stores.</summary>
     public readonly MotionFlags Flags =>
         (Inch ? MotionFlags.Inch : MotionFlags.None)
@@ -78,6 +82,7 @@ internal struct ModalState
         && Pole.SameAs(other.Pole)
         && Unknown == other.Unknown
             && Unsure == other.Unsure
+            && InForce == other.InForce
             && Bits(Feed) == Bits(other.Feed)
             && Bits(ModalRounding) == Bits(other.ModalRounding)
         && Bits(Position.X) == Bits(other.Position.X)

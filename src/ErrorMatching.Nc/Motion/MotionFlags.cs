@@ -79,4 +79,7 @@ public enum MotionFlags
     /// <summary>The end of the arc is an angle about its center (CP). Together with <see cref="Transformed"/>: the end is polar in a form
     /// that is not changed (LP, AP=), and nothing else transforms it.</summary>
     PolarEnd = 1 << 23,
+
+    /// <summary>The control refuses the block, so that the program stops there.</summary>
+    Refused = 1 << 24,
 }

@@ -37,7 +37,7 @@ public sealed class NcInterpreter
 
     internal RunBorders Borders => _borders;
 
-    internal bool HasProblems => _result.Problems.Count > 0;
+    internal bool HasReports => _result.Problems.Count > 0 || _result.Notes.Count > 0;
 
     /// <summary>Interprets a program without a library of other programs.</summary>
     /// <param name="program">The program; it is read in the dialect's syntax.</param>
@@ -231,6 +231,7 @@ public sealed class NcInterpreter
             return;
         }
 
+        _executor.Refusals.ReadSpelling(_run.Text.BytesOf(block));
         if (FlowTrigger.Concerns(_run.Text.BytesOf(block), _run.Dialect) && _executor.Steering.HasStatements(block))
         {
             RunWithFlow(block);

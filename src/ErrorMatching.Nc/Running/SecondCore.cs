@@ -57,7 +57,7 @@ internal sealed class SecondCore(NcProgram program, NcDialect dialect)
         var ahead = new NcInterpreter(program, dialect, motions.Ahead(before.Motions), null, end);
         ahead.RunCuts(before.State, seam, program.BlockCount);
 
-        // A problem would have to be reported in order and only once; there should be none.
-        return ahead.HasProblems ? null : new(ahead, before.State);
+        // A problem or note would have to be reported in order and only once; there should be none.
+        return ahead.HasReports ? null : new(ahead, before.State);
     }
 }

@@ -8,7 +8,7 @@ internal static class ComputedSpelling
     {
         if (text.Bytes[at] == '=')
         {
-            return text.BehindEquals(at);
+            return text.Syntax == NcSyntax.LinuxCnc ? 0 : text.BehindEquals(at);
         }
 
         if (text.Bytes[at] is (byte)'-' or (byte)'+')

@@ -57,6 +57,10 @@ internal static class Obstacles
         {
             _ when m.Has(MotionFlags.Conditional) =>
                 (NcRefusalCodes.Expression, "it is cut only under its condition (IF). Post it without one, or leave this block out."),
+            _ when m.Has(MotionFlags.Refused) =>
+                (
+                    NcRefusalCodes.RefusedByControl,
+                    "the control refuses this block and stops: nc check says why. Correct it before you change it."),
             _ when m.Has(MotionFlags.UnknownWord) =>
                 (
                     NcRefusalCodes.UnknownWord,

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -6,7 +7,7 @@ namespace ErrorMatching.Peers.Tests;
 /// LinuxCNC's own interpreter as a program, from Debian's package linuxcnc-uspace. Each run has a home of its own:
 /// instances share a file in it and stop each other otherwise.
 /// </summary>
-internal static class Rs274
+internal static partial class Rs274
 {
     private const int LimitMs = 180_000;
     private const string Package = "linuxcnc-uspace";
@@ -53,6 +54,70 @@ internal static class Rs274
         File.WriteAllBytes(file, System.Text.Encoding.Latin1.GetBytes(program));
         return Run(file, home, folder);
     });
+
+    /// <summary>Runs blocks one after the other in one process, which goes on after each error, and returns what it says of each.</summary>
+    /// <param name="reset">Blocks before each of them, so that none depends on the one before.</param>
+    /// <param name="blocks">The blocks, each with those that it needs.</param>
+    /// <returns>The messages; null where a block is accepted.</returns>
+    public static IReadOnlyList<string?> RunBlocks(IReadOnlyList<string> reset, IReadOnlyList<(IReadOnlyList<string> Before, string Block)> blocks)
+    {
+        var home = Directory.CreateTempSubdirectory("errormatch-peer-").FullName;
+        try
+        {
+            var lines = blocks.SelectMany((b, i) => (IEnumerable<string>)[.. reset, .. b.Before, $"(MSG,<{i})", b.Block, $"(MSG,>{i})"]);
+            File.WriteAllText(Path.Combine(home, "program.ngc"), string.Join('\n', [.. lines, "M2", ""]));
+            File.WriteAllText(Path.Combine(home, "tool.tbl"), string.Concat(Enumerable.Range(1, 20).Select(n => $"T{n} P{n} Z0 D0.2\n")));
+
+            // Messages and errors are in order only where both go to one pipe.
+            var start = new ProcessStartInfo("/bin/sh", ["-c", $"exec '{Executable}' -n 0 -t tool.tbl -g program.ngc 2>&1"])
+            {
+                UseShellExecute = false,
+                WorkingDirectory = home,
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+            };
+            start.Environment["HOME"] = home;
+            using var process = Process.Start(start)!;
+            process.StandardInput.Close();
+            var output = process.StandardOutput.ReadToEnd();
+            process.WaitForExit();
+            return Said(output, blocks.Count);
+        }
+        finally
+        {
+            Directory.Delete(home, recursive: true);
+        }
+    }
+
+    // What is not a canonical command between the marks of a block is an error, its text first.
+    private static string?[] Said(string output, int count)
+    {
+        var said = new string?[count];
+        var (block, before) = (-1, 0);
+        foreach (var line in output.Split('\n'))
+        {
+            if (Mark().Match(line) is { Success: true } mark)
+            {
+                var number = int.Parse(mark.Groups["number"].ValueSpan, System.Globalization.CultureInfo.InvariantCulture);
+                block = mark.Groups["side"].Value == "<" ? number : -1;
+                before = number + 1;
+            }
+            else if (!Command().IsMatch(line))
+            {
+                Assert.True(block >= 0, $"rs274 refuses what is before block {before}: {line}");
+                said[block] ??= line;
+            }
+        }
+
+        Assert.Equal(count, before);
+        return said;
+    }
+
+    [GeneratedRegex(@"MESSAGE\(""(?<side>[<>])(?<number>[0-9]+)""\)", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant)]
+    private static partial Regex Mark();
+
+    [GeneratedRegex(@"^\s*[0-9]+ N\S*\s+[A-Z0-9_]+ *\(|^executing$|^\s*$", RegexOptions.CultureInvariant)]
+    private static partial Regex Command();
 
     // The last origin and rotation that the control was given.
     private static PeerOrigin Origin(string[] lines)

@@ -15,6 +15,7 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
         (DialectTopic.Function, "M functions", "function"),
         (DialectTopic.Flow, "Words that branch, loop or define programs", "word"),
         (DialectTopic.MachineProgram, "Programs that are in the machine", "program"),
+        (DialectTopic.Refusal, "What the control refuses in a block", "name"),
         (DialectTopic.Note, "What else is assumed", "topic"),
     ];
 

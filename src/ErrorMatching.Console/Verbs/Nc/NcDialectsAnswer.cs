@@ -81,6 +81,7 @@ internal class NcDialectsAnswer(IReadOnlyList<NcDialect> dialects) : DocumentAns
         DialectTopic.Function => "function",
         DialectTopic.Flow => "flow",
         DialectTopic.MachineProgram => "machine-program",
+        DialectTopic.Refusal => "refusal",
         _ => "note",
     };
 }

@@ -12,7 +12,7 @@ internal static class ShownNotes
         json.WriteStartArray("notes");
         foreach (var (file, path) in programs)
         {
-            foreach (var note in path.Notes)
+            foreach (var note in NotesOf(path))
             {
                 json.WriteStartObject();
                 json.WriteString("file", file);
@@ -28,12 +28,21 @@ internal static class ShownNotes
         json.WriteEndArray();
     }
 
+    // What the control refuses stops the program, so it is said with every result.
+    private static IEnumerable<NcNote> NotesOf(NcPath path)
+    {
+        NcProblem[] refused = [.. path.Problems.Where(p => p.Code == NcRefusalCodes.RefusedByControl)];
+        return refused.Length == 0 ? path.Notes
+            : [new(NcRefusalCodes.RefusedByControl, refused[0].Block, refused.DistinctBy(p => p.Block).Count(),
+                $"The program stops at {path.Program.NameOf(path.Program[refused[0].Block])}. {refused[0].Message}"), .. path.Notes];
+    }
+
     /// <summary>Writes them as lines.</summary>
     public static void Write(Page page, params ReadOnlySpan<(string File, NcPath Path)> programs)
     {
         foreach (var (file, path) in programs)
         {
-            foreach (var note in path.Notes)
+            foreach (var note in NotesOf(path))
             {
                 page.Line($"Note: {(programs.Length > 1 ? file + ": " : "")}{note.Message}");
             }

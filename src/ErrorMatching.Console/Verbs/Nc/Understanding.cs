@@ -30,11 +30,15 @@ internal sealed class Understanding
         }
 
         Blocks = [.. blocks];
+        Refused = [.. path.Problems.Where(p => p.Code == NcRefusalCodes.RefusedByControl).Select(p => p.Block).Distinct().Order()];
         Skipped = path.Dialect.BlockSkip == BlockSkip.On ? path.Notes.Where(n => n.Code == "block-skip").Sum(n => n.Count) : 0;
     }
 
     /// <summary>Blocks with something that is not understood or not followed, in order.</summary>
     public IReadOnlyList<int> Blocks { get; }
+
+    /// <summary>Those of them that the control refuses, in order.</summary>
+    public int[] Refused { get; }
 
     /// <summary>How often block skip passed over a block.</summary>
     public long Skipped { get; }
@@ -47,9 +51,14 @@ internal sealed class Understanding
     {
         get
         {
+            var refused = Refused.Length == 0 ? ""
+                : Invariant($"The control refuses {Refused.Length} of {_path.Program.BlockCount} blocks and stops at the first of them.");
+            var others = Blocks.Count - Refused.Length;
             var text = _path.Refusal is not null ? "The program is followed up to the block that is refused, and not behind it."
                 : Blocks.Count == 0 ? "Everything is understood."
-                : Invariant($"{Blocks.Count} of {_path.Program.BlockCount} blocks {(Blocks.Count == 1 ? "is" : "are")} not understood.");
+                : others == 0 ? refused
+                : Invariant($"{others} of {_path.Program.BlockCount} blocks {(others == 1 ? "is" : "are")} not understood.")
+                    + (refused.Length > 0 ? " " + refused : "");
             text += Skipped > 0 ? Invariant($" Block skip passes over {Skipped}.") : "";
             return OfMachine == 0
                 ? text
@@ -58,7 +67,13 @@ internal sealed class Understanding
     }
 
     /// <summary>The reason why a program that must be understood as a whole is refused; null if it is understood.</summary>
-    public Refusal? Refusal => Blocks.Count == 0 ? null : BlockRefusal.At(
+    public Refusal? Refusal => Blocks.Count == 0 ? null
+        : Refused.Length > 0 ? BlockRefusal.At(
+            _path.Program,
+            Refused[0],
+            NcRefusalCodes.RefusedByControl,
+            _path.Problems.First(p => p.Block == Refused[0] && p.Code == NcRefusalCodes.RefusedByControl).Message)
+        : BlockRefusal.At(
         _path.Program,
         Blocks[0],
         NotUnderstood,
