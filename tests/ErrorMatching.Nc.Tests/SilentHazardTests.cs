@@ -73,7 +73,7 @@ public sealed class SilentHazardTests
     [InlineData("N10 G1 X5.; (ROUGH);", "fanuc", "", "")]
     [InlineData("N10 G1 X5. ; tool 1, 10 mm", "fanuc", "", "")]
     [InlineData("N10 G1 X5. (ROUGH; Y20.)", "fanuc", "", "")]
-    [InlineData("N10 G1 X5. ; Y20.", "linuxcnc", "", "")]
+    [InlineData("N10 G1 X5. F100 ; Y20.", "linuxcnc", "", "")]
     [InlineData("N10 G1 X5. ; Y20.", "siemens-840d", "", "")]
     public void Words_behind_a_semicolon_are_never_passed_over_in_silence(string block, string dialect, string problem, string note)
     {

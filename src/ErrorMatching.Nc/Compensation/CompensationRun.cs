@@ -15,7 +15,7 @@ internal sealed class CompensationRun
 
     private const MotionFlags Sides = MotionFlags.CompensationLeft | MotionFlags.CompensationRight;
 
-    private const MotionFlags Unfollowed = MotionFlags.UnsureMode | MotionFlags.UnknownWord | MotionFlags.Refused | MotionFlags.BadArc
+    private const MotionFlags Unfollowed = MotionFlags.UnsureMode | MotionFlags.UnknownWord | MotionFlags.BadArc
         | MotionFlags.Cycle | MotionFlags.MachineMove;
 
     private readonly NcPath _path;

@@ -50,7 +50,7 @@ internal sealed class CannedCycles(
         var toolAxis = AxisSet.All & ~plane.Axes();
         var (target, unknown) = ends.Target();
         ReadWords(axis, toolAxis);
-        if (_words.HasPlane && (_unknown & toolAxis) == AxisSet.None)
+        if (control.State.Cycle != NcMeaning.BackBoreCycle && _words.HasPlane && (_unknown & toolAxis) == AxisSet.None)
         {
             flags |= refusals.RefuseRising(_words.Plane, _words.Depth);
         }

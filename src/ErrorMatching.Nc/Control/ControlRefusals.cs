@@ -322,7 +322,7 @@ internal sealed class ControlRefusals(
         }
 
         _stops = true;
-        return MotionFlags.Refused;
+        return MotionFlags.UnknownWord;
     }
 
     /// <summary>Ends a block: behind one that the control refuses, nothing is known.</summary>

@@ -60,12 +60,21 @@ internal sealed class RefusalTable
         var rules = new List<RefusalRule>();
         foreach (var entry in entries)
         {
-            AddGroup(entry);
+            AtStart |= AddGroup(entry);
         }
 
         foreach (var entry in entries)
         {
-            if (RuleOf(entry) is { } rule)
+            if (RuleOf(entry) is not { } rule)
+            {
+                continue;
+            }
+
+            if (entry.Find("rises") is not null)
+            {
+                Rising = rule;
+            }
+            else
             {
                 rules.Add(rule);
             }
@@ -106,13 +115,13 @@ internal sealed class RefusalTable
     public IReadOnlyList<(UInt128 Codes, RefusalRule Rule)> TwoOf => _twoOf;
 
     /// <summary>The codes in force when a program begins.</summary>
-    public ulong AtStart { get; private set; }
+    public ulong AtStart { get; }
 
     /// <summary>Nothing is known to be in force, and all letters may have been given.</summary>
     public static ulong Open { get; } = Remembered.Aggregate(0ul, (bits, letter) => bits | letter.Bit);
 
     /// <summary>A cycle whose depth is above its R plane; null if the control is not known to refuse it.</summary>
-    public RefusalRule? Rising { get; private set; }
+    public RefusalRule? Rising { get; }
 
     /// <summary>The codes of motions.</summary>
     public ulong Motion { get; }
@@ -198,11 +207,12 @@ internal sealed class RefusalTable
         return set;
     }
 
-    private void AddGroup(JsonItem entry)
+    // What is in force of it at first.
+    private ulong AddGroup(JsonItem entry)
     {
         if (entry.Find("inForce") is not { } codes)
         {
-            return;
+            return 0;
         }
 
         var ends = entry.Find("ends") is { } end ? (ulong)Set(end.Text) : 0;
@@ -214,7 +224,7 @@ internal sealed class RefusalTable
 
         _groups.Add(group);
         _ends.Add(ends);
-        AtStart |= entry.Find("atStart") is { } start ? (ulong)Set(start.Text) : 0;
+        return entry.Find("atStart") is { } start ? (ulong)Set(start.Text) : 0;
     }
 
     // Null for an entry that only says what stays in force, or what is accepted.
@@ -243,11 +253,6 @@ internal sealed class RefusalTable
             return null;
         }
 
-        if (entry.Find("rises") is not null)
-        {
-            Rising = rule;
-            return null;
-        }
 
         if (entry.Find("twoOf") is { } two)
         {
@@ -255,7 +260,7 @@ internal sealed class RefusalTable
             return null;
         }
 
-        return rule is { Codes.Length: 0, Letters.Length: 0, Repeated: 0, MostFunctions: int.MaxValue } ? null : rule;
+        return entry.Find("rises") is null && rule is { Codes.Length: 0, Letters.Length: 0, Repeated: 0, MostFunctions: int.MaxValue } ? null : rule;
     }
 
     private static ulong Remember(JsonItem entry, string key) =>

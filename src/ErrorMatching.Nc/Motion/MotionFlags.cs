@@ -43,7 +43,7 @@ public enum MotionFlags
     /// <summary>The block has a corner word (,R or ,C).</summary>
     CornerWord = 1 << 11,
 
-    /// <summary>The block has a word that the dialect does not know.</summary>
+    /// <summary>The block has a word that the dialect does not know, or the control refuses it; a problem says which.</summary>
     UnknownWord = 1 << 12,
 
     /// <summary>The arc's words do not describe a circle within the control's tolerance.</summary>
@@ -79,7 +79,4 @@ public enum MotionFlags
     /// <summary>The end of the arc is an angle about its center (CP). Together with <see cref="Transformed"/>: the end is polar in a form
     /// that is not changed (LP, AP=), and nothing else transforms it.</summary>
     PolarEnd = 1 << 23,
-
-    /// <summary>The control refuses the block, so that the program stops there.</summary>
-    Refused = 1 << 24,
 }

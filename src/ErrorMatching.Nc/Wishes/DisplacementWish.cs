@@ -127,7 +127,7 @@ public sealed class DisplacementWish
 
     // The coordinates do not show whether a motion between unknown places moves; its words do.
     private static bool MayMoveInPlane(NcPath path, int motion, in NcMotion m) => m.MovesInPlane
-        || (!m.IsKnownInPlane && (m.Has(MotionFlags.Expression | MotionFlags.UnknownWord | MotionFlags.Refused)
+        || (!m.IsKnownInPlane && (m.Has(MotionFlags.Expression | MotionFlags.UnknownWord)
             || (motion > 0 && m.Plane.Project(path.Motions.AssumedEnd(motion)) != m.Plane.Project(path.Motions.AssumedEnd(motion - 1)))));
 
     /// <summary>Creates a wish to move the end points of all motions of some blocks by one vector.</summary>

@@ -22,6 +22,13 @@ internal static class Obstacles
                     + "change.");
         }
 
+        var block = motion.Block;
+        if (motion.Has(MotionFlags.UnknownWord)
+            && path.Problems.FirstOrDefault(p => p.Block == block && p.Code == NcRefusalCodes.RefusedByControl) is { } refused)
+        {
+            return BlockRefusal.At(path.Program, block, refused.Code, refused.Message + " Correct the block, or leave it out.");
+        }
+
         var (code, why) = Reason(motion, path.IsLead(motion));
         return code is null ? null : BlockRefusal.At(path.Program, motion.Block, code, why!);
     }
@@ -57,10 +64,6 @@ internal static class Obstacles
         {
             _ when m.Has(MotionFlags.Conditional) =>
                 (NcRefusalCodes.Expression, "it is cut only under its condition (IF). Post it without one, or leave this block out."),
-            _ when m.Has(MotionFlags.Refused) =>
-                (
-                    NcRefusalCodes.RefusedByControl,
-                    "the control refuses this block and stops: nc check says why. Correct it before you change it."),
             _ when m.Has(MotionFlags.UnknownWord) =>
                 (
                     NcRefusalCodes.UnknownWord,
