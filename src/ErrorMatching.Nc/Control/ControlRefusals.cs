@@ -296,17 +296,17 @@ internal sealed class ControlRefusals(
 
     /// <summary>Refuses a cycle that would drill upwards, if the control does.</summary>
     public MotionFlags RefuseRising(double plane, double depth) =>
-        _table.Rising is { } rule && plane < depth ? Refuse(rule.Statement, "", rule.IsAssumed, dependsOnBefore: false) : MotionFlags.None;
+        _table.Rising is { } rule && plane < depth ? Refuse(rule.Statement, "", rule.IsAssumed, isClear: false) : MotionFlags.None;
 
     private MotionFlags Refuse(RefusalRule rule, in Block block, string? found)
     {
         var codes = rule.Codes.Aggregate((UInt128)0, (all, set) => all | set);
         var letters = rule.Letters.Aggregate(rule.Repeated & values.Words.Repeated, (all, set) => all | set);
         found ??= string.Join(' ', ((string[])[Codes(codes), Letters(letters & block.Given)]).Where(t => t.Length > 0));
-        return Refuse(rule.Statement, found, rule.IsAssumed, rule.DependsOnBefore);
+        return Refuse(rule.Statement, found, rule.IsAssumed, rule.IsClear);
     }
 
-    private MotionFlags Refuse(string statement, string found, bool isAssumed, bool dependsOnBefore)
+    private MotionFlags Refuse(string statement, string found, bool isAssumed, bool isClear)
     {
         var at = found.Length > 0 ? $" ({found})" : "";
         if (isAssumed)
@@ -316,7 +316,7 @@ internal sealed class ControlRefusals(
         }
 
         result.Problem(NcRefusalCodes.RefusedByControl, $"The control refuses this block{at}: {statement}", MotionFlags.None);
-        if (dependsOnBefore)
+        if (isClear)
         {
             return MotionFlags.None;
         }

@@ -46,8 +46,8 @@ internal sealed record RefusalRule(string Name, string Statement, bool IsAssumed
     /// <summary>The block has more M functions than this.</summary>
     public int MostFunctions { get; init; } = int.MaxValue;
 
-    /// <summary>True if it depends on something that may have been stated before the program.</summary>
-    public bool DependsOnBefore => Ungiven != 0;
+    /// <summary>True if what the block does is clear all the same, such as a move without a feed.</summary>
+    public bool IsClear { get; init; }
 }
 
 /// <summary>The values that a control accepts.</summary>

@@ -245,6 +245,7 @@ internal sealed class RefusalTable
             Where = [.. (entry.Find("where")?.Text ?? "").Split(' ', StringSplitOptions.RemoveEmptyEntries)
                 .Select(w => ((byte)w[0], double.Parse(w.AsSpan(1), System.Globalization.CultureInfo.InvariantCulture)))],
             Values = entry.Find("values") is { } values ? ValuesOf(values) : null,
+            IsClear = entry.Find("clear")?.Flag == true,
             MostFunctions = (int)(entry.Find("mostFunctions")?.Number ?? int.MaxValue),
         };
         if (entry.Find("clears") is not null)

@@ -23,10 +23,11 @@ internal static class Obstacles
         }
 
         var block = motion.Block;
-        if (motion.Has(MotionFlags.UnknownWord)
-            && path.Problems.FirstOrDefault(p => p.Block == block && p.Code == NcRefusalCodes.RefusedByControl) is { } refused)
+        if (motion.Has(MotionFlags.UnknownWord | MotionFlags.UnsureMode)
+            && path.Problems.FirstOrDefault(p => p.Block <= block && p.Code == NcRefusalCodes.RefusedByControl) is { } refused)
         {
-            return BlockRefusal.At(path.Program, block, refused.Code, refused.Message + " Correct the block, or leave it out.");
+            return BlockRefusal.At(path.Program, refused.Block, refused.Code,
+                refused.Message + " The program stops there: correct this block before you change anything from it on.");
         }
 
         var (code, why) = Reason(motion, path.IsLead(motion));
