@@ -19,7 +19,9 @@ internal static class RefusalText
             return "accepted";
         }
 
-        var parts = Conditions.Where(c => entry.Find(c.Key) is not null).Select(c => $"{c.Word} {entry[c.Key].Text}".Trim()).ToList();
+        // A group is nearly always the same as its codes that exclude each other.
+        var isSame = entry.Find("twoOf")?.Text == entry.Find("inForce")?.Text;
+        var parts = Conditions.Where(c => entry.Find(c.Key) is not null && !(isSame && c.Key == "inForce")).Select(c => $"{c.Word} {entry[c.Key].Text}".Trim()).ToList();
         if (entry.Find("begins") is not null)
         {
             parts.Add("where it begins");

@@ -6,6 +6,7 @@ namespace ErrorMatching.Console;
 internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dialect])
 {
     private const int WidestSubject = 30;
+    private const int WidestMeaning = 60;
 
     private static readonly (DialectTopic Topic, string Heading, string Subject)[] Sections =
     [
@@ -52,19 +53,27 @@ internal sealed class NcDialectAnswer(NcDialect dialect) : NcDialectsAnswer([dia
     // A long list of codes continues in rows of its own, so that it does not push the sentences off the screen.
     private static IEnumerable<IReadOnlyList<string>> Rows(string subject, params IReadOnlyList<string> cells)
     {
-        var line = "";
-        foreach (var word in subject.Split(' '))
+        var (subjects, first) = (Lines(subject, WidestSubject), Lines(cells[0], cells.Count > 3 ? WidestMeaning : int.MaxValue));
+        for (var i = 0; i < Math.Max(subjects.Count, first.Count); i++)
         {
-            if (line.Length > 0 && line.Length + 1 + word.Length > WidestSubject)
+            yield return [
+                subjects.ElementAtOrDefault(i) ?? "", first.ElementAtOrDefault(i) ?? "", .. cells.Skip(1).Select(c => i == 0 ? c : "")];
+        }
+    }
+
+    private static List<string> Lines(string text, int widest)
+    {
+        var lines = new List<string> { "" };
+        foreach (var word in text.Split(' '))
+        {
+            if (lines[^1].Length > 0 && lines[^1].Length + 1 + word.Length > widest)
             {
-                yield return [line, .. cells];
-                cells = [.. cells.Select(_ => "")];
-                line = "";
+                lines.Add("");
             }
 
-            line = line.Length == 0 ? word : line + " " + word;
+            lines[^1] += (lines[^1].Length == 0 ? "" : " ") + word;
         }
 
-        yield return [line, .. cells];
+        return lines;
     }
 }
