@@ -28,6 +28,7 @@ public sealed class BorderStateTests
         "ProgramTransforms.Inverse", "ProgramTransforms.Programmable", "ProgramTransforms.Rotation", "ProgramTransforms.Scale",
         "ProgramTransforms._isFlat", "ProgramTransforms._opaqueFamilies",
         "ToolLength.Vector.X", "ToolLength.Vector.Y", "ToolLength.Vector.Z", "ToolLength._isInInches",
+        "ToolLength.FromTable", "ToolLength.IsUnsure", "ProgramTransforms.AreUnsure",
         "WorkOffsets.Chosen.Item1", "WorkOffsets.Chosen.Item2", "WorkOffsets.IsUnsure",
         "ProgramRun.At", "ProgramRun.HasEnded", "ProgramRun.Returned", "ProgramRun._flow",
         "RunBorders.OnlyCuts", "RunBorders._jumps", "RunBorders._next", "RunBorders._problems", "SecondCore.Seam", "SecondCore._ahead",

@@ -152,6 +152,7 @@ public sealed class DeclaredRoleTests
                     "program" => like == "siemens-840d" ? "LO" : "O",
                     "harmless" or "other-axis" => string.Concat("ABCDEFGHIJKLMNOPQRSTUVWXYZ".Except(fixedLetters)),
                     "variable" => string.Concat("ABCDEFGHIJKLMNOPQRSTUVWXYZ".Except(fixedLetters.Where(l => l != 'R'))),
+                    "length" or "length-number" => "DHT",
                     _ => "",
                 };
                 Assert.Equal(string.Concat("ABCDEFGHIJKLMNOPQRSTUVWXYZ".Except(allowed)), refused.ToString());

@@ -39,6 +39,10 @@ internal static class Moves
         return text.ToString();
     }
 
+    /// <summary>A place as x,y,z with a question mark for what is not known.</summary>
+    public static string At(Geometry.Point3 place, AxisSet unknown) =>
+        $"{Number(place.X, unknown, AxisSet.X)},{Number(place.Y, unknown, AxisSet.Y)},{Number(place.Z, unknown, AxisSet.Z)}";
+
     private static string Kind(MotionKind kind) => kind switch
     {
         MotionKind.Rapid => "R",

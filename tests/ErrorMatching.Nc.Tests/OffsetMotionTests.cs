@@ -90,7 +90,7 @@ public sealed class OffsetMotionTests
     [InlineData("G55\nX1 Y1 Z1\nG500\nX2", "R1,1,1 R2,?,?")]
     [InlineData("G507\nX1 Y1 Z1\nG508\nX2", "R1,1,1 R2,?,?")]
     [InlineData("$P_UIFR[1,X,TR]=5\nX2", "R2,?,?")]
-    [InlineData("G54\n$TC_DP6[1,1]=3\nX2", "R2,0,0")]
+    [InlineData("G500\n$TC_DP6[1,1]=3\nX2", "R2,0,0")]
     [InlineData("G25 X0 Y0\nG110 X5 Y5\nX2", "R2,0,0")]
     [InlineData("G1 F100 X1\nMEAS=1 G1 X10\nY5", "L1,0,0 P10,0,0 L?,5,0")]
     [InlineData("X1=10\nY5", "R?,5,?")]

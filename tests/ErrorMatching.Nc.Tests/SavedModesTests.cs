@@ -29,7 +29,7 @@ public sealed class SavedModesTests
 
     // A length that was in force comes back from the table; one that was not is taken out.
     [InlineData("M70\nG43.1 Z5\nG1 Z1\nM72\nZ1", "L0,0,1 L0,0,1")]
-    [InlineData("G43.1 Z5\nM70\nG49\nG1 Z1\nM72\nX1", "L0,0,1 L1,0,1")]
+    [InlineData("G43.1 Z5\nM70\nG49\nG1 Z1\nM72\nX1", "L0,0,1 L1,0,?")]
     [InlineData("G10 L2 P1 X0 Y0 Z0 R0\nG10 L2 P2 X1 Y0 Z0 R0\nG54\nG0 X0 Y0 Z0\nM70\nG55\nG1 X1\nM72\nY1", "R0,0,0 L1,0,0 L2,1,0")]
     public void Modes_are_restored(string program, string moves) => Assert.Equal(moves, Moves.Of("linuxcnc", "F100\n" + program));
 

@@ -26,6 +26,7 @@ internal sealed class BlockCodes(
     {
         var flags = MotionFlags.None;
         switches.ReadOffset();
+        ReadLength();
         foreach (var tenths in values.Words.Codes)
         {
             var meaning = values.Dialect.MeaningOf(tenths);
@@ -62,6 +63,36 @@ internal sealed class BlockCodes(
         }
 
         return flags;
+    }
+
+    // What is passed to a called program is not of this kind.
+    private void ReadLength()
+    {
+        foreach (var function in values.Words.Functions)
+        {
+            if (values.Dialect.FunctionOf(function).Steers())
+            {
+                return;
+            }
+        }
+
+        foreach (var code in values.Words.Codes)
+        {
+            if (values.Dialect.MeaningOf(code).Steers())
+            {
+                return;
+            }
+        }
+
+        var given = values.Words.Present | values.Words.Computed;
+        if ((given & values.Lengths) != 0)
+        {
+            lengths.TakeFromTable();
+        }
+        else if ((given & values.LengthNumbers) != 0)
+        {
+            lengths.ChangeNumber();
+        }
     }
 
     public MotionFlags ReadFunctions()

@@ -58,7 +58,7 @@ internal sealed class BlockExecutor
 
         var transforms = new TransformCodes(control, values, layers, result);
         var lengths = _lengths = new ToolLengthCodes(control, values, layers);
-        var offsets = new OffsetCodes(control, values, layers);
+        var offsets = new OffsetCodes(control, values, layers, result);
         _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
         _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
         var tool = new CalledTool(control, values);
@@ -71,7 +71,7 @@ internal sealed class BlockExecutor
         SystemCommands = new(_dialect, run, layers, result, _writer, control);
         Steering = new(values, run);
         Integers = new(run.Program, values);
-        var statements = new BlockStatements(control, values, run, layers, result, _codes, _calls, _intent, tool);
+        var statements = new BlockStatements(control, values, run, layers, result, _codes, _calls, _intent, tool, lengths);
         _obstacles = new(control, values, run, layers, result, statements, Switches);
 
         // A rotary axis that moves along only marks the motion: its place is not followed.

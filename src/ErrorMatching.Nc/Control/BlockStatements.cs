@@ -13,8 +13,13 @@ internal sealed class BlockStatements(
     BlockCodes codes,
     CycleCalls calls,
     BlockIntent intent,
-    CalledTool tool)
+    CalledTool tool,
+    ToolLengthCodes lengths)
 {
+    // Of the data of tools: type, edge and what concerns the radius alone. That of cutter compensation is stated apart.
+    private static readonly string[] HarmlessToolData =
+        ["$TC_DP1", "$TC_DP2", "$TC_DP6", "$TC_DP7", "$TC_DP15", "$TC_DP16", "$TC_DPCE", "$TC_TP", "$TC_MO", "$TC_MP", "$TC_DPH", "$TC_DPV"];
+
     public MotionFlags Read()
     {
         var flags = MotionFlags.None;
@@ -143,11 +148,7 @@ internal sealed class BlockStatements(
 
         if (bytes[0] == '$')
         {
-            if (!IsHarmlessMachineVariable(bytes))
-            {
-                layers.LoseOrigin();
-            }
-
+            SetMachineVariable(bytes);
             return MotionFlags.None;
         }
 
@@ -159,9 +160,12 @@ internal sealed class BlockStatements(
             return MotionFlags.None;
         }
 
-        switch (values.Dialect.RoleOf(name))
+        switch (name.Length == 1 ? values.Dialect.RoleOf((byte)(name[0] & ~0x20)) : values.Dialect.RoleOf(name))
         {
-            case LetterRole.OtherAxis:
+            case LetterRole.Length:
+                lengths.TakeFromTable();
+                return MotionFlags.None;
+            case LetterRole.OtherAxis when name.Length > 1:
                 return MotionFlags.OtherAxis;
             case LetterRole.PolarEnd:
                 control.State.Unknown |= control.State.Plane.Axes();
@@ -206,12 +210,33 @@ internal sealed class BlockStatements(
         return value.Length > 1 && (value[0] | 0x20) is 'a' or 'i' && (value[1] | 0x20) == 'c';
     }
 
-    // Tool data, outputs and markers are harmless; all others can be offsets and settings.
-    private static bool IsHarmlessMachineVariable(ReadOnlySpan<byte> name)
+    // Data of tools can change the length in force. Outputs and markers are harmless; all others can be offsets, frames and settings.
+    private void SetMachineVariable(ReadOnlySpan<byte> name)
     {
-        foreach (var prefix in (ReadOnlySpan<string>)["$TC_", "$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"])
+        if (BeginsWithOneOf(name, ["$TC_"]))
         {
-            if (name.Length >= prefix.Length && Ascii.EqualsIgnoreCase(name[..prefix.Length], prefix))
+            if (!BeginsWithOneOf(name, HarmlessToolData))
+            {
+                lengths.TakeFromTable();
+            }
+        }
+        else if (!BeginsWithOneOf(name, ["$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"]))
+        {
+            if (BeginsWithOneOf(name, ["$P_"]) && !BeginsWithOneOf(name, ["$P_UIFR", "$P_UBFR", "$P_CHBFR", "$P_NCBFR", "$P_BFR"]))
+            {
+                codes.Apply(NcMeaning.OpaqueTransform, values.Dialect.FamilyOf("CTRANS"u8));
+            }
+
+            layers.LoseOrigin();
+        }
+    }
+
+    private static bool BeginsWithOneOf(ReadOnlySpan<byte> name, ReadOnlySpan<string> prefixes)
+    {
+        foreach (var prefix in prefixes)
+        {
+            if (name.Length >= prefix.Length && Ascii.EqualsIgnoreCase(name[..prefix.Length], prefix)
+                && (name.Length == prefix.Length || !char.IsAsciiDigit(prefix[^1]) || !char.IsAsciiDigit((char)name[prefix.Length])))
             {
                 return true;
             }

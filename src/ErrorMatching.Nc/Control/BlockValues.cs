@@ -19,6 +19,12 @@ internal sealed class BlockValues(NcDialect dialect, ControlState control)
     /// <summary>Letters that change the tool.</summary>
     public uint ToolCalls { get; } = LettersOf(dialect, LetterRole.ToolCall);
 
+    /// <summary>Letters that activate a tool length.</summary>
+    public uint Lengths { get; } = LettersOf(dialect, LetterRole.Length);
+
+    /// <summary>Letters that name a tool length.</summary>
+    public uint LengthNumbers { get; } = LettersOf(dialect, LetterRole.LengthNumber);
+
     /// <summary>Letters whose number is a length.</summary>
     public uint LengthLetters { get; } =
         LettersOf(dialect, LetterRole.Axis) | LettersOf(dialect, LetterRole.Center) | LettersOf(dialect, LetterRole.Radius);

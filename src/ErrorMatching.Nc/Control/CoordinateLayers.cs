@@ -11,9 +11,9 @@ namespace ErrorMatching.Nc;
 internal sealed class CoordinateLayers(ControlState control, RunResult result, ProgramRun run)
 {
     private readonly List<NcFrame> _frames =
-        [new(0, 540, 0, Vector3.Zero, AxisSet.All, null, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
+        [new(0, run.Dialect.FirstWorkOffset, 0, Vector3.Zero, AxisSet.All, null, Vector3.Zero, AxisSet.None, Vector3.Zero, false)];
 
-    public WorkOffsets Offsets { get; } = new(turn: run.Dialect.Syntax == NcSyntax.LinuxCnc);
+    public WorkOffsets Offsets { get; } = new(run.Dialect);
 
     public OriginShift Shift { get; } = new();
 
@@ -96,6 +96,7 @@ internal sealed class CoordinateLayers(ControlState control, RunResult result, P
     {
         control.Forget();
         ForgetOrigins();
+        (Length.IsUnsure, Transforms.AreUnsure) = (true, true);
     }
 
     /// <summary>Anything that ran unseen could have written offsets and stored places, and selected another offset.</summary>

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Codes that select a work offset (G54) or write one (G10).</summary>
-internal sealed class OffsetCodes(ControlState control, BlockValues values, CoordinateLayers layers)
+internal sealed class OffsetCodes(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result)
 {
     /// <summary>Selects an offset.</summary>
     /// <param name="chosen">The code times ten, and its P word.</param>
@@ -15,60 +15,71 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
             return;
         }
 
-        var (was, now) = (layers.Offsets.Origin, layers.Offsets.OriginOf(chosen));
-        layers.Offsets.Choose(chosen);
-        layers.SeeFrom(was, now, was.Unknown | now.Unknown, layers.Shift.Vector);
+        var isSame = isKnown && layers.Offsets.IsChosen(chosen) == true;
+        var was = layers.Offsets.Origin;
+        layers.Offsets.Choose(chosen, isKnown);
+        if (!isSame)
+        {
+            var now = layers.Offsets.Origin;
+            layers.SeeFrom(was, now, was.Unknown | now.Unknown, layers.Shift.Vector);
+        }
+
         layers.NextFrame();
     }
 
-    /// <summary>G10 L2 writes an offset; LinuxCNC's L20 writes it so that the tool gets the given coordinates. Other tables (tools) do
-    /// not move an origin.</summary>
+    /// <summary>G10: writes what the dialect says of its L word. If that is not known, neither is the tool's place.</summary>
     public void Write()
     {
-        var table = values.Words.Has('L') ? (int)Math.Clamp(values.Words.Value('L'), -1, 10_000) : 2;
-        var isLinuxCnc = values.Dialect.Syntax == NcSyntax.LinuxCnc;
-        if (table is not (2 or 20))
+        var letters = BlockWords.Bit('L') | BlockWords.Bit('P');
+        var isKnown = values.Words.Has('L') && ((values.Words.Unknown | values.Words.Repeated) & letters) == 0;
+        var table = isKnown ? values.Dialect.OffsetTableOf((int)Math.Clamp(values.Words.Value('L'), -1, 10_000)) : null;
+        if (table is { Means: OffsetWriting.Tool })
         {
-            control.State.Unknown |= control.State.LengthOffset ? AxisSet.Z : AxisSet.None;
+            control.State.Unknown |= layers.Length.UnknownIn(control.State);
             return;
         }
 
-        var offset = WrittenOffset(table, isLinuxCnc);
-        if (offset == default || (values.Words.Unknown & (BlockWords.Bit('P') | BlockWords.Bit('L'))) != 0
-            || (values.Words.Has('R') && !isLinuxCnc))
+        if (table is null or { Means: OffsetWriting.Unknown } || WrittenOffset(table) is not { } offset
+            || (values.Words.Has('R') && !Turns)
+            || (table.Means == OffsetWriting.AbsoluteOrigin && control.State.Incremental))
         {
-            // An external offset, or one that only the machine knows.
+            // An offset of the machine, or one that only it knows.
             layers.ForgetOrigins();
             layers.NextFrame();
             control.State.Unknown = AxisSet.All;
             return;
         }
 
-        if (table == 20 && isLinuxCnc)
+        if (table.Means == OffsetWriting.TouchOff)
         {
+            if (table.IsAssumed)
+            {
+                result.Note("touch-off", "G10 L20 is taken to give the tool's place the coordinates of its block, as on LinuxCNC and grbl. "
+                    + "Controls of Fanuc's kind write another offset by it.");
+            }
+
             TouchOff(offset);
         }
         else
         {
-            WriteTo(offset, control.State.Incremental && !isLinuxCnc, isLinuxCnc);
+            WriteTo(offset, control.State.Incremental && table.Means == OffsetWriting.OriginByDistance);
         }
     }
 
-    private (int Code, int Number) WrittenOffset(int table, bool isLinuxCnc)
+    // Only LinuxCNC's work offsets turn.
+    private bool Turns => values.Dialect.Syntax == NcSyntax.LinuxCnc;
+
+    private (int Code, int Number)? WrittenOffset(OffsetTable table)
     {
-        var number = values.Words.Has('P') ? (int)Math.Clamp(values.Words.Value('P'), -1, 10_000) : -1;
-        return number switch
-        {
-            0 when isLinuxCnc => layers.Offsets.Chosen,
-            >= 1 and <= 6 when table == 2 || isLinuxCnc => (530 + (10 * number), 0),
-            >= 7 and <= 9 when isLinuxCnc => (584 + number, 0),
-            >= 1 when table == 20 => (541, number),
-            _ => default,
-        };
+        var number = values.Words.Has('P') ? values.Words.Value('P') : -1;
+        return number == 0 && table.ZeroIsActive && !layers.Offsets.IsUnsure ? layers.Offsets.Chosen
+            : number is >= 1 and <= 10_000 && number == Math.Floor(number) ? table.Offset((int)number)
+            : null;
     }
 
-    private void WriteTo((int Code, int Number) offset, bool incremental, bool isLinuxCnc)
+    private void WriteTo((int Code, int Number) offset, bool incremental)
     {
+        var isChosen = layers.Offsets.IsChosen(offset);
         var given = values.GivenAxes();
         var was = layers.Offsets.OriginOf(offset);
         var turns = values.Words.Has('R') || (values.Words.Unknown & BlockWords.Bit('R')) != 0;
@@ -77,11 +88,16 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
             (incremental ? was.Unknown : was.Unknown & ~given) | values.UnknownWords(),
             !turns ? was.Degrees : (values.Words.Unknown & BlockWords.Bit('R')) == 0 ? values.Words.Value('R') : null);
         layers.Offsets.Write(offset, now);
-        if (offset == layers.Offsets.Chosen)
+        if (isChosen is null)
+        {
+            control.State.Unknown = AxisSet.All;
+            layers.NextFrame();
+        }
+        else if (isChosen == true)
         {
             // Measured with rs274: it rotates the place minus the shift of G92.
             var difference = (incremental ? AxisSet.None : was.Unknown & given) | values.UnknownWords();
-            layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, isLinuxCnc ? Vector3.Zero : layers.Shift.Vector);
+            layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, Turns ? Vector3.Zero : layers.Shift.Vector);
             layers.NextFrame();
         }
     }
@@ -92,7 +108,14 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         var given = values.GivenAxes();
         var (was, current) = (layers.Offsets.OriginOf(offset), layers.Offsets.Origin);
         var (place, unknown) = layers.Tool();
-        var isCurrent = offset == layers.Offsets.Chosen;
+        if (layers.Offsets.IsChosen(offset) is not { } isCurrent)
+        {
+            layers.Offsets.Write(offset, was with { Unknown = AxisSet.All });
+            control.State.Unknown = AxisSet.All;
+            layers.NextFrame();
+            return;
+        }
+
         if (was.Degrees == 0 && current.Degrees == 0)
         {
             var now = was.Place + given.PartOf(current.Place + (place - values.Given(place, incremental: false)) - was.Place);

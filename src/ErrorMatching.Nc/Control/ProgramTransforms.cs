@@ -49,6 +49,9 @@ internal sealed class ProgramTransforms
         (_active & transform) != Transforms.None
             && (transform != Transforms.Opaque || family == 0 || (_opaqueFamilies & (1ul << family)) != 0);
 
+    /// <summary>True if something unseen could have begun one.</summary>
+    public bool AreUnsure { get; set; }
+
     public void Switch(Transforms transform, bool on) => _active = on ? _active | transform : _active & ~transform;
 
     /// <summary>True if an axis is mirrored.</summary>

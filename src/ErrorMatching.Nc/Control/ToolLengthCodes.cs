@@ -16,21 +16,35 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
         var given = values.GivenAxes();
         var length = values.Given(default(Point3) + layers.Length.Vector, incremental: false) - default(Point3);
         Change(length, (Unknown & (given | layers.Length.Axes)) | values.UnknownWords());
-        control.State.LengthOffset &= (given & AxisSet.Z) == AxisSet.None;
+        layers.Length.FromTable &= ~given;
+        control.State.LengthOffset &= layers.Length.FromTable != AxisSet.None;
+        layers.Length.IsUnsure &= (given & AxisSet.Z) == AxisSet.None;
     }
 
-    /// <summary>G43: the program relies on the tip, whatever length the table has.</summary>
+    /// <summary>G43: a length that only the machine knows, so that the tip's place is unknown along the tool. Some controls move the
+    /// length in this block, some with the next motion; the others give the place another coordinate.</summary>
     public void TakeFromTable()
     {
-        Change(Vector3.Zero, layers.Length.Axes);
-        control.State.LengthOffset = true;
+        // Along Z, or along the third axis of the plane: controls differ.
+        var along = AxisSet.Z | (AxisSet.All & ~control.State.Plane.Axes());
+        Change(Vector3.Zero, layers.Length.Axes | along | Unknown);
+        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (layers.Length.FromTable | along, false, true);
     }
 
     /// <summary>G49.</summary>
     public void End()
     {
-        Change(Vector3.Zero, Unknown & layers.Length.Axes);
-        control.State.LengthOffset = false;
+        Change(Vector3.Zero, Unknown);
+        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (AxisSet.None, false, false);
+    }
+
+    /// <summary>Another number of a length changes the active one.</summary>
+    public void ChangeNumber()
+    {
+        if (Unknown != AxisSet.None)
+        {
+            TakeFromTable();
+        }
     }
 
     /// <summary>Restores an active length or ends it.</summary>

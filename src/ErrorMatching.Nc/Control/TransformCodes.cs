@@ -78,6 +78,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         };
         if (!Active.Has(ended, family))
         {
+            control.State.Unknown |= Active.AreUnsure ? AxisSet.All : AxisSet.None;
             return;
         }
 

@@ -3,29 +3,42 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>The work offsets as far as the program itself sets them, and the selected one.</summary>
-/// <param name="turn">True for a control whose work offsets can rotate.</param>
-internal sealed class WorkOffsets(bool turn)
+/// <param name="dialect">The control.</param>
+internal sealed class WorkOffsets(NcDialect dialect)
 {
     private readonly Dictionary<(int Code, int Number), WorkOrigin> _known = [];
 
-    public (int Code, int Number) Chosen { get; private set; } = (540, 0);
+    // LinuxCNC's work offsets can rotate.
+    private readonly bool _turn = dialect.Syntax == NcSyntax.LinuxCnc;
 
-    /// <summary>True if something unseen could have selected another one.</summary>
+    public (int Code, int Number) Chosen { get; private set; } = (dialect.FirstWorkOffset, 0);
+
+    /// <summary>True if something unseen, or a value that only the machine knows, could have selected another one.</summary>
     public bool IsUnsure { get; set; }
 
     /// <summary>The origin of the selected one.</summary>
-    public WorkOrigin Origin => OriginOf(Chosen);
+    public WorkOrigin Origin => IsUnsure ? Unknown : OriginOf(Chosen);
 
-    public WorkOrigin OriginOf((int Code, int Number) offset) =>
-        _known.TryGetValue(offset, out var known) ? known : new(Vector3.Zero, AxisSet.All, turn ? null : 0);
+    private WorkOrigin Unknown => new(Vector3.Zero, AxisSet.All, _turn ? null : 0);
 
-    public void Write((int Code, int Number) offset, WorkOrigin origin) => _known[offset] = origin;
+    public WorkOrigin OriginOf((int Code, int Number) offset) => _known.TryGetValue(NameOf(offset), out var known) ? known : Unknown;
 
-    public void Choose((int Code, int Number) offset) => (Chosen, IsUnsure) = (offset, false);
+    /// <summary>Whether it is the selected one, by any of its names; null if nobody knows.</summary>
+    public bool? IsChosen((int Code, int Number) offset) =>
+        IsUnsure ? null
+        : NameOf(offset) == NameOf(Chosen) ? true
+        : dialect.WorkOffsetOf(Chosen).IsInTable ? false
+        : null;
+
+    public void Write((int Code, int Number) offset, WorkOrigin origin) => _known[NameOf(offset)] = origin;
+
+    public void Choose((int Code, int Number) offset, bool isKnown) => (Chosen, IsUnsure) = (offset, !isKnown);
 
     public void Forget()
     {
         _known.Clear();
         IsUnsure = true;
     }
+
+    private (int Code, int Number) NameOf((int Code, int Number) offset) => dialect.WorkOffsetOf(offset).Offset;
 }

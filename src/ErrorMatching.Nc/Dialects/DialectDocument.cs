@@ -15,6 +15,7 @@ internal sealed record DialectDocument(string File, JsonItem Root, string? Sha25
         ("functions", "functions", DialectTopic.Function),
         ("flow", "words", DialectTopic.Flow),
         ("machinePrograms", "programs", DialectTopic.MachineProgram),
+        ("offsetTables", "tables", DialectTopic.OffsetTable),
     ];
 
     public string Name => Root["name"].Text;

@@ -102,6 +102,7 @@ internal static class DialectPage
             : value.ToJson()
             : "";
         var family = item.Find("family") is { } name ? $" ({name.Text})" : "";
-        return meaning + family + (item.Find("feeds") is { Flag: false } ? " (not feeds)" : "");
+        var offsets = item.Find("offsets") is { } names ? $" ({names.Text})" : "";
+        return meaning + family + offsets + (item.Find("feeds") is { Flag: false } ? " (not feeds)" : "");
     }
 }

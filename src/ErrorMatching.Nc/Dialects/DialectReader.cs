@@ -11,6 +11,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     private static readonly Dictionary<string, int> Meanings = KebabNames.Of(typeof(NcMeaning));
     private static readonly Dictionary<string, int> Roles = KebabNames.Of(typeof(LetterRole));
     private static readonly Dictionary<string, int> FunctionRoles = KebabNames.Of(typeof(FunctionRole));
+    private static readonly Dictionary<string, int> Writings = KebabNames.Of(typeof(OffsetWriting));
     private static readonly Dictionary<string, int> Syntaxes = KebabNames.Of(typeof(NcSyntax));
     private static readonly Dictionary<string, int> Switches = KebabNames.Of(typeof(BlockSkip));
     private static readonly Dictionary<string, int> Namings = KebabNames.Of(typeof(ProgramNaming));
@@ -121,6 +122,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "sequenceLetter": tables.SequenceLetter = LetterOf(value); break;
             case "repeatsInNumber": tables.RepeatsInNumber = value.Flag; break;
             case "workOffsetLetter": tables.WorkOffsetLetter = LetterOf(value); break;
+            case "firstWorkOffset": SetFirstWorkOffset(value); break;
             case "systemLines": tables.SystemLines = value.Flag; break;
             case "macros": tables.HasMacros = value.Flag; break;
             case "commentCapitals": tables.CommentCapitals = value.Flag; break;
@@ -190,6 +192,36 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         }
 
         tables.Offsets.Codes = [.. subjects.Select(s => s.First)];
+    }
+
+    private void SetFirstWorkOffset(JsonItem value)
+    {
+        if (OffsetNames.Read(value.Text, tables.WorkOffsetLetter) is { Codes: [var code], First: 0 })
+        {
+            tables.FirstWorkOffset = code;
+            return;
+        }
+
+        Problems.Add(JsonRefusal.At(value, "bad-subject", $"\"{value.Text}\"", "a G code that chooses a work offset"));
+    }
+
+    private OffsetTable? OffsetTableOf(JsonItem entry)
+    {
+        var names = new List<OffsetNames>();
+        foreach (var text in entry.Find("offsets")?.Text.Split('|', StringSplitOptions.TrimEntries) ?? [])
+        {
+            if (OffsetNames.Read(text, tables.WorkOffsetLetter) is not { } read)
+            {
+                Problems.Add(JsonRefusal.At(entry["offsets"], "bad-subject", $"\"{text}\"",
+                    "G codes such as G54..G59, or a code with numbers such as G54.1 P1..P48; other names of the same offsets behind a |"));
+                return null;
+            }
+
+            names.Add(read);
+        }
+
+        return new((OffsetWriting)Writings[entry["means"].Text], names, entry.Find("zeroIsActive") is { Flag: true },
+            entry["source"].Text.StartsWith("assumed", StringComparison.Ordinal));
     }
 
     // Lines with names in braces. Names of the correction before are for lines with a question mark only.
@@ -294,6 +326,15 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case DialectTopic.Flow:
                 tables.Flow.UnionWith(subject.Names());
                 break;
+            case DialectTopic.OffsetTable when OffsetTableOf(entry) is { } table:
+                for (var number = subject.First; number <= subject.Last; number++)
+                {
+                    tables.OffsetTables[number] = table;
+                }
+
+                break;
+            case DialectTopic.OffsetTable:
+                break;
             case DialectTopic.MachineProgram when subject is { HasNumbers: true, Word: "" }:
                 tables.MachineNumbers.Add(subject);
                 break;
@@ -342,6 +383,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             'R' => [LetterRole.Radius, LetterRole.Variable],
             'T' when !LanguageSpelling.HasCodesIn(tables.Syntax) => [LetterRole.ToolCall],
             'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
+            'D' or 'H' or 'T' => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable, LetterRole.Length, LetterRole.LengthNumber],
             _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
         };
         return role == LetterRole.Unknown || Array.IndexOf(fitting, role) >= 0
@@ -377,6 +419,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         DialectTopic.Code => "G codes up to G999.9, ranges such as G54..G59, or words in capitals, with spaces between them",
         DialectTopic.Letter => "capital letters, or longer addresses such as CR, with spaces between them",
         DialectTopic.Function => "functions such as M98, or ranges such as M100..M199, with spaces between them",
+        DialectTopic.OffsetTable => "L words such as L2, or ranges such as L10..L13, with spaces between them",
         DialectTopic.Flow => "words in capitals, with spaces between them",
         _ => "program numbers such as 9810 or 9810..9819, or names in capitals, with spaces between them",
     };

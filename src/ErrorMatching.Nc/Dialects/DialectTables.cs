@@ -67,6 +67,12 @@ internal sealed class DialectTables
 
     public OffsetRule Offsets { get; } = new();
 
+    /// <summary>What G10 writes, by its L word.</summary>
+    public Dictionary<int, OffsetTable> OffsetTables { get; } = [];
+
+    /// <summary>The work offset that is active before a program chooses one, its code times ten.</summary>
+    public int FirstWorkOffset { get; set; } = 540;
+
     public CompensationRule Compensation { get; } = new();
 
     public NcMeaning[] MeaningOf { get; } = new NcMeaning[Codes];

@@ -23,6 +23,8 @@ public enum DialectTopic : byte
 
     /// <summary>Something that the control refuses in a block.</summary>
     Refusal,
+    /// <summary>What G10 writes, by its L word.</summary>
+    OffsetTable,
 
     /// <summary>A statement about the control without data.</summary>
     Note,

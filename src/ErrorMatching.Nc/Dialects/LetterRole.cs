@@ -62,4 +62,10 @@ public enum LetterRole : byte
 
     /// <summary>Angle of a straight line (<c>ANG=</c>).</summary>
     LineAngle,
+
+    /// <summary>Activates a tool length that only the machine knows (Siemens <c>T</c> and <c>D</c>).</summary>
+    Length,
+
+    /// <summary>Number of a tool length: the active one becomes another, which only the machine knows (<c>H</c>).</summary>
+    LengthNumber,
 }

@@ -81,6 +81,9 @@ public sealed class NcDialect
     /// <summary>Letter of the number of a work offset beside its code.</summary>
     public byte WorkOffsetLetter => _tables.WorkOffsetLetter;
 
+    /// <summary>The work offset that is active before a program chooses one: its code times ten.</summary>
+    internal int FirstWorkOffset => _tables.FirstWorkOffset;
+
     /// <summary>True if a line that begins with a dollar sign is a command to the control, not a block.</summary>
     public bool SystemLines => _tables.SystemLines;
 
@@ -191,6 +194,25 @@ public sealed class NcDialect
     /// <summary>Whether a program with this name is known to be in the machine.</summary>
     /// <param name="name">The name without arguments, in any case: <c>L9810</c>.</param>
     public bool IsMachineProgram(ReadOnlySpan<byte> name) => _tables.MachineNames.GetAlternateLookup<ReadOnlySpan<byte>>().Contains(name);
+
+    /// <summary>What a G10 block writes; null if the dialect does not say it.</summary>
+    /// <param name="table">Its L word.</param>
+    internal OffsetTable? OffsetTableOf(int table) => _tables.OffsetTables.GetValueOrDefault(table);
+
+    /// <summary>The name of a work offset that stands for all its names, and whether one of the tables that G10 writes has it.</summary>
+    /// <param name="offset">The code times ten, and the number beside it.</param>
+    internal ((int Code, int Number) Offset, bool IsInTable) WorkOffsetOf((int Code, int Number) offset)
+    {
+        foreach (var table in _tables.OffsetTables.Values)
+        {
+            if (table.TryFind(offset, out var index))
+            {
+                return (table.Offset(index + 1) ?? offset, true);
+            }
+        }
+
+        return (offset, false);
+    }
 
     private static bool Calls(FunctionRole role) => role is FunctionRole.Call or FunctionRole.LocalCall or FunctionRole.OpaqueCall;
 }

@@ -48,6 +48,7 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
             {
                 DialectTopic.Code when spelling.Length == 1 => Letter(spelling),
                 DialectTopic.Code => Code(spelling, first, last) ?? Words(spelling, first, last),
+                DialectTopic.OffsetTable => Numbered(spelling, "L", first, last, DialectTables.Functions - 1),
                 DialectTopic.Function => Numbered(spelling, "M", first, last, DialectTables.Functions - 1),
                 DialectTopic.MachineProgram =>
                     Numbered(spelling, "", first.TrimStart('O'), last.TrimStart('O'), MostNumber) ?? Words(spelling, first, last),
@@ -63,6 +64,14 @@ internal sealed record SubjectRange(string Spelling, string Word, int First, int
         }
 
         return subjects.Count > 0;
+    }
+
+    /// <summary>Numbers with a letter before each: <c>P1..P99</c>; null if it is something else.</summary>
+    public static SubjectRange? Numbers(string spelling, string letter)
+    {
+        var dots = spelling.IndexOf("..", StringComparison.Ordinal);
+        return dots < 0 ? Numbered(spelling, letter, spelling, spelling, DialectTables.Functions - 1)
+            : Numbered(spelling, letter, spelling[..dots], spelling[(dots + 2)..], DialectTables.Functions - 1);
     }
 
     private static SubjectRange? Letter(string spelling) =>
