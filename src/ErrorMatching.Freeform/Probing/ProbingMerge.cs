@@ -132,9 +132,9 @@ internal sealed class ProbingMerge(ProbingProgram probing, string file, string? 
         }
     }
 
-    // After a call with unknown motion, a move starts at another place than the previous one ended. The program did not cause that.
+    // After a call with unknown motion, and after another tool length, a move starts at another place than the previous one ended.
     private static MotionFlags Unknown(in NcMotion motion) =>
-        motion.UnknownStart == AxisSet.All ? MotionFlags.StartsElsewhere : MotionFlags.None;
+        motion.UnknownStart != AxisSet.None ? MotionFlags.StartsElsewhere : MotionFlags.None;
 
     // Probing uses the work offset of the cuts, so it must not change after the last cut.
     private static bool OffsetChanges(NcPath path)

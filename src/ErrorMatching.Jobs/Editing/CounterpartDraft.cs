@@ -12,6 +12,7 @@ namespace ErrorMatching.Jobs;
 /// <param name="Map">Allowed distance of a key point from the path of its blocks, mm.</param>
 /// <param name="BlockSkip">State of the block skip switch: <c>off</c>, <c>on</c>, or empty.</param>
 /// <param name="Libraries">Folders with called programs, relative to the job, with semicolons between them.</param>
+/// <param name="Assume">Values of variables that only the machine knows, as <c>#100=1</c> with semicolons between them.</param>
 public sealed record CounterpartDraft(
     string Program = "",
     string Dialect = "",
@@ -23,4 +24,5 @@ public sealed record CounterpartDraft(
     string TranslateY = "",
     string Map = "",
     string BlockSkip = "",
-    string Libraries = "");
+    string Libraries = "",
+    string Assume = "");

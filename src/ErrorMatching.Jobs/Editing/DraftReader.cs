@@ -151,7 +151,8 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             by?[1].Text ?? "",
             Text(item, "mapMm"),
             Text(item, "blockSkip"),
-            string.Join(';', item.Find("libraries")?.Items.Select(i => i.Text) ?? []));
+            string.Join(';', item.Find("libraries")?.Items.Select(i => i.Text) ?? []),
+            string.Join(';', item.Find("assume")?.Members.Select(m => $"{m.Name}={m.Value.Text}") ?? []));
     }
 
     private static CompensationDraft Compensation(JsonItem? item) => new(

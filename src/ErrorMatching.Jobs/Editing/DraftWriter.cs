@@ -173,6 +173,18 @@ internal sealed class DraftWriter(MatingDraft draft)
         counterpart["frame"] = frame;
         OptionalNumber(counterpart, "mapMm", c.Map);
         Optional(counterpart, "blockSkip", c.BlockSkip);
+        if (HasText(c.Assume))
+        {
+            var assume = new JsonObject();
+            foreach (var stated in c.Assume.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries))
+            {
+                var equals = stated.LastIndexOf('=');
+                assume[equals < 0 ? stated : stated[..equals]] = Number(equals < 0 ? "" : stated[(equals + 1)..]);
+            }
+
+            counterpart["assume"] = assume;
+        }
+
         if (HasText(c.Libraries))
         {
             counterpart["libraries"] = Texts(

@@ -101,7 +101,10 @@ public static class MatingDraftCheck
     {
         ArgumentNullException.ThrowIfNull(draft);
         var name = draft.Counterpart.Dialect;
-        return InputFile.Dialect(NcDialects.IsFile(name) ? Beside(file, name) : name).With(BlockSkips.Of(draft.Counterpart.BlockSkip));
+        var assumed = draft.Counterpart.Assume.Split(';').Select(AssumedValues.Read).OfType<KeyValuePair<string, double>>();
+        return InputFile.Dialect(NcDialects.IsFile(name) ? Beside(file, name) : name)
+            .With(BlockSkips.Of(draft.Counterpart.BlockSkip))
+            .With(AssumedValues.Of(assumed));
     }
 
     private static string Beside(string file, string name) => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, name);

@@ -41,7 +41,9 @@ public static class InputFile
     public static NcDialect DialectOf(MatingJob job)
     {
         var name = job.Counterpart.Dialect;
-        return Dialect(NcDialects.IsFile(name) ? job.PathOf(name) : name).With(job.Counterpart.BlockSkip);
+        return Dialect(NcDialects.IsFile(name) ? job.PathOf(name) : name)
+            .With(job.Counterpart.BlockSkip)
+            .With(job.Counterpart.Assumed);
     }
 
     /// <summary>The bytes of a program.</summary>

@@ -1,3 +1,5 @@
+using ErrorMatching.Nc;
+
 namespace ErrorMatching.Jobs;
 
 /// <summary>Inputs of a mating run in addition to the job.</summary>
@@ -25,6 +27,9 @@ public sealed record MatingRequest
 
     /// <summary>Replaces the job's gain, more than 0 and at most 2; null keeps it.</summary>
     public double? Gain { get; init; }
+
+    /// <summary>Values of variables that only the machine knows, in addition to the job's and instead of them.</summary>
+    public AssumedValues Assumed { get; init; } = AssumedValues.None;
 
     /// <summary>The target folder of the program, for the report; null if the program is not written, or the folder is unknown.</summary>
     public string? Folder { get; init; }

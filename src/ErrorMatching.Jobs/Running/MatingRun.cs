@@ -25,6 +25,7 @@ public static class MatingRun
         ArgumentNullException.ThrowIfNull(files);
         ArgumentNullException.ThrowIfNull(request);
         var job = WithGain(files.Job, request.Gain);
+        job = job with { Counterpart = job.Counterpart with { Assumed = job.Counterpart.Assumed.With(request.Assumed) } };
         var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));
         files.CheckFrame(theoretical, part);
         var counterpart = request.Counterpart is { } given ? files.Counterpart(given) : NamedCounterpart(files);

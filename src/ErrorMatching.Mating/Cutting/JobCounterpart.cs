@@ -22,14 +22,18 @@ public sealed record JobCounterpart(
     /// <summary>State of the machine's block skip switch; unstated if the job does not give it.</summary>
     public BlockSkip BlockSkip { get; init; }
 
+    /// <summary>Values of variables that only the machine knows; none if the job does not state them.</summary>
+    public AssumedValues Assumed { get; init; } = AssumedValues.None;
+
     /// <summary>Folders with programs that the program calls, as the job writes them; searched in order, behind the program's own
     /// folder.</summary>
     public IReadOnlyList<string> Libraries { get; init; } = [];
 
-    /// <summary>The dialect of the program, with the switch state from the job.</summary>
+    /// <summary>The dialect of the program, with the state of the switch and the values of variables from the job.</summary>
     /// <param name="own">The shop's dialect if the job names a file; null for a built-in one.</param>
     /// <exception cref="InputException">No dialect has the job's name.</exception>
-    public NcDialect DialectOf(NcDialect? own) => (own ?? NcDialects.Named(Dialect)).With(BlockSkip).With(ToolRadii.Of(ToolDiameterMm / 2));
+    public NcDialect DialectOf(NcDialect? own) =>
+        (own ?? NcDialects.Named(Dialect)).With(BlockSkip).With(Assumed).With(ToolRadii.Of(ToolDiameterMm / 2));
 
     /// <summary>Position of a part point in the program, mm, in the axis order of a plane.</summary>
     /// <param name="point">The point as designed.</param>

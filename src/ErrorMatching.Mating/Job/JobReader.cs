@@ -111,7 +111,29 @@ internal sealed class JobReader(JsonItem root)
         }
     }
 
-    private static JobCounterpart ReadCounterpart(JsonItem item) => new(
+    private AssumedValues ReadAssumed(JsonItem? item)
+    {
+        var values = new Dictionary<string, double>(StringComparer.Ordinal);
+        foreach (var (name, _, value) in item?.Members ?? [])
+        {
+            if (!AssumedValues.IsName(name))
+            {
+                _problems.Refuse(value, "bad-variable", $"\"{name}\"", "the name of a variable, such as #100, R5 or Q1");
+            }
+            else if (value.Kind != JsonItemKind.Number)
+            {
+                _problems.Refuse(value, "wrong-type", value.ToJson(), "a number");
+            }
+            else
+            {
+                values[name] = value.Number;
+            }
+        }
+
+        return AssumedValues.Of(values);
+    }
+
+    private JobCounterpart ReadCounterpart(JsonItem item) => new(
         item["program"].Text,
         item["dialect"].Text,
         item["toolDiameterMm"].Number,
@@ -120,6 +142,7 @@ internal sealed class JobReader(JsonItem root)
         item.Find("mapMm")?.Number ?? JobCounterpart.DefaultMapMm)
     {
         BlockSkip = BlockSkips.Of(item.Find("blockSkip")?.Text),
+        Assumed = ReadAssumed(item.Find("assume")),
         Libraries = [.. item.Find("libraries")?.Items.Select(i => i.Text) ?? []],
     };
 

@@ -33,6 +33,7 @@ internal sealed class BlockExecutor
     private readonly ControlRefusals _refusals;
     private readonly PoleCodes _pole;
     private readonly ToolLengthCodes _lengths;
+    private readonly ModeWords _modeWords;
     private readonly uint _straightLetters;
     private readonly uint _axes;
     private readonly uint _cutLetters;
@@ -66,6 +67,7 @@ internal sealed class BlockExecutor
         _codes = new(
             control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory, Compensation);
 
+        _modeWords = new(control, values, run);
         Reader = new(values, run);
         Switches = new(values, run, layers, result, Reader);
         SystemCommands = new(_dialect, run, layers, result, _writer, control);
@@ -110,6 +112,18 @@ internal sealed class BlockExecutor
         return state.Cycle == NcMeaning.Unknown && state.Form == NcMeaning.Unknown && !_intent.HasUnknownCode
             && !state.CompensationSwitched && state.ModalRounding == 0
             && !_corners.IsPending && _transforms.AreNone && _calls.AreNone && !_run.HasModalCall;
+    }
+
+    /// <summary>True until a block could have changed more than modes, the tool's place and variables.</summary>
+    public bool HasOnlyModes { get; set; }
+
+    /// <summary>True if nothing is pending that the next motion completes: two runs can be compared here by modes, place and
+    /// variables.</summary>
+    public bool CanBranch()
+    {
+        ref var state = ref _control.State;
+        return state.Cycle == NcMeaning.Unknown && !state.CompensationSwitched && state.ModalRounding == 0 && !_corners.IsPending
+            && _calls.AreNone && !_run.HasModalCall && !_memory.HasSaved;
     }
 
     /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
@@ -188,6 +202,7 @@ internal sealed class BlockExecutor
     /// <param name="flags">What is known of the block's motions before its words.</param>
     public void Step(MotionFlags flags = MotionFlags.None)
     {
+        HasOnlyModes &= HasOnlyModes && _modeWords.AreAll();
         _intent.Begin();
         flags |= ReadModes();
         if (_words.HasPolarEnd && (_intent.Use is not (AxisUse.Motion or AxisUse.Pole) || _control.State.Cycle != NcMeaning.Unknown))

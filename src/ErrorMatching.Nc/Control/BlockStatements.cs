@@ -18,7 +18,9 @@ internal sealed class BlockStatements(
 {
     // Of the data of tools: type, edge and what concerns the radius alone. That of cutter compensation is stated apart.
     private static readonly string[] HarmlessToolData =
-        ["$TC_DP1", "$TC_DP2", "$TC_DP6", "$TC_DP7", "$TC_DP15", "$TC_DP16", "$TC_DPCE", "$TC_TP", "$TC_MO", "$TC_MP", "$TC_DPH", "$TC_DPV"];
+    [
+        "$TC_DP1", "$TC_DP2", "$TC_DP6", "$TC_DP7", "$TC_DP15", "$TC_DP16", "$TC_DPCE", "$TC_TP", "$TC_MO", "$TC_MP", "$TC_DPH", "$TC_DPV",
+    ];
 
     public MotionFlags Read()
     {

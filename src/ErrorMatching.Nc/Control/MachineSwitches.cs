@@ -36,6 +36,16 @@ internal sealed class MachineSwitches(BlockValues values, ProgramRun run, Coordi
             return false;
         }
 
+        if (run.Decide() is { } skips)
+        {
+            if (skips)
+            {
+                run.Follow(run.Flow.Skip(run.At));
+            }
+
+            return skips;
+        }
+
         run.Follow(run.Flow.Refuse(
             NcRefusalCodes.BlockSkip,
             run.At,

@@ -15,6 +15,9 @@ internal sealed class ModeMemory(
 {
     private readonly Dictionary<int, SavedModes> _saved = [];
 
+    /// <summary>True if modes are saved at some level of calls.</summary>
+    public bool HasSaved => _saved.Count > 0;
+
     /// <summary>The function of the block that saves or restores modes; harmless if there is none.</summary>
     public FunctionRole RoleOfBlock()
     {

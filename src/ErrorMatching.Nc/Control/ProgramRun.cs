@@ -34,6 +34,9 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public bool HasEnded { get; set; }
 
+    /// <summary>Says which way the program goes where only the machine knows it; null if both ways do not lead to the same.</summary>
+    public Func<bool?> Decide { get; set; } = () => null;
+
     /// <summary>Called when a pass of a call ends, with the depth of that call.</summary>
     public Action<int> Returned { get; set; } = _ => { };
 
@@ -50,6 +53,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     {
         Library = Called,
         Returned = depth => Returned(depth),
+        Decide = () => Decide(),
         Steps = LeastSteps + (StepsPerBlock * Program.BlockCount),
         Cancellation = cancellation,
     });

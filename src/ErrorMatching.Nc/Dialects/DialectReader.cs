@@ -383,7 +383,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             'R' => [LetterRole.Radius, LetterRole.Variable],
             'T' when !LanguageSpelling.HasCodesIn(tables.Syntax) => [LetterRole.ToolCall],
             'L' when tables.Syntax == NcSyntax.Siemens => [LetterRole.Program],
-            'D' or 'H' or 'T' => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable, LetterRole.Length, LetterRole.LengthNumber],
+            'D' or 'H' or 'T' =>
+                [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable, LetterRole.Length, LetterRole.LengthNumber],
             _ => [LetterRole.Harmless, LetterRole.OtherAxis, LetterRole.Variable],
         };
         return role == LetterRole.Unknown || Array.IndexOf(fitting, role) >= 0

@@ -53,6 +53,9 @@ public sealed class NcDialect
     /// <summary>The radii that the control uses for cutter compensation, as far as somebody stated them.</summary>
     public ToolRadii ToolRadii { get; private init; } = ToolRadii.None;
 
+    /// <summary>Values of variables that only the machine knows, as far as somebody stated them.</summary>
+    public AssumedValues Assumed { get; private init; } = AssumedValues.None;
+
     /// <summary>Decimals of the least increment in millimeters.</summary>
     public int MetricDecimals => _tables.MetricDecimals;
 
@@ -131,7 +134,7 @@ public sealed class NcDialect
     /// <param name="blockSkip">The state; unstated keeps the dialect's own.</param>
     public NcDialect With(BlockSkip blockSkip) => blockSkip == BlockSkip || blockSkip == BlockSkip.Unstated
         ? this
-        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip, ToolRadii = ToolRadii };
+        : new(Name, Description, _tables, Files, () => Facts) { BlockSkip = blockSkip, ToolRadii = ToolRadii, Assumed = Assumed };
 
     /// <summary>The same control with these radii of its tools.</summary>
     /// <param name="radii">The radii.</param>
@@ -139,6 +142,16 @@ public sealed class NcDialect
     {
         BlockSkip = BlockSkip,
         ToolRadii = radii,
+        Assumed = Assumed,
+    };
+
+    /// <summary>The same control with these values of its variables.</summary>
+    /// <param name="assumed">The values.</param>
+    public NcDialect With(AssumedValues assumed) => new(Name, Description, _tables, Files, () => Facts)
+    {
+        BlockSkip = BlockSkip,
+        ToolRadii = ToolRadii,
+        Assumed = assumed,
     };
 
     /// <summary>Meaning of a G code.</summary>

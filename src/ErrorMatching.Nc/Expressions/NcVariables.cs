@@ -17,9 +17,15 @@ internal sealed class NcVariables
     private readonly Dictionary<string, VariableArray> _global = new(StringComparer.Ordinal);
     private readonly Stack<Level> _levels = new();
 
-    public NcVariables(NcSyntax syntax)
+    // Of the assumed values, those that the program has replaced, and those that it has read.
+    private readonly AssumedValues _assumed;
+    private readonly HashSet<string> _replaced = new(StringComparer.Ordinal);
+    private readonly SortedSet<string> _used = new(StringComparer.Ordinal);
+
+    public NcVariables(NcSyntax syntax, AssumedValues? assumed = null)
     {
         _syntax = syntax;
+        _assumed = assumed ?? AssumedValues.None;
         _localCount = syntax switch { NcSyntax.LinuxCnc => 31, NcSyntax.Siemens => 0, _ => 34 };
         Enter();
         if (syntax == NcSyntax.LinuxCnc)
@@ -29,6 +35,12 @@ internal sealed class NcVariables
     }
 
     public VariableNames Names { get; } = new();
+
+    /// <summary>The assumed values that were read.</summary>
+    public IReadOnlySet<string> Used => _used;
+
+    /// <summary>The variable that was read last of those that only the machine knows; null if there was none.</summary>
+    public string? LastUnknown { get; private set; }
 
     /// <summary>Increases with every change of a value: while it is constant, the program's knowledge is the same.</summary>
     public long Version { get; private set; }
@@ -92,6 +104,31 @@ internal sealed class NcVariables
     /// <summary>Reads a variable. The error says why it cannot be read; otherwise it is null.</summary>
     public NcValue Read(VariablePlace place, out string? error)
     {
+        if (Assumed(place) is { } stated)
+        {
+            error = null;
+            return stated;
+        }
+
+        var read = ReadOwn(place, out error);
+        LastUnknown = read.IsUnknown ? NameOf(place) ?? LastUnknown : LastUnknown;
+        return read;
+    }
+
+    /// <summary>The value that somebody stated for a variable that the program has not set; null if nobody did.</summary>
+    public NcValue? Assumed(VariablePlace place)
+    {
+        if (_assumed.Count == 0 || NameOf(place) is not { } name || _replaced.Contains(name) || _assumed.Of(name) is not { } value)
+        {
+            return null;
+        }
+
+        _used.Add(name);
+        return NcValue.Of(value);
+    }
+
+    private NcValue ReadOwn(VariablePlace place, out string? error)
+    {
         error = null;
         switch (place.Kind)
         {
@@ -109,6 +146,11 @@ internal sealed class NcVariables
     /// <returns>Why it cannot be assigned; null if it was.</returns>
     public string? Write(VariablePlace place, NcValue value)
     {
+        if (_assumed.Count > 0 && NameOf(place) is { } name)
+        {
+            _replaced.Add(name);
+        }
+
         switch (place.Kind)
         {
             case VariableKind.Machine:
@@ -142,6 +184,90 @@ internal sealed class NcVariables
         Names.Add(name);
         return _levels.Peek().Named[name] = new(type, rows, columns);
     }
+
+    /// <summary>All values, so that two runs can be compared.</summary>
+    public Dictionary<VariableKey, NcValue> Snapshot()
+    {
+        var values = new Dictionary<VariableKey, NcValue>();
+        foreach (var (number, value) in _numbered)
+        {
+            values[new(-1, null, number)] = value;
+        }
+
+        foreach (var (name, variable) in _global)
+        {
+            Add(-1, name, variable.Values);
+        }
+
+        var depth = 0;
+        foreach (var level in _levels)
+        {
+            Add(depth, null, level.Numbered);
+            foreach (var (name, variable) in level.Named)
+            {
+                Add(depth, name, variable.Values);
+            }
+
+            depth++;
+        }
+
+        foreach (var name in _replaced)
+        {
+            values[new(-2, name, 0)] = NcValue.Zero;
+        }
+
+        return values;
+
+        void Add(int level, string? name, NcValue[] of)
+        {
+            for (var i = 0; i < of.Length; i++)
+            {
+                values[new(level, name, i)] = of[i];
+            }
+        }
+    }
+
+    /// <summary>Makes a variable unknown; false if there is none of this key here.</summary>
+    public bool Forget(VariableKey key)
+    {
+        Version++;
+        if (key.Level == -2)
+        {
+            return _replaced.Add(key.Name!) || true;
+        }
+
+        if (key is { Level: -1, Name: null })
+        {
+            _numbered[key.Number] = NcValue.Unknown;
+            _replaced.UnionWith(NameOf(VariablePlace.Numbered(key.Number)) is { } name ? [name] : []);
+            return true;
+        }
+
+        var level = key.Level < 0 ? null : _levels.ElementAtOrDefault(key.Level);
+        var values = key.Name is null ? level?.Numbered : (level?.Named ?? _global).GetValueOrDefault(key.Name)?.Values;
+        if (values is null || (uint)key.Number >= (uint)values.Length)
+        {
+            return false;
+        }
+
+        values[key.Number] = NcValue.Unknown;
+        return true;
+    }
+
+    // As a program writes it; null for what has no name. The variables of a call are not those that somebody stated.
+    private string? NameOf(VariablePlace place) => place.Kind switch
+    {
+        VariableKind.Numbered when place.Number < _localCount && _levels.Count > 1 => null,
+        VariableKind.Numbered => string.Create(CultureInfo.InvariantCulture, $"{(_syntax == NcSyntax.Siemens ? "R" : "#")}{place.Number}"),
+        VariableKind.Machine => place.Name,
+        _ when place is { Name: not null, Number: 0 } => _syntax switch
+        {
+            NcSyntax.LinuxCnc => $"#<{place.Name}>",
+            NcSyntax.Siemens => place.Name,
+            _ => place.Name.TrimStart('_'),
+        },
+        _ => null,
+    };
 
     private bool IsOfMachine(int number) =>
         _syntax switch { NcSyntax.LinuxCnc => number > 5000, NcSyntax.Siemens => false, _ => number >= 1000 };

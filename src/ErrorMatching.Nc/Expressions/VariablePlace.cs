@@ -8,6 +8,8 @@ internal readonly record struct VariablePlace(VariableKind Kind, int Number, str
 {
     public static VariablePlace Machine => new(VariableKind.Machine, 0, null);
 
+    public static VariablePlace OfMachine(string name) => new(VariableKind.Machine, 0, name);
+
     public static VariablePlace Numbered(int number) => new(VariableKind.Numbered, number, null);
 
     public static VariablePlace Named(string name) => new(VariableKind.Named, 0, name);

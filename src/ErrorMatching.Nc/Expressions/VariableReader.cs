@@ -118,11 +118,11 @@ internal static class VariableReader
             return Indexed(ref reader, name, known);
         }
 
-        return known is null ? BehindMachineVariable(ref text) : VariablePlace.Named(name!);
+        return known is null ? BehindMachineVariable(ref text, start) : VariablePlace.Named(name!);
     }
 
     // The brackets of machine variables (axes, keywords) are not computed.
-    private static VariablePlace BehindMachineVariable(ref ExpressionText text)
+    private static VariablePlace BehindMachineVariable(ref ExpressionText text, int start)
     {
         while (text.Peek() is (byte)'[' or (byte)'(')
         {
@@ -140,7 +140,9 @@ internal static class VariableReader
             }
         }
 
-        return VariablePlace.Machine;
+        return text.Error is null && text.Since(start) is { Length: <= VariableNames.MaxLength } name
+            ? VariablePlace.OfMachine(NcText.Decode(name).Replace(" ", "", StringComparison.Ordinal).ToUpperInvariant())
+            : VariablePlace.Machine;
     }
 
     private static VariablePlace Indexed(ref ExpressionReader reader, string? name, VariableArray? array)

@@ -1,11 +1,11 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>Values of a running program: variables, expressions, and the checks of counts and conditions.</summary>
-internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
+internal sealed class FlowMemory(NcSyntax syntax, FlowReport report, AssumedValues? assumed = null, Func<bool?>? decide = null)
 {
     private readonly ExpressionSyntax _expressions = ExpressionSyntax.Of(syntax);
 
-    public NcVariables Variables { get; } = new(syntax);
+    public NcVariables Variables { get; } = new(syntax, assumed);
 
     /// <summary>True once a condition was checked or a variable set.</summary>
     public bool HasComputed { get; set; }
@@ -78,15 +78,32 @@ internal sealed class FlowMemory(NcSyntax syntax, FlowReport report)
 
         if (value.IsUnknown)
         {
-            report.Refuse(NcRefusalCodes.UnknownCondition, block,
-                "which way the program goes hangs on a value that only the machine knows.");
+            return TryEitherWay(block, out truth);
         }
-        else if (value.Kind == NcValueKind.Text)
+
+        if (value.Kind == NcValueKind.Text)
         {
             report.Refuse(NcRefusalCodes.BadExpression, block, "a text is neither true nor false.");
         }
 
         return report.Refusal is null;
+    }
+
+    /// <summary>Goes on where only the machine knows which way, if both ways lead to the same; otherwise refuses the program.</summary>
+    public bool TryEitherWay(int block, out bool truth)
+    {
+        truth = false;
+        var name = Variables.LastUnknown;
+        if (decide?.Invoke() is { } way)
+        {
+            truth = way;
+            return true;
+        }
+
+        report.Refuse(NcRefusalCodes.UnknownCondition, block,
+            $"which way the program goes hangs on a value that only the machine knows{(name is null ? "" : $" ({name})")}, and both ways "
+                + "do not lead to the same. State the value: assume in the job, --assume at the console.");
+        return false;
     }
 
     /// <summary>P=3, P3 or P=R1 after a call or REPEAT; 1 if there is none.</summary>

@@ -7,6 +7,9 @@ internal sealed record FlowSettings
     /// there is none. The caller decides which files may be opened.</summary>
     public Func<string, NcProgram?> Library { get; init; } = _ => null;
 
+    /// <summary>Says which way the program goes where only the machine knows it; null if both ways do not lead to the same.</summary>
+    public Func<bool?>? Decide { get; init; }
+
     /// <summary>Called when a pass of a call ends, with the depth of that call: 1 if the main program called.</summary>
     public Action<int> Returned { get; init; } = _ => { };
 

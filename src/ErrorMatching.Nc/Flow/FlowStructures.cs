@@ -12,6 +12,9 @@ internal sealed class FlowStructures(
 {
     private bool _breaking;
 
+    /// <summary>True if a break out of a loop still ends another one.</summary>
+    public bool IsBreaking => _breaking;
+
     public FlowAction Execute(FlowStatement statement, ReadOnlySpan<byte> text)
     {
         var block = statement.Block;

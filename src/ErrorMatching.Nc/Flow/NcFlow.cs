@@ -1,3 +1,5 @@
+using System.Globalization;
+using System.Text;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -32,7 +34,7 @@ internal sealed class NcFlow
         (_program, _dialect, _syntax) = (program, dialect, dialect.Syntax);
         _calls = new(program, dialect);
         _report = new(_calls);
-        _memory = new(_syntax, _report);
+        _memory = new(_syntax, _report, dialect.Assumed, settings.Decide);
         _course = new(_syntax, _calls, _report, _memory, new(_syntax, _report, _memory), settings);
 
         var library = new FlowLibrary(dialect, settings);
@@ -92,6 +94,31 @@ internal sealed class NcFlow
 
             return _course.Begun;
         }
+    }
+
+    /// <summary>A text for all that decides what runs next, but for variables: equal for equal places in runs of the same
+    /// program.</summary>
+    /// <param name="block">The block that runs next.</param>
+    public string PlaceAt(int block)
+    {
+        _ = _calls.Frame;
+        var text = new StringBuilder(FormattableString.Invariant($"{block} {_structures.IsBreaking}"));
+        foreach (var frame in _calls.Frames)
+        {
+            text.Append(CultureInfo.InvariantCulture,
+                $"|{frame.Unit.Name} {frame.First} {frame.Caller} {frame.Passes} {frame.ModalCalls}");
+            foreach (var (loop, left) in frame.Counters.OrderBy(c => c.Key))
+            {
+                text.Append(CultureInfo.InvariantCulture, $" {loop}:{left}");
+            }
+
+            foreach (var region in frame.Regions)
+            {
+                text.Append(CultureInfo.InvariantCulture, $" {region.Owner}-{region.First}-{region.Last}-{region.Passes}");
+            }
+        }
+
+        return text.ToString();
     }
 
     /// <summary>Executes what a block does before its words are read: assignments, conditions, jumps, and calls without other

@@ -54,6 +54,10 @@ public sealed class NcPath
     /// <summary>Readings that another machine could make differently. Every result of the program shows them.</summary>
     public IReadOnlyList<NcNote> Notes { get; }
 
+    /// <summary>Blocks that move on only one of the ways of a branch on a value that only the machine knows: they must not change.
+    /// Ascending.</summary>
+    internal IReadOnlyCollection<int> UncertainBlocks { get; init; } = [];
+
     /// <summary>The reason why the program could not be followed to its end: a missing program, an infinite loop, a branch on a value
     /// that only the machine knows. Null if it was followed to its end.</summary>
     public Refusal? Refusal { get; }
@@ -61,17 +65,21 @@ public sealed class NcPath
     /// <summary>The programs of other files that it called, in order of their first call.</summary>
     public IReadOnlyList<CalledProgram> CalledPrograms { get; init; } = [];
 
-    /// <summary>SHA-256 of the program, as 64 lower-case hexadecimal digits; if it called programs of other files, of the list of their
-    /// names and hashes behind its own.</summary>
+    /// <summary>Values that somebody stated for variables that only the machine knows, as far as the program reads them: text such as
+    /// <c>#100 = 1</c>.</summary>
+    public string Assumed { get; init; } = "";
+
+    /// <summary>SHA-256 of the program, as 64 lower-case hexadecimal digits; if it called programs of other files, or read values that
+    /// were assumed, of the list of their names and hashes, and of those values, behind its own.</summary>
     public string Sha256
     {
         get
         {
             var own = Convert.ToHexStringLower(SHA256.HashData(Program.Bytes.Span));
-            return CalledPrograms.Count == 0
+            return CalledPrograms.Count == 0 && Assumed.Length == 0
                 ? own
-                : Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(
-                    string.Join('\n', CalledPrograms.Select(c => $"{c.Name} {c.Sha256}").Prepend(own)))));
+                : Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n',
+                    [own, .. CalledPrograms.Select(c => $"{c.Name} {c.Sha256}"), .. Assumed.Length == 0 ? [] : (string[])[Assumed]]))));
         }
     }
 

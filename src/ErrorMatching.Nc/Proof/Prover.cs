@@ -38,6 +38,7 @@ public sealed class Prover
             // The two checks are independent, so for a long program they run concurrently.
             var parts = new ByteCheck(_task, different).Compare(markerBlock);
             moved = CompareMotions(different);
+            CheckUncertainBlocks(markerBlock);
             bytesIdentical = true;
             foreach (var part in parts)
             {
@@ -141,6 +142,26 @@ public sealed class Prover
             if (motion >= 0 && !ProofTask.Same(_task.Before.Motions[motion].End, _task.After.Motions[motion].End))
             {
                 _findings.Fail(block, "an origin is set or a program is called here at a place that moved.");
+            }
+        }
+    }
+
+    // What is executed only if a value of the machine says so must be as it was.
+    private void CheckUncertainBlocks(int markerBlock)
+    {
+        var (before, after) = (_task.Before, _task.After);
+        if (!before.UncertainBlocks.Select(b => InResult(b, markerBlock)).SequenceEqual(after.UncertainBlocks))
+        {
+            _findings.Fail("Other blocks than in the original depend on values of the machine.");
+            return;
+        }
+
+        foreach (var block in before.UncertainBlocks)
+        {
+            var now = after.Program.BytesOf(after.Program[InResult(block, markerBlock)]);
+            if (!before.Program.BytesOf(before.Program[block]).SequenceEqual(now))
+            {
+                _findings.Fail(block, "it changed although whether it is cut depends on a value of the machine.");
             }
         }
     }

@@ -46,6 +46,7 @@ internal sealed class PathWithoutPoints
         var reduced = new NcPath(
             path.Program, path.Dialect, motions, path.Problems, dependents, path.Frames, path.Notes, path.Refusal, path.Library)
         {
+            UncertainBlocks = path.UncertainBlocks,
             ToolChanges = [.. path.ToolChanges.Select(c => kept.BinarySearch(c) is var at && at < 0 ? ~at : at)],
         };
         return new(path, reduced, [.. kept]);

@@ -32,7 +32,7 @@ public static class Rewriter
         return (JointObstacles.Of(change.Result) ?? CompensationEntry.Earlier(change.Result)) is { } obstacle ? obstacle
             : CompensatedPath.Concerns(path) ? Compensated(path, change.Result)
             : CompensationEntry.Of(change.Result) is { } entry ? entry
-            : WordEditor.Run(change.Result);
+            : Edit(change.Result);
     }
 
     // Under cutter compensation the control must still be able to cut the result. Where its path is not followed, the ways in and out are
@@ -50,10 +50,24 @@ public static class Rewriter
             return entry;
         }
 
-        var rewrite = WordEditor.Run(change);
+        var rewrite = Edit(change);
         return before is null && rewrite.IsUsable
             && CompensatedPath.Check(NcInterpreter.Run(rewrite.Result.Program, path), "displaced as asked, ") is { } after
             ? after
             : rewrite;
+    }
+
+    private static Outcome<Rewrite> Edit(PathChange change)
+    {
+        var rewrite = WordEditor.Run(change);
+        if (rewrite.IsUsable && change.Path.UncertainBlocks is { Count: > 0 } uncertain
+            && rewrite.Result.ChangedBlocks.Where(uncertain.Contains).Cast<int?>().FirstOrDefault() is { } block)
+        {
+            return BlockRefusal.At(change.Path.Program, block, NcRefusalCodes.UnknownCondition,
+                "it would have to change, and whether it is cut depends on a value that only the machine knows, or on block skip. State that: "
+                    + "assume or blockSkip in the job, --assume or --block-skip at the console; or leave out the blocks beside it.");
+        }
+
+        return rewrite;
     }
 }

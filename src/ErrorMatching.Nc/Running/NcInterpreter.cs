@@ -17,9 +17,10 @@ public sealed class NcInterpreter
     private readonly BlockExecutor _executor;
     private readonly RunBorders _borders;
     private readonly SecondCore _second;
+    private readonly Forks _forks;
 
     internal NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library,
-        CancellationToken cancellation)
+        CancellationToken cancellation, Forks.Trial? trial = null)
     {
         _control = new(dialect);
         _run = new(program, dialect, _control, library, cancellation);
@@ -27,6 +28,7 @@ public sealed class NcInterpreter
         _executor = new(_control, _run, _result);
         _borders = new(_control, _run, _result, _executor);
         _second = new(program, dialect);
+        _forks = new(_control, _run, _result, _executor, trial);
     }
 
     internal ref readonly ModalState State => ref _control.State;
@@ -106,29 +108,72 @@ public sealed class NcInterpreter
         }
     }
 
+    /// <summary>Executes a program from its beginning along one way of a branch, until it meets the other one or cannot.</summary>
+    internal static (WayTrace? Trace, string? Meeting) Try(ProgramRun run, Forks.Trial trial)
+    {
+        var other = new NcInterpreter(run.Program, run.Dialect, new(), run.Library, run.Cancellation, trial);
+        other.Begin();
+        while (!other._run.HasEnded && !other._run.Cancellation.IsCancellationRequested && other._forks.Arrive())
+        {
+            if (!other.RunNext())
+            {
+                other._run.HasEnded = true;
+            }
+        }
+
+        if (other._forks.Trace is not { } trace || other._run.Refusal is not null)
+        {
+            return default;
+        }
+
+        trace.Ends = other._run.HasEnded && trace.Meets is null;
+        return (trace, trace.Meets is null ? null : other._forks.Place());
+    }
+
+    private void Begin()
+    {
+        var bytes = _run.Program.Bytes.Span[SyntaxBytes.MarkLength(_run.Program.Bytes.Span)..];
+        _run.At = _run.Dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? _run.Flow.First : BehindLeader();
+    }
+
+    // Executes the next block; false behind the last one of the program.
+    private bool RunNext()
+    {
+        var (text, at) = (_run.Text, _run.At);
+        if (at < text.BlockCount)
+        {
+            RunBlock(text, at);
+        }
+        else if (!_run.IsInProgram)
+        {
+            _run.Follow(_run.Flow.AtEnd());
+        }
+        else
+        {
+            return false;
+        }
+
+        return true;
+    }
+
     private NcPath Run()
     {
         var program = _run.Program;
-        var bytes = program.Bytes.Span[SyntaxBytes.MarkLength(program.Bytes.Span)..];
-        _run.At = _run.Dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? _run.Flow.First : BehindLeader();
+        Begin();
         using var ahead = new CancellationTokenSource();
         while (!_run.HasEnded)
         {
-            var (text, at) = (_run.Text, _run.At);
-            if ((at & (RunBorders.Stretch - 1)) == 0 && _run.IsInProgram && CrossBorder(ahead.Token))
+            if (_forks.AreOpen)
+            {
+                _forks.Arrive();
+            }
+
+            if ((_run.At & (RunBorders.Stretch - 1)) == 0 && _run.IsInProgram && !_forks.AreOpen && CrossBorder(ahead.Token))
             {
                 continue;
             }
 
-            if (at < text.BlockCount)
-            {
-                RunBlock(text, at);
-            }
-            else if (!_run.IsInProgram)
-            {
-                _run.Follow(_run.Flow.AtEnd());
-            }
-            else
+            if (!RunNext())
             {
                 break;
             }
@@ -136,6 +181,7 @@ public sealed class NcInterpreter
 
         ahead.Cancel();
         _run.Cancellation.ThrowIfCancellationRequested();
+        var assumed = NoteAssumed();
         NcNote[] notes = [.. _result.Notes.Concat(_run.FlowNotes).Concat(_executor.Integers.Notes()).OrderBy(n => n.Block)];
         return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal,
             _run.Library)
@@ -145,7 +191,33 @@ public sealed class NcInterpreter
             CalledPrograms = _run.CalledPrograms,
             Poles = _result.Poles,
             CompensationSwitches = _result.CompensationSwitches,
+            UncertainBlocks = _forks.Blocks,
+            Assumed = assumed,
         };
+    }
+
+    // What was assumed, as far as the program reads it.
+    private string NoteAssumed()
+    {
+        var assumed = _run.Dialect.Assumed;
+        if (assumed.Count == 0)
+        {
+            return "";
+        }
+
+        var used = _run.HasFlow ? _run.Flow.Variables.Used : new HashSet<string>();
+        _result.Block = 0;
+        if (used.Count > 0)
+        {
+            _result.Note("assumed", $"Assumed, since it was stated: {assumed.Listed(used)}. The result holds for these values only.");
+        }
+
+        if (assumed.Values.Keys.Where(n => !used.Contains(n)).ToArray() is { Length: > 0 } unused)
+        {
+            _result.Note("assumed-unused", $"Stated, but the program does not read it, or sets it itself: {assumed.Listed(unused)}.");
+        }
+
+        return assumed.Listed(used);
     }
 
     private int BehindLeader()
@@ -226,7 +298,13 @@ public sealed class NcInterpreter
     private void RunAny(NcBlock block)
     {
         _borders.OnlyCuts = false;
-        if (_executor.SystemCommands.Run(block) || _executor.Switches.PassesSkip(block))
+        if (_executor.SystemCommands.Run(block))
+        {
+            _executor.HasOnlyModes = false;
+            return;
+        }
+
+        if (_executor.Switches.PassesSkip(block))
         {
             return;
         }
@@ -268,6 +346,7 @@ public sealed class NcInterpreter
                 if (_executor.Steering.CallMachineProgram())
                 {
                     _result.DependOnPlace();
+                    _executor.HasOnlyModes = false;
                     _executor.Layers.Forget();
                     _run.ForgetMachine();
                     _run.At++;

@@ -37,6 +37,9 @@ public sealed class WishFile
     /// <summary>The tools' radii for cutter compensation in both programs, as far as they were stated.</summary>
     public ToolRadii ToolRadii { get; init; } = ToolRadii.None;
 
+    /// <summary>Values of variables that only the machine knows, as they were stated for both programs.</summary>
+    public AssumedValues Assumed { get; init; } = AssumedValues.None;
+
     /// <summary>SHA-256 of the wish's original program, and of the programs that it calls (<see cref="NcPath.Sha256"/>).</summary>
     public string BeforeSha256 { get; }
 
@@ -70,6 +73,7 @@ public sealed class WishFile
         return new(before.Dialect.Name, before.Sha256, leastIncrementMm, marker, wish, named)
         {
             BlockSkip = before.Dialect.BlockSkip,
+            Assumed = before.Dialect.Assumed,
             ToolRadii = CompensatedPath.Concerns(before) ? before.Dialect.ToolRadii : ToolRadii.None,
         };
     }

@@ -33,7 +33,26 @@ internal static class WishReader
         {
             BlockSkip = BlockSkips.Of(root.Find("blockSkip")?.Text),
             ToolRadii = Radii(root),
+            Assumed = Assumed(root, file),
         };
+    }
+
+    private static AssumedValues Assumed(JsonItem root, string file)
+    {
+        var values = new Dictionary<string, double>(StringComparer.Ordinal);
+        foreach (var item in root.Find("assume")?.Items ?? [])
+        {
+            var variable = item["variable"];
+            if (!AssumedValues.IsName(variable.Text))
+            {
+                throw new InputException(file,
+                    [JsonRefusal.At(variable, "bad-variable", $"\"{variable.Text}\"", "the name of a variable, such as #100 or R5")]);
+            }
+
+            values[variable.Text] = item["value"].Number;
+        }
+
+        return AssumedValues.Of(values);
     }
 
     private static ToolRadii Radii(JsonItem root)

@@ -50,6 +50,7 @@ internal sealed class WishWriter : IDisposable
             _json.WriteString("blockSkip", blockSkip);
         }
 
+        WriteAssumed(file.Assumed);
         WriteRadii(file.ToolRadii);
         _json.WriteString("beforeSha256", file.BeforeSha256);
         _json.WriteNumber("leastIncrementMm", file.LeastIncrementMm);
@@ -68,6 +69,25 @@ internal sealed class WishWriter : IDisposable
         }
 
         _json.WriteEndObject();
+    }
+
+    private void WriteAssumed(AssumedValues assumed)
+    {
+        if (assumed.Count == 0)
+        {
+            return;
+        }
+
+        _json.WriteStartArray("assume");
+        foreach (var (variable, value) in assumed.Values)
+        {
+            _json.WriteStartObject();
+            _json.WriteString("variable", variable);
+            _json.WriteNumber("value", value);
+            _json.WriteEndObject();
+        }
+
+        _json.WriteEndArray();
     }
 
     private void WriteRadii(ToolRadii radii)

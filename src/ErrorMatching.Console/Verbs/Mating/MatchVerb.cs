@@ -18,6 +18,7 @@ internal sealed class MatchVerb : Verb
         HelpName = "REPORT",
     };
 
+    private readonly AssumeOption _assume = new();
     private readonly WishOption _wish = new();
     private readonly CertificateOption _certificate = new();
     private readonly Option<string> _out = new("--out")
@@ -37,6 +38,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_counterpart);
         Options.Add(_program);
         Options.Add(_previous);
+        Options.Add(_assume.Option);
         Options.Add(_out);
         Options.Add(_wish);
         Options.Add(_certificate);
@@ -57,6 +59,7 @@ internal sealed class MatchVerb : Verb
                 Counterpart = GivenMeasurement(arguments.GetValue(_counterpart)),
                 Program = GivenFile.At(arguments.GetValue(_program)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
+                Assumed = _assume.Of(arguments),
                 Folder = folder,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,
             },

@@ -13,6 +13,7 @@ internal sealed class NcDiff : Verb
     private readonly Option<string> _html = FileOption("--html", "The file to write the comparison to as a page.");
     private readonly Option<string> _dialect = NcVerb.DialectOption();
     private readonly Option<string> _blockSkip = NcVerb.BlockSkipOption();
+    private readonly AssumeOption _assume = new();
     private readonly Option<string[]> _libraries = NcVerb.LibraryOption();
 
     public NcDiff()
@@ -26,6 +27,7 @@ internal sealed class NcDiff : Verb
         Options.Add(_dialect);
         Options.Add(_blockSkip);
         Options.Add(_libraries);
+        Options.Add(_assume.Option);
         Options.Add(_html);
     }
 
@@ -38,8 +40,8 @@ internal sealed class NcDiff : Verb
         var (before, after, dialect) = (givenBefore.File, givenAfter.File, arguments.GetRequiredValue(_dialect));
         var blockSkip = BlockSkips.Of(arguments.GetValue(_blockSkip));
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(givenBefore, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
-        var now = NcVerb.Interpret(givenAfter, dialect, blockSkip, ToolRadii.None, libraries, cancellation);
+        var was = NcVerb.Interpret(givenBefore, dialect, blockSkip, _assume.Of(arguments), ToolRadii.None, libraries, cancellation);
+        var now = NcVerb.Interpret(givenAfter, dialect, blockSkip, _assume.Of(arguments), ToolRadii.None, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         if ((was.Refusal ?? now.Refusal) is { } refusal)
         {

@@ -52,7 +52,7 @@ internal sealed class NcProve : Verb
         cancellation.ThrowIfCancellationRequested();
         var dialect = arguments.GetValue(_dialect) ?? wish.Dialect;
         var libraries = arguments.GetValue(_libraries);
-        var was = NcVerb.Interpret(givenBefore, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
+        var was = NcVerb.Interpret(givenBefore, dialect, wish.BlockSkip, wish.Assumed, wish.ToolRadii, libraries, cancellation);
         if (was.Dialect.Name != wish.Dialect)
         {
             return FailureOf.OtherDialect(file, dialect, wish.Dialect);
@@ -68,7 +68,7 @@ internal sealed class NcProve : Verb
             return FailureOf.Refused(before, refusal);
         }
 
-        var now = NcVerb.Interpret(givenAfter, dialect, wish.BlockSkip, wish.ToolRadii, libraries, cancellation);
+        var now = NcVerb.Interpret(givenAfter, dialect, wish.BlockSkip, wish.Assumed, wish.ToolRadii, libraries, cancellation);
         cancellation.ThrowIfCancellationRequested();
         var proof = Prover.Check(was, now.Program, wish.Wish, wish.LeastIncrementMm, wish.Marker);
         if (!proof.Holds)

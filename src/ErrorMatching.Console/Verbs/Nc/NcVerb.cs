@@ -12,6 +12,7 @@ internal abstract class NcVerb : Verb
     private readonly Option<string> _dialect = DialectOption();
     private readonly Option<string> _blockSkip = BlockSkipOption();
     private readonly Option<string[]> _libraries = LibraryOption();
+    private readonly AssumeOption _assume = new();
     private readonly ToolRadiiOption _radii = new();
 
     protected NcVerb(string name, string description, string example)
@@ -21,6 +22,7 @@ internal abstract class NcVerb : Verb
         Options.Add(_dialect);
         Options.Add(_blockSkip);
         Options.Add(_libraries);
+        Options.Add(_assume.Option);
         Options.Add(_radii.One);
         Options.Add(_radii.Several);
         Demand(_radii.One, ToolRadiiOption.IsRadius, "a radius in mm such as 3 or 4.975");
@@ -60,6 +62,7 @@ internal abstract class NcVerb : Verb
     /// <param name="program">The program, with its content if it comes from standard input.</param>
     /// <param name="dialect">The control's dialect.</param>
     /// <param name="blockSkip">The switches for block skip.</param>
+    /// <param name="assumed">Values of variables that only the machine knows.</param>
     /// <param name="radii">The tools' radii.</param>
     /// <param name="libraries">Folders with called programs, searched behind the program's own, or, for standard input, the working
     /// folder.</param>
@@ -68,9 +71,10 @@ internal abstract class NcVerb : Verb
     /// file cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Ctrl+C was pressed.</exception>
     public static NcPath Interpret(
-        GivenFile program, string dialect, BlockSkip blockSkip, ToolRadii radii, string[]? libraries, CancellationToken cancellation)
+        GivenFile program, string dialect, BlockSkip blockSkip, AssumedValues assumed, ToolRadii radii, string[]? libraries,
+        CancellationToken cancellation)
     {
-        var known = InputFile.Dialect(dialect).With(blockSkip).With(radii);
+        var known = InputFile.Dialect(dialect).With(blockSkip).With(assumed).With(radii);
         var read = NcProgram.Read(program.Bytes ?? InputFile.Program(program.File));
         return NcInterpreter.Run(read, known, new ProgramFolder(program.File, libraries ?? []).Find, cancellation);
     }
@@ -85,6 +89,7 @@ internal abstract class NcVerb : Verb
             given,
             arguments.GetRequiredValue(_dialect),
             BlockSkips.Of(arguments.GetValue(_blockSkip)),
+            _assume.Of(arguments),
             _radii.Of(arguments),
             arguments.GetValue(_libraries),
             cancellation);

@@ -118,14 +118,20 @@ internal sealed class KlartextFunctions(CallStack calls, FlowReport report, Flow
         memory.HasComputed = true;
         var difference = a.Number - b.Number;
         var isClose = difference != 0 && Math.Abs(difference) < Close * Math.Max(1, Math.Abs(a.Number));
-        if (!a.IsNumber || !b.IsNumber || isClose)
+        if (a.IsNumber && b.IsNumber && isClose)
         {
-            return report.Refuse(NcRefusalCodes.UnknownCondition, block, isClose
-                ? "which way the program goes hangs on the last digits of a computed value."
-                : "which way the program goes hangs on a value that only the machine knows.");
+            return report.Refuse(NcRefusalCodes.UnknownCondition, block,
+                "which way the program goes hangs on the last digits of a computed value.");
         }
 
-        var holds = number switch { "9" => difference == 0, "10" => difference != 0, "11" => difference > 0, _ => difference < 0 };
+        var either = false;
+        if ((!a.IsNumber || !b.IsNumber) && !memory.TryEitherWay(block, out either))
+        {
+            return FlowAction.Stop;
+        }
+
+        var holds = !a.IsNumber || !b.IsNumber ? either
+            : number switch { "9" => difference == 0, "10" => difference != 0, "11" => difference > 0, _ => difference < 0 };
         return !holds ? FlowAction.Continue
             : TargetOf(label) is >= 0 and var target ? course.Jump(block, target)
             : MissingLabel(block, label);

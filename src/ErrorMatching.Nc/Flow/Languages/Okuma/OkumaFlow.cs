@@ -137,14 +137,14 @@ internal sealed class OkumaFlow(
         }
 
         memory.HasComputed = true;
-        if (!value.IsNumber)
+        var holds = value.Number != 0;
+        if (!value.IsNumber && !memory.TryEitherWay(block, out holds))
         {
-            return report.Refuse(NcRefusalCodes.UnknownCondition, block,
-                "which way the program goes hangs on a value that only the machine knows.");
+            return FlowAction.Stop;
         }
 
         reader.TakeWord("GOTO");
-        return GoTo(block, ref reader, value.Number != 0);
+        return GoTo(block, ref reader, holds);
     }
 
     private FlowAction GoTo(int block, ref OkumaFormula reader, bool holds)

@@ -310,7 +310,8 @@ internal ref struct OkumaFormula(ReadOnlySpan<byte> text, int at, NcVariables va
 
         // A common variable has the value of an earlier program. A name without a value is empty, unless a caller has it: whether that
         // is seen here was not found written.
-        return variables.Find(place.Name!) is { } known ? known.Values[0]
+        return variables.Assumed(place) is { } stated ? stated
+            : variables.Find(place.Name!) is { } known ? known.Values[0]
             : place.Name![0] == '_' || variables.KnowsOutside(place.Name) ? NcValue.Unknown
             : NcValue.Vacant;
     }
