@@ -30,6 +30,7 @@ public sealed class BorderStateTests
         "ToolLength.Vector.X", "ToolLength.Vector.Y", "ToolLength.Vector.Z", "ToolLength._isInInches",
         "ToolLength.FromTable", "ToolLength.IsUnsure", "ProgramTransforms.AreUnsure",
         "WorkOffsets.Chosen.Item1", "WorkOffsets.Chosen.Item2", "WorkOffsets.IsUnsure",
+        "BlockExecutor.HasOnlyModes", "ForkLimits._left", "Forks.Trace", "Forks._next", "Forks._seen", "ProgramRun.Decide",
         "ProgramRun.At", "ProgramRun.HasEnded", "ProgramRun.Returned", "ProgramRun._flow",
         "RunBorders.OnlyCuts", "RunBorders._jumps", "RunBorders._next", "RunBorders._problems", "SecondCore.Seam", "SecondCore._ahead",
     ];

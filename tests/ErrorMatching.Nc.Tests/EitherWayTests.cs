@@ -148,6 +148,26 @@ public sealed class EitherWayTests
         Assert.Contains(path.Notes, n => n.Code is "assumed" or "assumed-unused");
     }
 
+    [Fact]
+    public void A_wish_keeps_what_was_assumed_and_the_program_is_another_one_without()
+    {
+        const string Program = Head + "IF [#500 EQ 1] GOTO 10\nG91\nN10 G1 X5. F100.\nN20 Y5.\n";
+        var path = Bench.Read(Program, NcDialects.FanucMill.With(AssumedValues.Of([new("#500", 1)])));
+        var wish = Bench.Usable(DisplacementWish.EndsBy(path, Bench.Blocks(path, "N20"), new(0.1, 0, 0)));
+        using var stream = new MemoryStream();
+        WishFile.Of(path, wish, 0.001).WriteTo(stream);
+        var read = WishFile.Read(stream.ToArray(), "wish.json");
+        Assert.Equal([("#500", 1)], read.Assumed.Values.Select(v => (v.Key, v.Value)));
+        Assert.True(read.IsAbout(Bench.Read(Program, NcDialects.FanucMill.With(read.Assumed)), "wish.json"));
+        Assert.False(read.IsAbout(Bench.Read(Program, NcDialects.FanucMill.With(AssumedValues.Of([new("#500", 1.5)]))), "wish.json"));
+        Assert.False(read.IsAbout(Bench.Read(Program, NcDialects.FanucMill), "wish.json"));
+
+        // What is stated and not read changes nothing.
+        Assert.Equal(path.Sha256, Bench.Read(Program, NcDialects.FanucMill.With(AssumedValues.Of([new("#500", 1), new("#501", 1)]))).Sha256);
+        var bad = System.Text.Encoding.UTF8.GetString(stream.ToArray()).Replace("#500", "5;00", StringComparison.Ordinal);
+        Assert.Throws<Refusals.InputException>(() => WishFile.Read(System.Text.Encoding.UTF8.GetBytes(bad), "wish.json"));
+    }
+
     [Theory]
     [InlineData("#100")]
     [InlineData("=1")]

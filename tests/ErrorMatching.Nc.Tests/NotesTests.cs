@@ -29,6 +29,46 @@ public class NotesTests
             .Replace("CT CCA90 R+2", "LT LEN2", StringComparison.Ordinal), NcDialects.HeidenhainKlartext).UnfollowedWays);
     }
 
+    // What is said of a program is not said of others in its file; a number that is not called is not run.
+    [Theory]
+    [InlineData("fanuc", "O1\nG0 X0. Y0.\nM30\nO2\nG1 X9. F100\nM30\nO3\nM30\n", "O0002", 2)]
+    [InlineData("fanuc", "O1\nG0 X0. Y0.\nM98 P2\nM30\nO2\nG1 X9. F100\nM99\nO3\nM30\n", "O0003", 1)]
+    [InlineData("fanuc", "O1\nG0 X0. Y0.\nO2\nG1 X9. F100\nM30\n", "O0002", 1)]
+    [InlineData("siemens-840d", "%_N_A_MPF\nG0 X0 Y0\nM30\n%_N_B_MPF\nG0 X5\nM30\n", "_N_B_MPF", 1)]
+    public void Programs_that_follow_in_the_file_are_noted(string dialect, string program, string name, long count)
+    {
+        var note = Assert.Single(Bench.Read(program, NcDialects.Named(dialect)).Notes, n => n.Code == "programs-follow");
+        Assert.Equal(count, note.Count);
+        Assert.Contains(name, note.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("O1\nG0 X0. Y0.\nM98 P2\nM30\nO2\nG1 X9. F100\nM99\n%\n")]
+    [InlineData("%\nO1\nG0 X0. Y0.\nM30\n%\n")]
+    public void Programs_that_are_called_are_not(string program) =>
+        Assert.DoesNotContain(Bench.Read(program, NcDialects.FanucMill).Notes, n => n.Code == "programs-follow");
+
+    [Theory]
+    [InlineData("G2 X100. R1000000. F100.", true)]
+    [InlineData("G2 X100. R999999. F100.", false)]
+    [InlineData("G2 X100. Y0. I50. J-1000000. F100.", true)]
+    [InlineData("G20\nG2 X4. R39371. F10.", true)]
+    [InlineData("G20\nG2 X4. R39370. F10.", false)]
+    public void Arcs_of_kilometers_are_noted(string block, bool isNoted) =>
+        Assert.Equal(isNoted, Bench.Read("G90 G17 G0 X0. Y0. Z0.\n" + block + "\n").Notes.Any(n => n.Code == "huge-arc"));
+
+    [Theory]
+    [InlineData("fanuc", "M98 <//CNC_MEM/USER/PATH1/O1000>", "//CNC_MEM/USER/PATH1/O1000")]
+    [InlineData("haas", "M98 (SUB/O1000.NC)", "SUB/O1000.NC")]
+    [InlineData("generic", "M97 <macros/bore>", "macros/bore")]
+    [InlineData("generic", "M98 P\"0:/macros/bore.g\"", "0:/macros/bore.g")]
+    public void A_call_by_a_path_of_the_machine_says_so(string dialect, string block, string path)
+    {
+        var refusal = Bench.Read($"G0 X0. Y0. Z0.\n{block}\nG1 X5. F100.\nM30\n", NcDialects.Named(dialect)).Refusal;
+        Assert.Equal(NcRefusalCodes.MissingProgram, refusal?.Code);
+        Assert.Contains($"the program {path} is called by a path", refusal!.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void A_note_about_a_program_in_another_file_stands_at_the_block_that_called_it()
     {

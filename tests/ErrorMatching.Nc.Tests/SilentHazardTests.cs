@@ -25,7 +25,7 @@ public sealed class SilentHazardTests
         { "m73.ngc", "linuxcnc", "N10", 0.1, 0.2, "N10 G1 X5.1 Y5.2 F100|N20 X6 Y5" },
         { "o-call-comment.ngc", "linuxcnc", "N10", 0.1, 0.2, "N10 G1 X5.1 Y2.2|N20 X8 Y2" },
         { "end-of-block.nc", "fanuc", "N20", 1, 1, NcRefusalCodes.UnknownState },
-        { "block-skip.nc", "fanuc", "N30", 1, 1, NcRefusalCodes.BlockSkip },
+        { "block-skip.nc", "fanuc", "N30", 1, 1, NcRefusalCodes.UnknownCondition },
         { "block-skip.nc", "fanuc off", "N30", 1, 1, "/N20 X20.|N30 X21. Y11.|N40 X0. Y10." },
 
         // Passed over, the block behind the slash is no motion: N30 goes from X10.
@@ -108,24 +108,26 @@ public sealed class SilentHazardTests
     }
 
     [Theory]
-    [InlineData("fanuc", "/X7.", "L7,0,0 L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/3 G91", "L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/T2", "L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/M6", "L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/G55", "L5,?,?", "L5,0,0")]
-    [InlineData("fanuc", "/M30", "", "L5,0,0")]
-    [InlineData("fanuc", "/M98 P2", "L9,0,0 L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/#1=5", "L5,0,0", "L5,0,0")]
-    [InlineData("fanuc", "/GOTO 9", "", "L5,0,0")]
-    [InlineData("fanuc", "/F200", "L5,0,0", "L5,0,0")]
-    [InlineData("siemens-840d", "/X7", "L7,0,0 L5,0,0", "L5,0,0")]
-    [InlineData("siemens-840d", "/GOTOF N9", "", "L5,0,0")]
-    [InlineData("linuxcnc", "/X7", "L7,0,0 L5,0,0", "L5,0,0")]
-    public void Other_blocks_behind_a_slash_need_the_position_of_the_switch(string dialect, string block, string off, string on)
+    [InlineData("fanuc", "/X7.", "L7,0,0 L5,0,0", "L5,0,0", true)]
+    [InlineData("fanuc", "/3 G91", "L5,0,0", "L5,0,0", false)]
+    [InlineData("fanuc", "/T2", "L5,0,0", "L5,0,0", false)]
+    [InlineData("fanuc", "/M6", "L5,0,0", "L5,0,0", false)]
+    [InlineData("fanuc", "/G55", "L5,?,?", "L5,0,0", false)]
+    [InlineData("fanuc", "/M30", "", "L5,0,0", true)]
+    [InlineData("fanuc", "/M98 P2", "L9,0,0 L5,0,0", "L5,0,0", true)]
+    [InlineData("fanuc", "/#1=5", "L5,0,0", "L5,0,0", true)]
+    [InlineData("fanuc", "/GOTO 9", "", "L5,0,0", true)]
+    [InlineData("fanuc", "/F200", "L5,0,0", "L5,0,0", false)]
+    [InlineData("siemens-840d", "/X7", "L7,0,0 L5,0,0", "L5,0,0", true)]
+    [InlineData("siemens-840d", "/GOTOF N9", "", "L5,0,0", true)]
+    [InlineData("linuxcnc", "/X7", "L7,0,0 L5,0,0", "L5,0,0", true)]
+    public void Other_blocks_behind_a_slash_need_the_position_of_the_switch_unless_both_lead_to_the_same(
+        string dialect, string block, string off, string on, bool isSame)
     {
         var text = $"G90 G17 G40\nG1 X0 Y0 Z0 F100\n{block}\nG1 X5\nN9 M30\n{(dialect == "fanuc" ? "O2\nG1 X9.\nM99\n" : "")}";
         var path = Bench.Read(text, NcDialects.Named(dialect));
-        Assert.Equal((NcRefusalCodes.BlockSkip, 3), (path.Refusal?.Code, path.Refusal?.Place.Line));
+        Assert.Equal(isSame ? (null, null) : (NcRefusalCodes.BlockSkip, 3), (path.Refusal?.Code, path.Refusal?.Place.Line));
+        Assert.Equal(isSame, path.Notes.Any(n => n is { Code: "either-way" or "conditional-stop", Block: 2 }));
         foreach (var (position, moves) in new[] { (BlockSkip.Off, off), (BlockSkip.On, on) })
         {
             path = Bench.Read(text, NcDialects.Named(dialect).With(position));

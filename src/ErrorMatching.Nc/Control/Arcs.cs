@@ -13,6 +13,8 @@ internal sealed class Arcs(
     Corners corners,
     PoleCodes pole)
 {
+    private const double Kilometer = 1e6;
+
     private readonly record struct FoundArc(MotionKind Kind, Point2 Center, MotionFlags Flags, Point2? End = null);
 
     public void Turn(MotionKind kind, MotionFlags flags, Point3 end, AxisSet unknownEnd)
@@ -37,6 +39,12 @@ internal sealed class Arcs(
         }
 
         corners.Cut(turned, flags, end, unknownEnd, center);
+        if (isKnown && start.DistanceTo(arc.Center) >= Kilometer)
+        {
+            result.Note("huge-arc", "The radius of an arc is a kilometer or more: it is nearly a line, and a wrong word looks like this. "
+                + "Controls have a limit for radii, and this one's is not known here.");
+        }
+
         writer.Append(turned, flags, end, unknownEnd, center, Turns());
     }
 

@@ -7,6 +7,9 @@ internal sealed class CallStack(NcProgram main, NcDialect dialect)
 {
     public NcProgram Main => main;
 
+    /// <summary>Names of the programs that were called.</summary>
+    public HashSet<string> Called { get; } = new(StringComparer.Ordinal);
+
     /// <summary>Empty until a statement needs the index of the file; a straight program with M30 at its end never does.</summary>
     public Stack<FlowFrame> Frames { get; } = new();
 

@@ -89,6 +89,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         {
             frame.ModalCalls = frame.IsModalMacro ? frame.ModalCalls : calls.Frame.ModalCalls;
             calls.Frames.Push(frame);
+            calls.Called.Add(frame.Unit.Name);
             _changes++;
             return BeginPass(frame);
         }

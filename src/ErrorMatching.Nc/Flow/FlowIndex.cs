@@ -136,9 +136,11 @@ internal sealed class FlowIndex
         }
     }
 
-    /// <summary>The name of the program that begins at a statement; empty at the marked start or end of the tape; null for any other
-    /// block.</summary>
-    internal static string? HeadingOf(ReadOnlySpan<byte> text, int at, NcSyntax syntax)
+    private string? HeadingOf(ReadOnlySpan<byte> text, int at) => HeadingOf(text, at, _syntax);
+
+    /// <summary>The name of the program that begins at a place of a block; empty at the marked start or end of the tape; null for anything
+    /// else.</summary>
+    public static string? HeadingOf(ReadOnlySpan<byte> text, int at, NcSyntax syntax)
     {
         if (at >= text.Length)
         {

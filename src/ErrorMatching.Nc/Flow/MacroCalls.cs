@@ -149,6 +149,14 @@ internal sealed class MacroCalls(
         var isNamed = program.IsVacant && !isLocal && words.ProgramName is not null;
         if (program.IsVacant && !isNamed)
         {
+            if (PathOf(calls.Program.BytesOf(calls.Program[block])) is { } path)
+            {
+                report.Refuse(NcRefusalCodes.MissingProgram, block,
+                    $"the program {path} is called by a path of the machine, which does not exist here: what it does is not known. Put its "
+                        + "file beside this one and call it by its number or name, or put its blocks in the place of the call.");
+                return false;
+            }
+
             report.Refuse(NcRefusalCodes.BadExpression, block, $"the call names no {(isLocal ? "block" : "program")}: P is missing.");
             return false;
         }
@@ -185,6 +193,32 @@ internal sealed class MacroCalls(
 
         return report.Refusal is null;
     }
+
+    // What stands between angle brackets, quotes or parentheses and has the marks of a path; null if there is none.
+    private static string? PathOf(ReadOnlySpan<byte> text)
+    {
+        for (var at = 0; at < text.Length; at++)
+        {
+            var closes = text[at] switch { (byte)'<' => (byte)'>', (byte)'"' => (byte)'"', (byte)'(' => (byte)')', _ => (byte)0 };
+            if (closes == 0)
+            {
+                continue;
+            }
+
+            var length = text[(at + 1)..].IndexOf(closes);
+            var inside = text.Slice(at + 1, Math.Max(0, length));
+            if (inside.IndexOfAny("/\\"u8) >= 0 && inside.IndexOf((byte)' ') < 0)
+            {
+                return NcText.Decode(inside[..Math.Min(inside.Length, MostOfPath)]);
+            }
+
+            at += Math.Max(0, length) + 1;
+        }
+
+        return null;
+    }
+
+    private const int MostOfPath = 80;
 
     private string NameOf(NcValue program, long number) =>
         program.IsVacant ? words.ProgramName ?? "" : FlowIndex.NumberName(number);

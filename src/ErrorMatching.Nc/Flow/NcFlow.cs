@@ -59,6 +59,9 @@ internal sealed class NcFlow
     /// <summary>The next block to execute.</summary>
     public int Next => _course.Next;
 
+    /// <summary>Names of the programs that were called.</summary>
+    public IReadOnlySet<string> Called => _calls.Called;
+
     /// <summary>Call depth of the current block; 0 in the main program.</summary>
     public int Depth => _calls.Depth;
 

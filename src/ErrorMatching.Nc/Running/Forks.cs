@@ -153,7 +153,7 @@ internal sealed class Forks
         }
 
         var isCompensated = _control.State.Compensation != MotionFlags.None;
-        if (Try(true, null) is not { } yes || Try(false, yes) is not { } no)
+        if (Try(true, null).Trace is not { } yes || Try(false, yes) is not ({ } no, var meeting))
         {
             return null;
         }
@@ -164,7 +164,7 @@ internal sealed class Forks
             var differs = !motions.AsSpan().SequenceEqual(others);
             return differs && (isCompensated || motions.Concat(others).Any(IsCompensated))
                 ? null
-                : new(motions.Length < others.Length, _meeting, differs, BlocksOf(differs ? [.. motions, .. others] : []),
+                : new(motions.Length < others.Length, meeting, differs, BlocksOf(differs ? [.. motions, .. others] : []),
                     met.Own.DifferencesFrom(met.Other));
         }
 
@@ -179,14 +179,8 @@ internal sealed class Forks
 
     private static bool OnlyEnds(WayTrace way) => way.Ends && !Array.Exists(way.Until(way.Motions.Length), m => m.IsCut);
 
-    private string? _meeting;
-
-    private WayTrace? Try(bool way, WayTrace? other)
-    {
-        var trial = NcInterpreter.Try(_run, new([.. _known, Fork.Tried(way)], _limits, _depth + 1, other));
-        _meeting = trial.Meeting;
-        return trial.Trace;
-    }
+    private (WayTrace? Trace, string? Meeting) Try(bool way, WayTrace? other) =>
+        NcInterpreter.Try(_run, new([.. _known, Fork.Tried(way)], _limits, _depth + 1, other));
 
     private static SortedSet<int> BlocksOf(IReadOnlyCollection<NcMotion> motions) => [.. motions.Select(m => m.Block)];
 

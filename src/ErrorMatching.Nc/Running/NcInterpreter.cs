@@ -182,6 +182,7 @@ public sealed class NcInterpreter
         ahead.Cancel();
         _run.Cancellation.ThrowIfCancellationRequested();
         var assumed = NoteAssumed();
+        NoteProgramsBehind();
         NcNote[] notes = [.. _result.Notes.Concat(_run.FlowNotes).Concat(_executor.Integers.Notes()).OrderBy(n => n.Block)];
         return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal,
             _run.Library)
@@ -194,6 +195,29 @@ public sealed class NcInterpreter
             UncertainBlocks = _forks.Blocks,
             Assumed = assumed,
         };
+    }
+
+    // A file may have several programs. The first of them runs, with those that it calls.
+    private void NoteProgramsBehind()
+    {
+        if (!_run.HasEnded || _run.Refusal is not null || !_run.IsInProgram)
+        {
+            return;
+        }
+
+        var program = _run.Program;
+        var called = _run.HasFlow ? _run.Flow.Called : new HashSet<string>();
+        for (var block = Math.Max(0, _run.At - 1); block < program.BlockCount; block++)
+        {
+            var text = program.BytesOf(program[block]);
+            var head = BlockHead.Read(text, program.Syntax);
+            if (head.At < text.Length && FlowIndex.HeadingOf(text, head.At, program.Syntax) is { Length: > 0 } name && !called.Contains(name))
+            {
+                _result.Block = block;
+                _result.Note("programs-follow", $"Behind the end of the program, others follow in the file ({name} the first), which this one "
+                    + "does not call: they are not run, and what is said here is not about them.");
+            }
+        }
     }
 
     // What was assumed, as far as the program reads it.

@@ -124,6 +124,32 @@ public sealed class MatingDraftCheckTests
     }
 
     [Fact]
+    public void Assumed_values_of_a_job_stay_when_it_is_edited()
+    {
+        var draft = MatingDraftFiles.Open(File);
+        draft = draft with { Counterpart = draft.Counterpart with { Assume = "#100=1; #<_depth>=-2.5" } };
+        var job = MatingDraftFiles.Job(draft);
+        var read = MatingJob.Parse(job, File).Counterpart.Assumed;
+        Assert.Equal([("#100", 1), ("#<_DEPTH>", -2.5)], read.Values.Select(v => (v.Key, v.Value)));
+        Assert.Equal("#100=1;#<_depth>=-2.5",
+            MatingDraftFiles.Read(job, File, MatingDraftFiles.Theoretical(draft)).Counterpart.Assume);
+        Assert.Equal(read.Values, MatingDraftCheck.DialectOf(draft, File).Assumed.Values);
+    }
+
+    [Theory]
+    [InlineData("100=1", "bad-variable", "$.counterpart.assume.100")]
+    [InlineData("#100=x", "wrong-type", "$.counterpart.assume['#100']")]
+    [InlineData("#100", "wrong-type", "$.counterpart.assume['#100']")]
+    public void What_is_no_assumed_value_is_named(string assume, string code, string path)
+    {
+        var draft = MatingDraftFiles.Open(File);
+        var job = MatingDraftFiles.Job(draft with { Counterpart = draft.Counterpart with { Assume = assume } });
+        var refusal = Assert.Throws<Refusals.InputException>(() => MatingJob.Parse(job, File)).Refusals[0];
+        Assert.Equal(code, refusal.Code);
+        Assert.Contains(assume.Split('=')[0], path, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_point_off_its_blocks_says_how_far()
     {
         var draft = MatingDraftFiles.Open(File)
