@@ -589,6 +589,7 @@ def compare(base, result, certificate):
     facts = (document := read_certificate(certificate))["dialect"]
     for name, data in (("base", base), ("result", result)):
         need(hashlib.sha256(data).hexdigest() == document[name + "Sha256"], f"the {name} is another file")
+    beyond(facts["syntax"] not in TOKENS, f"programs of the syntax {facts['syntax']}")
     need(set(facts["decimals"]) == set(MM) and isinstance(facts["integersAreIncrements"], bool), "the certificate's facts are damaged")
     old, new = split(base), take_out_marker(split(result), document)
     need([end for _, end in old] == [end for _, end in new], "lines or line ends differ")

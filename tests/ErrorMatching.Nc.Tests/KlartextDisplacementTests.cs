@@ -83,7 +83,7 @@ public sealed class KlartextDisplacementTests
     [InlineData("4 CC X+5 Y+0\n5 C X+10 Y+0 DR+\n6 L Y+20\n7 LP PR+3 PA+0", "N3..N5", "arc-form")]
     [InlineData("4 CC\n5 L X+5\n6 C X+0 Y+5 DR+", "N5..N6", "arc-form")]
     [InlineData("4 FN 0: Q1 = +5\n5 CC X+Q1 Y+0\n6 C X+10 Y+0 DR+", "N3..N6", "expression")]
-    [InlineData("4 CC X+5 Y+0\n5 CP IPA+90 DR+ IZ+1", "N3..N5", "active-transform")]
+    [InlineData("4 CC X+5 Y+0\n5 CP IPA+90 DR+ IZ+1", "N5", "no-positioning")]
     [InlineData("4 CC X+5 Y+0\n5 CP IPA+450 DR+", "N3..N5", "active-transform")]
     [InlineData("4 CC X+5 Y+0\n5 LP PR+5 PA+90", "N3..N5", "active-transform")]
     [InlineData("4 FN 0: Q1 = +90\n5 CC X+5 Y+0\n6 CP IPA+Q1 DR+\n7 L X+20 Y+20", "N3..N6", "expression")]

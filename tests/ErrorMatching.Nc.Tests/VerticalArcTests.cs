@@ -167,6 +167,39 @@ public sealed class VerticalArcTests
             Bench.Normal(Head + arc + Rest, 0.05, "N6", NcDialects.HeidenhainKlartext));
     }
 
+    // Two turns down to -2: the center goes along, and the rapid before it; no word of the helix does.
+    [Theory]
+    [InlineData("5 CP IPA+720 IZ-4 DR+")]
+    [InlineData("5 CP IPA+720 Z-2 DR+")]
+    [InlineData("5 CP PA+360 Z-2 DR+")]
+    public void A_helix_in_Klartext_goes_along(string helix)
+    {
+        var program = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+25 Y+0 R0 FMAX\n3 L Z+2 R0 FMAX\n4 CC X+20 Y+0\n" + helix
+            + " F500\n6 L X+25 Y+20\n7 L X-10\n8 L Z+50 FMAX\n9 END PGM A MM\n";
+
+        Assert.Equal(
+            program.Replace("X+25", "X+24.9", StringComparison.Ordinal).Replace("X+20", "X+19.9", StringComparison.Ordinal)
+                .Replace("Y+20", "Y+19.9", StringComparison.Ordinal),
+            Bench.Normal(program, 0.1, "N6..N7", NcDialects.HeidenhainKlartext));
+        Assert.Equal(
+            program.Replace("X+25 Y+0", "X+25.1 Y+0.2", StringComparison.Ordinal)
+                .Replace("X+20 Y+0", "X+20.1 Y+0.2", StringComparison.Ordinal)
+                .Replace("X+25 Y+20", "X+25.1 Y+20.2", StringComparison.Ordinal).Replace("X-10", "X-9.9", StringComparison.Ordinal),
+            Bench.By(program, new(0.1, 0.2, 0), "N5..N7", NcDialects.HeidenhainKlartext));
+    }
+
+    // Down the wall of a bore, and once around at its bottom: the helix would cut into the wall on one side.
+    [Fact]
+    public void A_helix_on_a_named_circle_does_not_go_aside()
+    {
+        const string Program = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+25 Y+0 R0 FMAX\n3 L Z+2 R0 FMAX\n4 CC X+20 Y+0\n"
+            + "5 CP IPA+720 IZ-4 DR+ F500\n6 CC X+20 Y+0\n7 CP IPA+360 DR+\n8 L X+20 Y+0\n9 END PGM A MM\n";
+
+        Assert.Equal(
+            (NcRefusalCodes.ArcForm, 6),
+            (Bench.RefusedNormal(Program, 0.1, "N7", NcDialects.HeidenhainKlartext) is var refusal ? refusal.Code : "", refusal.Place.Line));
+    }
+
     [Fact]
     public void Points_along_the_contour_take_the_lead_along()
     {

@@ -81,6 +81,14 @@ public readonly record struct NcMotion(
     /// <summary>True if a transformation is active, and not only a polar end.</summary>
     internal bool IsTransformed => (Flags & (MotionFlags.PolarEnd | MotionFlags.Transformed)) == MotionFlags.Transformed;
 
+    /// <summary>True for a helix to an angle about the center that a block before it states (CC, CP): none of its words says where it is,
+    /// so it can only move as a whole.</summary>
+    internal bool IsHelixToAngle => IsArc && Has(MotionFlags.CenterBefore) && Plane.Height(Start) != Plane.Height(End)
+        && (Flags & (MotionFlags.PolarEnd | MotionFlags.Transformed)) == (MotionFlags.PolarEnd | MotionFlags.Transformed);
+
+    /// <summary>True for an arc that leads to a contour and moves with it as a whole.</summary>
+    internal bool IsLeadArc => IsVertical || IsHelixToAngle;
+
     /// <summary>True for a straight cut that ends where it begins.</summary>
     internal bool IsPoint => Kind == MotionKind.Line && Start == End;
 

@@ -123,6 +123,9 @@ public sealed partial class NcMotions : IReadOnlyList<NcMotion>
         return unknown.KnownPartOf(place);
     }
 
+    /// <summary>The same as <see cref="NcMotion.IsLeadArc"/> of the motion.</summary>
+    internal bool IsLeadArc(int index) => _motions[index].IsArc && this[index].IsLeadArc;
+
     /// <summary>The place of a joint: where a motion begins, or where the last one ends.</summary>
     internal Point3 PlaceOf(int joint) => joint < Length ? StartOf(joint) : EndOf(joint - 1);
 

@@ -28,7 +28,7 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
         {
             ways.CheckMachineMove(was, now);
         }
-        else if ((startMoved || endMoved) && was.IsVertical)
+        else if ((startMoved || endMoved) && was.IsLeadArc)
         {
             findings.Note(was, NeighborRole.Follows, WayCheck.Moved(was, now));
         }
@@ -36,7 +36,7 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
         {
             // Only before a vertical arc does the way end at another height: that arc keeps its form.
             var isRetract = !was.MovesInPlane;
-            var isBeforeArc = motion + 1 < task.Before.Motions.Length && task.Before.Motions.IsVertical(motion + 1);
+            var isBeforeArc = motion + 1 < task.Before.Motions.Length && task.Before.Motions.IsLeadArc(motion + 1);
             if ((isRetract && !ProofTask.Same(now.PlaneStart, now.PlaneEnd) && !ways.LeadsAcross(motion))
                 || (Math.Abs(plane.Height(default(Point3) + moved)) > 1e-9 && !isBeforeArc))
             {
@@ -46,7 +46,7 @@ internal sealed class EndPointCheck(ProofTask task, ProofFindings findings, WayC
             findings.Note(was, now, isRetract ? NeighborRole.Positioning : NeighborRole.Follows);
         }
 
-        if (was.IsVertical)
+        if (was.IsLeadArc)
         {
             arcs.CheckVertical(was, now, task.Wish.IsPointByPoint || ways.IsHeldOnBothSides(motion));
             return;

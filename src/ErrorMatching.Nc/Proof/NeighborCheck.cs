@@ -35,7 +35,7 @@ internal sealed class NeighborCheck(ProofTask task, ProofFindings findings, WayC
             return;
         }
 
-        if (was.IsVertical)
+        if (was.IsLeadArc)
         {
             arcs.CheckVertical(was, now, ways.IsHeldOnBothSides(motion));
             findings.Note(was, NeighborRole.Follows, WayCheck.Moved(was, now));

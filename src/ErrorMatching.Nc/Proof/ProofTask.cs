@@ -79,9 +79,9 @@ internal sealed class ProofTask
         ? Line2.Through(m.PlaneStart + Wish.Elements[index].Start, m.PlaneEnd + Wish.Elements[index].End)
         : null;
 
-    /// <summary>True for a cut of a contour: vertical arcs lead to contours.</summary>
+    /// <summary>True for a cut of a contour: vertical arcs and some helices lead to contours.</summary>
     public bool IsCutInPlane(int motion) =>
-        motion >= 0 && motion < Before.Motions.Length && Before.Motions[motion] is { IsCut: true, MovesInPlane: true, IsVertical: false };
+        motion >= 0 && motion < Before.Motions.Length && Before.Motions[motion] is { IsCut: true, MovesInPlane: true, IsLeadArc: false };
 
     /// <summary>True for a named line that shrank to a point because a displaced corner cut it off. The elements on both sides are
     /// measured instead.</summary>

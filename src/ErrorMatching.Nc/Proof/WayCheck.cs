@@ -6,6 +6,9 @@ namespace ErrorMatching.Nc;
 /// positions. Finds what moves with a joint and what must stay.</summary>
 internal sealed class WayCheck(ProofTask task, ProofFindings findings)
 {
+    /// <summary>Centers and radii that differ by less are one circle, mm.</summary>
+    private const double SameCircle = 0.01;
+
     private bool[] _allowed = [];
 
     // Allows joints that positioning shares with allowed joints. The loop passes newly allowed joints too, so one pass is enough. A cut
@@ -28,7 +31,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
 
         foreach (var arc in task.Wish.IsPointByPoint ? [] : task.Wish.EndPoints)
         {
-            for (joint = motions.IsVertical(arc) ? arc + 1 : 0; joint > 0 && GoesAlong(joint - 1) && !IsLiftedBehind(joint - 1); joint--)
+            for (joint = motions.IsLeadArc(arc) ? arc + 1 : 0; joint > 0 && GoesAlong(joint - 1) && !IsLiftedBehind(joint - 1); joint--)
             {
                 allowed[joint - 1] = true;
             }
@@ -38,6 +41,11 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
     /// <summary>True if a vertical arc lies between two places of which each is named or stays: then it may become another one.</summary>
     public bool IsHeldOnBothSides(int arc)
     {
+        if (!task.Before.Motions.IsVertical(arc))
+        {
+            return false;
+        }
+
         var (first, behind) = (arc, arc + 1);
         while (first > 0 && GoesAlong(first - 1) && !task.EndPoints.Contains(first - 1))
         {
@@ -55,8 +63,31 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
     private bool IsHeld(int joint, int motion) =>
         !_allowed[joint] || task.Elements.Contains(motion) || task.EndPoints.Contains(joint - 1);
 
-    // Motions along the tool axis and vertical arcs: these keep their form, so both of their ends move.
-    private bool GoesAlong(int motion) => !task.Before.Motions.MovesInPlane(motion) || task.Before.Motions.IsVertical(motion);
+    // Motions along the tool axis, vertical arcs and helices: these keep their form, so both of their ends move.
+    private bool GoesAlong(int motion) => !task.Before.Motions.MovesInPlane(motion)
+        || (task.Before.Motions.IsLeadArc(motion) && !IsOnNamedCircle(motion));
+
+    // A helix that cuts the wall of a named arc cannot move aside.
+    private bool IsOnNamedCircle(int motion)
+    {
+        var motions = task.Before.Motions;
+        var (helix, first, last) = (motions[motion], motion, motion);
+        while (helix.IsHelixToAngle && first > 0 && motions[first].IsHelixToAngle)
+        {
+            first--;
+        }
+
+        while (helix.IsHelixToAngle && last + 1 < motions.Length && motions[last].IsHelixToAngle)
+        {
+            last++;
+        }
+
+        return helix.IsHelixToAngle && (IsNamedOn(helix, first) || IsNamedOn(helix, last));
+    }
+
+    private bool IsNamedOn(in NcMotion helix, int motion) => task.Elements.Contains(motion)
+        && task.Before.Motions[motion] is { IsArc: true } arc && arc.Center.DistanceTo(helix.Center) < SameCircle
+        && Math.Abs(arc.PlaneStart.DistanceTo(arc.Center) - helix.PlaneStart.DistanceTo(helix.Center)) < SameCircle;
 
     // An unnamed cut begins at the joint, and it was reached along the tool axis, not by feeds of one tool alone.
     private bool IsLiftedBefore(int joint)
@@ -74,7 +105,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             isLifted |= motions[first - 1].Kind != MotionKind.Line || task.Before.ChangesTool(first - 1, first - 1);
         }
 
-        return isLifted && !(HasVerticalArc(first, joint) && motions.PlaceOf(joint).Z > motions.PlaceOf(first).Z);
+        return isLifted && !(HasLeadArc(first, joint) && motions.PlaceOf(joint).Z > motions.PlaceOf(first).Z);
     }
 
     // The cut that ends at the joint was left along the tool axis, not by feeds of one tool alone.
@@ -93,15 +124,15 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             isLifted |= motions[behind].Kind != MotionKind.Line || task.Before.ChangesTool(behind + 1, behind + 1);
         }
 
-        return isLifted && !(HasVerticalArc(joint, behind) && motions.PlaceOf(joint).Z > motions.PlaceOf(behind).Z);
+        return isLifted && !(HasLeadArc(joint, behind) && motions.PlaceOf(joint).Z > motions.PlaceOf(behind).Z);
     }
 
     // An arc that leads down to the contour was reached above it, where a cut may end elsewhere.
-    private bool HasVerticalArc(int first, int behind)
+    private bool HasLeadArc(int first, int behind)
     {
         for (var i = first; i < behind; i++)
         {
-            if (task.Before.Motions.IsVertical(i))
+            if (task.Before.Motions.IsLeadArc(i))
             {
                 return true;
             }
@@ -127,12 +158,12 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
 
         var (first, last) = (rapid, rapid);
-        while (first > 0 && (IsAlongAxis(first - 1) || task.Before.Motions.IsVertical(first - 1)))
+        while (first > 0 && (IsAlongAxis(first - 1) || task.Before.Motions.IsLeadArc(first - 1)))
         {
             first--;
         }
 
-        while (last + 1 < task.Before.Motions.Length && (IsAlongAxis(last + 1) || task.Before.Motions.IsVertical(last + 1)))
+        while (last + 1 < task.Before.Motions.Length && (IsAlongAxis(last + 1) || task.Before.Motions.IsLeadArc(last + 1)))
         {
             last++;
         }
@@ -141,7 +172,7 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             || (first > 0 && (task.Before.Motions[first - 1].Has(MotionFlags.MachineMove) || task.EndPoints.Contains(first - 1)));
         for (var i = first; i <= last; i++)
         {
-            isHeld &= i == rapid || task.Before.Motions.IsVertical(i) || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
+            isHeld &= i == rapid || task.Before.Motions.IsLeadArc(i) || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
         }
 
         return isHeld && task.IsCutInPlane(last + 1);

@@ -23,12 +23,17 @@ internal sealed class CircleWords(PathChange change, IncrementGrid grid, BlockEd
     {
         var (start, end) = (grid.Rounded(motion.Start, index, motion.Plane), grid.Rounded(motion.End, index + 1, motion.Plane));
         var exact = change.CenterOf(index, motion);
-        if (motion.Has(MotionFlags.CenterBefore) && Obstacles.Of(_path, motion) is { } obstacle)
+        var isShift = IsShift(index, motion, exact - motion.Center);
+
+        // An end at an angle about a center goes along with that, in each form.
+        var flags = isShift && motion.Has(MotionFlags.PolarEnd) ? motion.Flags & ~(MotionFlags.PolarEnd | MotionFlags.Transformed)
+            : motion.Flags;
+        if (motion.Has(MotionFlags.CenterBefore) && Obstacles.Of(_path, motion with { Flags = flags }) is { } obstacle)
         {
             return obstacle;
         }
 
-        if (IsShift(index, motion, exact - motion.Center))
+        if (isShift)
         {
             return ShiftCenter(index, motion);
         }

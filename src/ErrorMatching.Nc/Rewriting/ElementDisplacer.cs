@@ -6,6 +6,9 @@ namespace ErrorMatching.Nc;
 /// <summary>Displaces elements: displaces each named line or arc, and moves the joints to the intersections.</summary>
 internal sealed class ElementDisplacer
 {
+    /// <summary>Centers and radii that differ by less are one circle, mm.</summary>
+    private const double SameCircle = 0.01;
+
     private readonly NcPath _path;
     private readonly PathChange _change;
     private readonly DisplacedElements _elements;
@@ -109,10 +112,36 @@ internal sealed class ElementDisplacer
                 && !_elements.Contains(i)
                 && !_change.HasCenter(i)
                 && (_change.IsSet(i) || _change.IsSet(i + 1))
-                && (motions.IsVertical(i) || !SlidesOnCircle(i))
-                && _change.FollowWithArc(i) is { } refusal)
+                && (motions.IsLeadArc(i) || !SlidesOnCircle(i))
+                && (OnNamedCircle(i) ?? _change.FollowWithArc(i)) is { } refusal)
             {
                 return refusal;
+            }
+        }
+
+        return null;
+    }
+
+    // A helix on the circle of a named arc cuts the same wall: moved aside as a whole, it would cut into it.
+    private Refusal? OnNamedCircle(int helix)
+    {
+        var motion = _path.Motions[helix];
+        for (var step = -1; step <= 1 && motion.IsHelixToAngle; step += 2)
+        {
+            var beside = helix + step;
+            while (beside >= 0 && beside < _path.Motions.Length && _path.Motions[beside].IsHelixToAngle)
+            {
+                beside += step;
+            }
+
+            if (_elements.Contains(beside) && _path.Motions[beside] is { IsArc: true } arc
+                && arc.Center.DistanceTo(motion.Center) < SameCircle && Math.Abs(arc.Arc.Radius - motion.Arc.Radius) < SameCircle)
+            {
+                return _elements.At(
+                    motion,
+                    NcRefusalCodes.ArcForm,
+                    $"this helix cuts the same circle as {_elements.NameOf(beside)}, and its words cannot make it larger or smaller. Post it "
+                        + "with coordinates, or lead in inside of the contour.");
             }
         }
 

@@ -13,7 +13,8 @@ internal static class EndPointDisplacer
         var change = new PathChange(path);
         for (var i = 0; i < wish.EndPoints.Count; i++)
         {
-            if (Obstacles.Of(path, wish.EndPoints[i]) is { } refusal)
+            // A helix to an angle moves as a whole, without a word of its own.
+            if (!path.Motions[wish.EndPoints[i]].IsHelixToAngle && Obstacles.Of(path, wish.EndPoints[i]) is { } refusal)
             {
                 return refusal;
             }
@@ -40,7 +41,7 @@ internal static class EndPointDisplacer
         foreach (var motion in wish.EndPoints)
         {
             // A vertical arc keeps its form, so its start moves along.
-            if (((path.Motions.IsVertical(motion) && !change.IsSet(motion)
+            if (((path.Motions.IsLeadArc(motion) && !change.IsSet(motion)
                 ? Positioning.CarryBack(change, motion + 1, named.Contains) : null)
                 ?? Positioning.CarryAhead(change, motion + 1, named.Contains)) is { } refusal)
             {

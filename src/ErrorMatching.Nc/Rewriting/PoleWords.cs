@@ -209,10 +209,10 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
         return (stated & plane) == plane && !_path.Motions[motion].Has(MotionFlags.Incremental);
     }
 
-    // The end of an arc to an angle is its own affair.
+    // The end of an arc to an angle is its own affair, and that of an arc that moves as a whole goes along.
     private bool IsPolar(int motion)
     {
-        if (_path.Motions[motion].IsToAngle)
+        if (_path.Motions[motion].IsToAngle || (_wanted.TryGetValue(motion, out var wanted) && wanted.Free is null))
         {
             return false;
         }

@@ -94,7 +94,7 @@ internal static class Positioning
     {
         var motions = change.Path.Motions;
         var level = last - 1;
-        while (level >= first && motions.IsVertical(level))
+        while (level >= first && motions.IsLeadArc(level))
         {
             level--;
         }
@@ -159,7 +159,7 @@ internal static class Positioning
         for (var joint = from + step; joint != to + step && step != 0; joint += step)
         {
             var motion = Math.Min(joint, joint - step);
-            by = motions.IsVertical(motion) ? by : Level(by, motions[motion].Plane);
+            by = motions.IsLeadArc(motion) ? by : Level(by, motions[motion].Plane);
             if (by != Vector3.Zero || change.IsSet(joint))
             {
                 change.Move(joint, by);
@@ -184,16 +184,16 @@ internal static class Positioning
         && (!motion.Has(MotionFlags.MachineMove) || (motion.CarriedAxes & motion.Plane.Axes()) == motion.Plane.Axes());
 
     // What keeps its way when one of its ends moves.
-    private static bool GoesAlong(in NcMotion motion) => motion.IsVertical || IsAlongAxis(motion);
+    private static bool GoesAlong(in NcMotion motion) => motion.IsLeadArc || IsAlongAxis(motion);
 
-    // A vertical arc leads down from the other end, where the tool is above the contour: the way there may end elsewhere.
+    // A vertical arc or a helix leads down from the other end, where the tool is above the contour: the way there may end elsewhere.
     private static bool IsAbove(NcPath path, int joint, int other)
     {
         var (first, behind) = (Math.Min(joint, other), Math.Max(joint, other));
         var hasArc = false;
         for (var i = first; i < behind; i++)
         {
-            hasArc |= path.Motions.IsVertical(i);
+            hasArc |= path.Motions.IsLeadArc(i);
         }
 
         return hasArc && path.Motions.PlaceOf(other).Z > path.Motions.PlaceOf(joint).Z;
