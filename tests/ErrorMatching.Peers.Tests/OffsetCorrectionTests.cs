@@ -132,8 +132,49 @@ public sealed partial class OffsetCorrectionTests
         Assert.InRange(runs, 10, 40);
     }
 
+    // The file as it is written, called by a program that uses the same labels, variables and modes.
+    [Theory]
+    [InlineData("tool")]
+    [InlineData("work")]
+    public void A_program_that_calls_the_offsets_goes_on_behind_the_call(string corrects)
+    {
+        Rs274.IsNeeded();
+        var program = corrects == "tool" ? Program(0.02m, null) : Encoding.ASCII.GetString(OffsetProgram.Write(
+            NcDialects.LinuxCnc, null, new(1, new(0, -0.02m, 0), null), OffsetLimits.Default, 501, 9001, "offsets.ngc"));
+        var call = OffsetProgram.CallOf(NcDialects.LinuxCnc, "offsets.ngc", 9001);
+        Assert.Equal("o<offsets> call", call);
+        var folder = Directory.CreateTempSubdirectory("errormatch-offsets-").FullName;
+        try
+        {
+            File.WriteAllText(Path.Combine(folder, "offsets.ngc"), program);
+            var run = Rs274.RunWithTools(
+                $"G21 G17 G40 G91 G54\nT1 M6\n#<now>=7\n{call}\no100 if [#<now> EQ 7]\n(LOG,behind)\no100 endif\nG1 F100 X1\n"
+                    + $"G90\n{Line}M2\n",
+                Tools,
+                folder);
+            Assert.Null(run.Refusal);
+            Assert.Equal(["behind"], run.Log);
+            Assert.Contains(run.Motions, m => Math.Abs(m.End.Y + run.Origin.Y - (corrects == "tool" ? 0.22 : 0.18)) < 1e-4);
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    [Fact]
+    public void The_offsets_run_by_themselves_as_well()
+    {
+        Rs274.IsNeeded();
+        var work = Encoding.ASCII.GetString(OffsetProgram.Write(
+            NcDialects.LinuxCnc, null, new(1, new(0.01m, -0.02m, 0), null), OffsetLimits.Default, 501, 9001, "Boss Offsets.ngc"));
+        var run = Rs274.RunWithTools(work, Tools);
+        Assert.Null(run.Refusal);
+        Assert.Equal((0.01, -0.02), (Math.Round(run.Origin.X, 4), Math.Round(run.Origin.Y, 4)));
+    }
+
     private static string Program(decimal total, decimal? before) => Encoding.ASCII.GetString(OffsetProgram.Write(
-        NcDialects.Named("linuxcnc"), new(1, 1, total, before), null, OffsetLimits.Default, 501, 9001));
+        NcDialects.Named("linuxcnc"), new(1, 1, total, before), null, OffsetLimits.Default, 501, 9001, "offsets.ngc"));
 
     private static string? Problem(RandomPart part, OffsetWay way, params string[] offsets)
     {
@@ -171,7 +212,8 @@ public sealed partial class OffsetCorrectionTests
         programs.SelectMany((p, i) => p.Split('\n').Where(IsKept).Select(
             l => Label().Replace(l, m => $"o{i.ToString(CultureInfo.InvariantCulture)}{m.Groups["number"].Value} ") + "\n"))) + "M2\n";
 
-    private static bool IsKept(string line) => line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6");
+    private static bool IsKept(string line) =>
+        line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6") && !line.StartsWith("o<offsets> ", StringComparison.Ordinal);
 
     [GeneratedRegex("^o(?<number>[0-9]{1,5}) ", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Label();

@@ -28,6 +28,9 @@ public sealed record CorrectionRequest
     /// did.</summary>
     public StoredFile? Previous { get; init; }
 
+    /// <summary>Name of the program of the job's slot, by which a program of offsets can be called; null if it is not known.</summary>
+    public string? SlotProgram { get; init; }
+
     /// <summary>The correction's identity from recognition; null if it has none yet. If the final identity differs, the correction is
     /// refused: the job's files have changed.</summary>
     public string? Identity { get; init; }

@@ -120,6 +120,7 @@ internal sealed class MatingCorrection
                 Previous = IsFeedback && _request.Previous is { } previous ? new(previous.Name, previous.Bytes) : null,
                 MayBeginAnew = true,
                 Gain = _policy.Gain,
+                OffsetsFile = _request.SlotProgram,
             },
             cancellation);
         if (outcome.Result is not { } matched)

@@ -1,6 +1,7 @@
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Cell;
 
@@ -34,14 +35,24 @@ internal sealed class OffsetJobs(CellProblems problems)
                 "\"accumulates\": true, because the control keeps the offset that cut the piece, and the next one adds to it");
         }
 
-        if (machine?.Slots.FirstOrDefault(s => s.Name == settings.Slot) is { } slot
-            && string.Equals(slot.Program, Path.GetFileName(job.Program), StringComparison.OrdinalIgnoreCase))
+        var slot = machine?.Slots.FirstOrDefault(s => s.Name == settings.Slot);
+        if (slot is not null && string.Equals(slot.Program, Path.GetFileName(job.Program), StringComparison.OrdinalIgnoreCase))
         {
             problems.Refuse(
                 item["slot"],
                 "offsets-over-program",
                 $"the slot \"{slot.Name}\", whose program {slot.Program} has the name of the program that cuts",
                 "a slot with another program name: it gets the program of the offsets, and the one that cuts stays as it is");
+        }
+
+        if (slot is not null && DialectOf(job) is { } dialect && OffsetProgram.FileToCall(dialect, slot.Program) is { } wanted
+            && wanted != slot.Program)
+        {
+            problems.Warn(
+                item["slot"],
+                "offsets-not-callable",
+                $"the slot \"{slot.Name}\" with the program {slot.Program}, which another program of this control cannot call",
+                $"the name {wanted}, unless the operator runs the program of the offsets by itself");
         }
     }
 
@@ -95,6 +106,19 @@ internal sealed class OffsetJobs(CellProblems problems)
                 first == other
                     ? "the same variables only if both jobs correct the same offset"
                     : "other variables only if the jobs correct different offsets: otherwise a correction of one stays in for the other");
+        }
+    }
+
+    // A dialect that cannot be read is reported at its machine.
+    private static NcDialect? DialectOf(NamedJob job)
+    {
+        try
+        {
+            return NcDialects.IsFile(job.Dialect) ? NcDialects.Read(job.Dialect) : NcDialects.Named(job.Dialect);
+        }
+        catch (Exception e) when (e is InputException or IOException or UnauthorizedAccessException)
+        {
+            return null;
         }
     }
 

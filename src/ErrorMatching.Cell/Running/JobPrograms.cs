@@ -41,7 +41,7 @@ internal sealed class JobPrograms(CellSettings settings)
         if (isByOffsets && slot is not null)
         {
             var dialect = InputFile.Dialect(machine.Dialect);
-            var heads = OffsetProgram.HeadsOf(dialect, named.Mating!.Correction.ProgramNumber);
+            var heads = OffsetProgram.HeadsOf(dialect, slot.Program, named.Mating!.Correction.ProgramNumber);
             yield return new(job, slot, program, new(slot.Program, dialect.ProgramNaming, heads));
         }
 

@@ -8,7 +8,7 @@ namespace ErrorMatching.Jobs;
 public sealed record MatchedProgram(MatchResult Match, MatchReport Report)
 {
     /// <summary>File name of the program: that of the original program.</summary>
-    public string Name => Path.GetFileName(Match.Input.ProgramFile);
+    public string Name { get; init; } = Path.GetFileName(Match.Input.ProgramFile);
 
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => Match.Program;

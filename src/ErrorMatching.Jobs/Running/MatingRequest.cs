@@ -34,6 +34,9 @@ public sealed record MatingRequest
     /// <summary>The target folder of the program, for the report; null if the program is not written, or the folder is unknown.</summary>
     public string? Folder { get; init; }
 
+    /// <summary>Name of the file that a program of offsets gets; null for the usual one beside the program.</summary>
+    public string? OffsetsFile { get; init; }
+
     /// <summary>Called when the report is made; returns the calculation time in seconds. Null if it is not measured: then the
     /// same inputs give the same report.</summary>
     public Func<double>? ElapsedS { get; init; }

@@ -42,15 +42,21 @@ public static class MatingRun
                     OwnDialect = dialect,
                     Previous = previous,
                     Library = called.Find,
+                    OffsetsFile = request.OffsetsFile,
                 });
             files.Add(called.Opened);
             if (outcome.Result is not { } result)
             {
-                return Outcome.Refused<MatchedProgram>(InputRefusals.Of(outcome.Refusals, job.File, program));
+                var why = InputRefusals.Of(outcome.Refusals, job.File, program);
+                return Outcome.Refused<MatchedProgram>(
+                    DialectFit.Refusal(NcProgram.Read(bytes), job.Counterpart.DialectOf(dialect)) is { } other
+                        ? [other.In(program), .. why]
+                        : why);
             }
 
-            var report = MatchReporter.Report(
-                result, PathText.In(request.Folder, Path.GetFileName(program)), request.ElapsedS?.Invoke());
+            // What comes from a pipe has no name of its own.
+            var name = Path.GetFileName(SharedFile.IsStream(program) ? job.Counterpart.Program : program);
+            var report = MatchReporter.Report(result, PathText.In(request.Folder, name), request.ElapsedS?.Invoke());
             if (request.Counterpart is null && MissingMeasured.Of(job) is { } missing)
             {
                 report = report with { Warnings = [.. report.Warnings, missing] };
@@ -61,7 +67,10 @@ public static class MatingRun
                 result,
                 GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note
                     ? report with { Notes = [.. report.Notes, note] }
-                    : report);
+                    : report)
+            {
+                Name = name,
+            };
         }
         catch (GeometryException e)
         {

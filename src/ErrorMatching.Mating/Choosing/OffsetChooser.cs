@@ -22,6 +22,7 @@ internal sealed class OffsetChooser
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
     private readonly OffsetTotals? _before;
+    private readonly string _file;
     private readonly Marker _marker;
     private readonly double _uncertaintyMm;
     private readonly IReadOnlyList<ComparedPlace> _places;
@@ -39,6 +40,7 @@ internal sealed class OffsetChooser
     /// <param name="blocks">The program corrected by blocks; null if that is not possible, and then the boundary should be right.</param>
     /// <param name="before">The corrections by offsets with which the measured counterpart was cut; null in feed-forward, which starts
     /// from none.</param>
+    /// <param name="file">Name of the file that the program of the offsets gets.</param>
     /// <param name="marker">The comment in the program of the offsets that names its sources.</param>
     public OffsetChooser(
         MatingJob job,
@@ -48,9 +50,10 @@ internal sealed class OffsetChooser
         CourseEstimator estimator,
         NcPath? blocks,
         OffsetTotals? before,
+        string file,
         Marker marker)
     {
-        (_job, _path, _maps, _before, _marker, _use) = (job, path, maps, before, marker, new(job.Correction, path, maps));
+        (_job, _path, _maps, _before, _file, _marker, _use) = (job, path, maps, before, file, marker, new(job.Correction, path, maps));
         _uncertaintyMm = decision.Features[0].StandardUncertaintyMm;
         _places = estimator.Places();
         var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
@@ -319,7 +322,13 @@ internal sealed class OffsetChooser
         ? null
         : _marker.InsertInto(NcProgram.Read(
             OffsetProgram.Write(
-                _path.Dialect, radius, work, _job.Correction.Limits, _job.Correction.FirstVariable, _job.Correction.ProgramNumber),
+                _path.Dialect,
+                radius,
+                work,
+                _job.Correction.Limits,
+                _job.Correction.FirstVariable,
+                _job.Correction.ProgramNumber,
+                _file),
             _path.Dialect.Syntax));
 
     private static Func<RunEstimate, RunPath> Cuts(Func<RunEstimate, RunPath> of)

@@ -32,6 +32,10 @@ public sealed record MatchInput(
     /// program. If the function itself is null, no other program is known.</summary>
     public Func<string, NcProgram?>? Library { get; init; }
 
+    /// <summary>Name of the file that a program of offsets gets; null for <c>offsets</c> beside the program, as the control wants to call
+    /// it.</summary>
+    public string? OffsetsFile { get; init; }
+
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
     public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
 

@@ -72,6 +72,7 @@ public static class Matcher
 
         return path.Refusal
             ?? UnitCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart)
+            ?? ColumnCheck.Refuse(input.Job, input.Theoretical, input.Part, input.Counterpart)
             ?? OriginCheck.Refuse(input.Job.OriginCheck, input.Theoretical, input.Part, input.Counterpart)
             ?? AlignedMeasurement.Check(input.Job);
     }
@@ -150,7 +151,7 @@ public static class Matcher
         if (input.Job.Correction.AllowsOffsets)
         {
             var chooser = new OffsetChooser(
-                input.Job, path, maps, decision, estimator, after, OffsetsBefore(input), marker);
+                input.Job, path, maps, decision, estimator, after, OffsetsBefore(input), OffsetsFile(input, path), marker);
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
@@ -204,7 +205,7 @@ public static class Matcher
 
         estimator.Predict(path);
         var chooser = new OffsetChooser(
-            input.Job, path, maps, decision, estimator, null, OffsetsBefore(input), MarkerOf(input, path));
+            input.Job, path, maps, decision, estimator, null, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path));
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
             ? Unchanged(input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!))
             : null;
@@ -215,6 +216,9 @@ public static class Matcher
     // In feedback the counterpart was cut with the offsets of the match before. In feed-forward each piece starts from none.
     private static OffsetTotals? OffsetsBefore(MatchInput input) =>
         input.Job.Compensation.From == CompensationSource.Counterpart ? input.Previous?.Offsets ?? OffsetTotals.None : null;
+
+    private static string OffsetsFile(MatchInput input, NcPath path) =>
+        input.OffsetsFile ?? OffsetProgram.FileBeside(path.Dialect, input.ProgramFile);
 
     private static Outcome<MatchResult> Insufficient(CorrectionChoice correction) => new Refusal(
         "offset-insufficient",
@@ -246,7 +250,7 @@ public static class Matcher
         if (correction is null && input.Job.Correction.AllowsOffsets)
         {
             correction = new OffsetChooser(
-                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), MarkerOf(input, path))
+                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path))
                 .Choose(compensates: false);
         }
 

@@ -17,13 +17,14 @@ public static class CorrectionWords
         }
 
         var file = Path.GetFileName(correction.File);
-        return correction.Choice.Kind switch
+        var run = correction.Choice.Kind switch
         {
             CorrectionKind.ToolWear => $"The program stays as it is: run {file} before it, which corrects {Of(correction.Choice.Radius!)}.",
             CorrectionKind.WorkOffset => $"The program stays as it is: run {file} before it, which corrects {Of(correction.Choice.Work!)}.",
             _ when IsNothing(correction) => $"Run {file} before it, which takes earlier corrections out of the offsets.",
             _ => $"Run {file} before it, which keeps the earlier corrections of the offsets.",
         };
+        return correction.Call is { } call ? $"{run} Another program calls it by \"{call}\"." : run;
     }
 
     /// <summary>By what the correction is made, and why not by less: a sentence for each kind.</summary>

@@ -47,24 +47,26 @@ public static class MatchReporter
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
             RadiusWearMm = UniformOffset.RadiusWearMm(result.Decision),
-            Correction = result.Correction is { } correction ? Correction(correction, programFile) : null,
+            Correction = result.Correction is { } correction ? Correction(correction, result.Input, result.Before.Dialect, programFile) : null,
             Lot = result.Lot,
             Warnings = [.. evaluations.SelectMany(e => e.Warnings), .. Warnings(result)],
             Notes = Notes(result),
         };
     }
 
-    private static ReportCorrection Correction(CorrectionChoice choice, string programFile) => choice.Program is not { } program
-        ? new(choice, null, null)
-        : new(choice, OffsetsFile(programFile), Convert.ToHexStringLower(SHA256.HashData(program)));
-
-    // Beside the program to cut, with its extension.
-    private static string OffsetsFile(string programFile)
+    // The program of the offsets is written beside the program to cut.
+    private static ReportCorrection Correction(CorrectionChoice choice, MatchInput input, NcDialect dialect, string programFile)
     {
-        var name = "offsets" + Path.GetExtension(programFile);
-        return PathText.Beside(
-            programFile,
-            string.Equals(name, Path.GetFileName(programFile), StringComparison.OrdinalIgnoreCase) ? "errormatch-" + name : name);
+        if (choice.Program is not { } program)
+        {
+            return new(choice, null, null);
+        }
+
+        var name = input.OffsetsFile ?? OffsetProgram.FileBeside(dialect, input.ProgramFile);
+        return new(choice, PathText.Beside(programFile, name), Convert.ToHexStringLower(SHA256.HashData(program)))
+        {
+            Call = OffsetProgram.CallOf(dialect, name, input.Job.Correction.ProgramNumber),
+        };
     }
 
     private static double? ProbabilityAfter(FeatureMap map, FeaturePrediction predicted) =>

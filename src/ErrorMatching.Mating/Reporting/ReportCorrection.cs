@@ -9,6 +9,10 @@ namespace ErrorMatching.Mating;
 /// <param name="Sha256">SHA-256 of that program; null if there is none.</param>
 public sealed record ReportCorrection(CorrectionChoice Choice, string? File, string? Sha256)
 {
+    /// <summary>The block by which another program calls that program; null if the dialect states none, or if its file has a name that
+    /// the control does not find.</summary>
+    public string? Call { get; init; }
+
     /// <summary>The corrections by offsets in all, for the next match.</summary>
     public OffsetTotals Totals => new(Choice.Radius?.TotalMm ?? 0, Choice.Work?.Total ?? default);
 
@@ -45,6 +49,10 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
             {
                 w.Text("file", File);
                 w.Text("sha256", Sha256);
+                if (Call is not null)
+                {
+                    w.Text("call", Call);
+                }
             });
         }
     }
@@ -72,7 +80,10 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
                 r.List("refused", x => new KindRefused(x.Word<CorrectionKind>("kind", ReportWords.Of), x.Text("reason"))),
                 null),
             program?.Text("file"),
-            program?.Text("sha256"));
+            program?.Text("sha256"))
+        {
+            Call = program?.OptionalText("call"),
+        };
     }
 
     private static void Write(ReportWriter w, OffsetShift shift)

@@ -133,6 +133,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
             case "nestedComments": tables.NestedComments = (NestedComments)Comments[value.Text]; break;
             case "workOffsets": SetWorkOffsets(value); break;
             case "offsetProgram": tables.Offsets.Program = LinesOf(value, OffsetRule.InProgram, []); break;
+            case "offsetCall": tables.Offsets.Call = LineOf(value, OffsetRule.InCall, []); break;
+            case "offsetFile": tables.Offsets.File = LineOf(value, OffsetRule.InFile, []); break;
             case "radiusOffset": tables.Offsets.Radius = LinesOf(value, OffsetRule.InRadius, OffsetRule.BeforeRadius); break;
             case "workOffset": tables.Offsets.Work = LinesOf(value, OffsetRule.InWork, OffsetRule.BeforeWork); break;
             default: SetCompensation(tables.Compensation, name, value); break;
@@ -225,22 +227,18 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     }
 
     // Lines with names in braces. Names of the correction before are for lines with a question mark only.
-    private IReadOnlyList<string> LinesOf(JsonItem value, IReadOnlyList<string> names, IReadOnlyList<string> before)
+    private IReadOnlyList<string> LinesOf(JsonItem value, IReadOnlyList<string> names, IReadOnlyList<string> before) =>
+        [.. value.Items.Select(line => LineOf(line, names, before))];
+
+    private string LineOf(JsonItem line, IReadOnlyList<string> names, IReadOnlyList<string> before)
     {
-        foreach (var line in value.Items)
+        string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
+        foreach (var name in OffsetRule.NamesIn(line.Text).Where(n => !known.Contains(n, StringComparer.Ordinal)))
         {
-            string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
-            foreach (var name in OffsetRule.NamesIn(line.Text))
-            {
-                if (!known.Contains(name, StringComparer.Ordinal))
-                {
-                    Problems.Add(JsonRefusal.At(
-                        line, "unknown-value", $"{{{name}}}", $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
-                }
-            }
+            Problems.Add(JsonRefusal.At(line, "unknown-value", $"{{{name}}}", $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
         }
 
-        return [.. value.Items.Select(i => i.Text)];
+        return line.Text;
     }
 
     private static byte LetterOf(JsonItem value) => value.Text.Length == 0 ? (byte)0 : (byte)value.Text[0];

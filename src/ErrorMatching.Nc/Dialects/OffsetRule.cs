@@ -10,6 +10,12 @@ internal sealed class OffsetRule
     /// <summary>The program around its sections; empty if none is written for the control.</summary>
     public IReadOnlyList<string> Program { get; set; } = [];
 
+    /// <summary>The block by which another program calls it; empty if it cannot be called.</summary>
+    public string Call { get; set; } = "";
+
+    /// <summary>The name that its file must have for that; empty if the name does not matter.</summary>
+    public string File { get; set; } = "";
+
     /// <summary>The section that corrects the radius of a tool; empty if there is none.</summary>
     public IReadOnlyList<string> Radius { get; set; } = [];
 
@@ -19,8 +25,14 @@ internal sealed class OffsetRule
     /// <summary>Number of variables that a program keeps values in.</summary>
     public const int Variables = 10;
 
+    /// <summary>Names of values in the name of the program's file.</summary>
+    public static readonly IReadOnlyList<string> InFile = ["name", "NAME"];
+
+    /// <summary>Names of values in the block that calls the program.</summary>
+    public static readonly IReadOnlyList<string> InCall = ["program", .. InFile];
+
     /// <summary>Names of values in the program around the sections.</summary>
-    public static readonly IReadOnlyList<string> InProgram = ["program", "body"];
+    public static readonly IReadOnlyList<string> InProgram = ["program", "body", .. InFile];
 
     /// <summary>Names of values in every section.</summary>
     private static readonly IReadOnlyList<string> InSections =

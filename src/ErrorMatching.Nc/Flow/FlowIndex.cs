@@ -136,8 +136,6 @@ internal sealed class FlowIndex
         }
     }
 
-    private string? HeadingOf(ReadOnlySpan<byte> text, int at) => HeadingOf(text, at, _syntax);
-
     /// <summary>The name of the program that begins at a place of a block; empty at the marked start or end of the tape; null for anything
     /// else.</summary>
     public static string? HeadingOf(ReadOnlySpan<byte> text, int at, NcSyntax syntax)

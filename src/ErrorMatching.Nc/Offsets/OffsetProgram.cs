@@ -7,7 +7,7 @@ namespace ErrorMatching.Nc;
 /// <remarks>It keeps in the control's variables what each offset was without a correction, and the correction in all. What it sets is the
 /// sum of the two, so that it may be stopped anywhere and run again; a third variable says that it was stopped in between. It stops by
 /// itself if somebody changed a corrected offset by hand, if the correction before is another one than expected, or if a step is too
-/// large.</remarks>
+/// large. It is a subprogram: a program that calls it goes on behind the call.</remarks>
 public static class OffsetProgram
 {
     /// <summary>Number of variables that it keeps values in.</summary>
@@ -44,13 +44,51 @@ public static class OffsetProgram
 
     /// <summary>The names at the head of the program: what the control will call it.</summary>
     /// <param name="dialect">The control.</param>
+    /// <param name="file">Name of its file.</param>
     /// <param name="programNumber">Number of the program, where programs have one.</param>
-    public static IReadOnlyList<string> HeadsOf(NcDialect dialect, int programNumber)
+    public static IReadOnlyList<string> HeadsOf(NcDialect dialect, string file, int programNumber)
     {
         ArgumentNullException.ThrowIfNull(dialect);
-        var values = new Dictionary<string, string>(StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
+        var values = new Dictionary<string, string>(NamesOf(file), StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
         var lines = dialect.Offsets.Program.Where(l => l != "{body}").SelectMany(l => Filled([l], values, false));
         return ProgramHeads.Of(NcProgram.Read(Encoding.ASCII.GetBytes(string.Join('\n', lines)), dialect.Syntax), dialect);
+    }
+
+    /// <summary>The name that its file gets beside a program.</summary>
+    /// <param name="dialect">The control.</param>
+    /// <param name="programFile">Name of the file of the program that cuts.</param>
+    public static string FileBeside(NcDialect dialect, string programFile)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        ArgumentNullException.ThrowIfNull(programFile);
+        var name = Named("offsets");
+        return name.Equals(Path.GetFileName(programFile), StringComparison.OrdinalIgnoreCase) ? Named("errormatch_offsets") : name;
+
+        string Named(string stem) =>
+            dialect.Offsets.File.Length > 0 ? Filled(dialect.Offsets.File, NamesOf(stem)) : stem + Path.GetExtension(programFile);
+    }
+
+    /// <summary>The block by which another program calls it; null if the dialect states none, or if the control does not find a file of
+    /// this name.</summary>
+    /// <param name="dialect">The control.</param>
+    /// <param name="file">Name of its file.</param>
+    /// <param name="programNumber">Number of the program, where programs have one.</param>
+    public static string? CallOf(NcDialect dialect, string file, int programNumber)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        ArgumentNullException.ThrowIfNull(file);
+        return dialect.Offsets.Call.Length > 0 && (FileToCall(dialect, file) ?? file) == file
+            ? Filled(dialect.Offsets.Call, new(NamesOf(file), StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") })
+            : null;
+    }
+
+    /// <summary>The name that a file of the program must have so that the control finds it; null if the name does not matter.</summary>
+    /// <param name="dialect">The control.</param>
+    /// <param name="file">The name that the file has.</param>
+    public static string? FileToCall(NcDialect dialect, string file)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        return dialect.Offsets is { Call.Length: > 0, File.Length: > 0 } ? Filled(dialect.Offsets.File, NamesOf(file)) : null;
     }
 
     /// <summary>Writes the program.</summary>
@@ -60,17 +98,20 @@ public static class OffsetProgram
     /// <param name="limits">The largest steps, which the program checks.</param>
     /// <param name="firstVariable">The first of the variables in which it keeps values.</param>
     /// <param name="programNumber">Number of the program, where programs have one.</param>
+    /// <param name="file">Name of its file, from which calls get the name of the program where programs have one.</param>
     public static byte[] Write(
         NcDialect dialect,
         RadiusCorrection? radius,
         WorkOffsetCorrection? work,
         OffsetLimits limits,
         int firstVariable,
-        int programNumber)
+        int programNumber,
+        string file)
     {
         ArgumentNullException.ThrowIfNull(dialect);
         ArgumentNullException.ThrowIfNull(limits);
-        var values = new Dictionary<string, string>(StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
+        ArgumentNullException.ThrowIfNull(file);
+        var values = new Dictionary<string, string>(NamesOf(file), StringComparer.Ordinal) { ["program"] = Text(programNumber, "0000") };
         for (var i = 0; i < Variables; i++)
         {
             values[Text(i, "'m'0")] = Text(firstVariable + i, "0");
@@ -115,6 +156,13 @@ public static class OffsetProgram
 
         var lines = dialect.Offsets.Program.SelectMany(l => l == "{body}" ? body : [.. Filled([l], values, false)]);
         return Encoding.ASCII.GetBytes(string.Concat(lines.Select(l => l + "\n")));
+    }
+
+    // What no control takes in the name of a program becomes an underscore.
+    private static Dictionary<string, string> NamesOf(string file)
+    {
+        var name = string.Concat(Path.GetFileNameWithoutExtension(file).Select(c => char.IsAsciiLetterOrDigit(c) ? c : '_'));
+        return new(StringComparer.Ordinal) { ["name"] = name.ToLowerInvariant(), ["NAME"] = name.ToUpperInvariant() };
     }
 
     // Lines with values in place of names in braces; those that begin with a question mark only if the correction before is known.

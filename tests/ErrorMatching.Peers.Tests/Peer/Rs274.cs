@@ -39,12 +39,15 @@ internal static partial class Rs274
     });
 
     /// <summary>Interprets a text with a table of tools, in inches, since without settings the machine is one of inches.</summary>
-    public static PeerRun RunWithTools(string program, string tools) => WithHome(home =>
+    /// <param name="program">The text.</param>
+    /// <param name="tools">The table.</param>
+    /// <param name="folder">A folder with subprograms that it can call; null for none.</param>
+    public static PeerRun RunWithTools(string program, string tools, string? folder = null) => WithHome(home =>
     {
         var (file, table) = (Path.Combine(home, "program.ngc"), Path.Combine(home, "tool.tbl"));
         File.WriteAllText(file, program);
         File.WriteAllText(table, tools);
-        return Run(file, home, home, options: ["-t", table]);
+        return Run(file, home, folder ?? home, options: ["-t", table]);
     });
 
     /// <summary>Interprets a text as if it stood in a folder, whose subprograms it can call.</summary>
