@@ -53,6 +53,37 @@ public sealed partial class DeployTests
         double Seconds(string name) => double.Parse(Value(name), CultureInfo.InvariantCulture);
     }
 
+    [Fact]
+    public void What_a_person_must_look_at_is_not_started_again_for_ever()
+    {
+        using var folder = new TemporaryFolder();
+        var wrong = folder.File("cell.json", "{ \"kind\": \"cell\" }");
+        Assert.Equal((int)ExitCode.WrongInput, Shell.Run("cell", "run", wrong).Exit);
+        var prevented = Value("RestartPreventExitStatus").Split(' ').Select(n => (ExitCode)int.Parse(n, CultureInfo.InvariantCulture));
+        Assert.Equal([ExitCode.WrongInput, ExitCode.Refused], prevented);
+    }
+
+    [Fact]
+    public void A_machines_key_is_made_by_the_account_that_reads_it()
+    {
+        var page = Page("connect-a-machine.md");
+        var made = Assert.Single(page.Split('\n'), l => l.Contains("ssh-keygen -t", StringComparison.Ordinal)).Trim();
+        Assert.StartsWith($"sudo -u {Value("User")} ", made, StringComparison.Ordinal);
+        var file = made.Split(' ')[^1];
+        Assert.StartsWith($"/var/lib/{Value("StateDirectory")}/", file, StringComparison.Ordinal);
+        Assert.Contains($"\"keyFile\": \"{file}\"", page, StringComparison.Ordinal);
+    }
+
+    // README.md: measures a part, rewrites the program of its counterpart.
+    [Fact]
+    public void The_package_says_which_piece_is_measured_and_which_program_follows()
+    {
+        var text = File.ReadAllText(Repository.PathTo("deploy", "debian", "errormatch.control"));
+        Assert.Contains("Description: NC programs that follow the measured part\n", text, StringComparison.Ordinal);
+        Assert.Contains("Measures a machined part, rewrites the NC program of its counterpart", text, StringComparison.Ordinal);
+        Assert.DoesNotContain("measured counterpart", text, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("ProtectSystem", "strict")]
     [InlineData("NoNewPrivileges", "true")]
