@@ -32,6 +32,21 @@ internal static class Application
                 return exit;
             }
 
+            // The help of what was begun, such as errormatch alone or errormatch nc, is worth more than a complaint; the exit code still
+            // tells a script that no command was named.
+            if (!isJson && IsBegun(parsed))
+            {
+                CommandTree.WriteHelp(args, terminal.Output);
+                terminal.Output.Flush();
+                return (int)ExitCode.WrongInput;
+            }
+
+            // errormatch nc help check
+            if (args is [var group, HelpVerb.Word, ..] && CommandTree.Build(group).Subcommands.Any(c => c.Name == group && c is not Verb))
+            {
+                parsed = CommandTree.Parse([HelpVerb.Word, group, .. args.Skip(2)]);
+            }
+
             var code = OutcomeWriter.Write(OutcomeOf(parsed, terminal, cancellation), terminal, isJson);
             terminal.Output.Flush();
             return (int)code;
@@ -43,6 +58,9 @@ internal static class Application
             return (int)ExitCode.Outside;
         }
     }
+
+    private static bool IsBegun(ParseResult parsed) =>
+        parsed.CommandResult.Command is not Verb && parsed.UnmatchedTokens.Count == 0;
 
     private static VerbResult OutcomeOf(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {

@@ -18,11 +18,32 @@ internal static class CommandTree
 
     /// <summary>The possible first words of a command line, in help order.</summary>
     internal static IReadOnlyList<string> FirstWords { get; } =
-        ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit", "completion"];
+        ["match", "verify", "job", "nc", "surface", "cell", "user", "audit", "fit", "completion", HelpVerb.Word];
 
     /// <summary>Parses a command line.</summary>
     public static ParseResult Parse(IReadOnlyList<string> args) =>
         Build(args.Count > 0 ? args[0] : null, args.Count > 1 ? args[1] : null).Parse(args, Configuration);
+
+    /// <summary>The help of a command, or of all if none is named.</summary>
+    /// <param name="words">The command's words; the first one that is no command ends them.</param>
+    /// <param name="output">Where it is written.</param>
+    public static void WriteHelp(IReadOnlyList<string> words, TextWriter output)
+    {
+        Command at = Build(words.Count > 0 ? words[0] : null, words.Count > 1 ? words[1] : null);
+        List<string> line = [];
+        foreach (var word in words)
+        {
+            if (at.Subcommands.FirstOrDefault(c => c.Name == word) is not { } next)
+            {
+                break;
+            }
+
+            at = next;
+            line.Add(word);
+        }
+
+        _ = Parse([.. line, "--help"]).Invoke(new InvocationConfiguration { Output = output, Error = output });
+    }
 
     /// <summary>The root command.</summary>
     /// <param name="first">The first word of the command line. If it is a command, only that one is built. Null builds all.</param>
@@ -89,6 +110,7 @@ internal static class CommandTree
         },
         "fit" => new Command(word, "Fits curves to measured points.") { new FitLine(), new FitPolynomial(), new FitCircle() },
         "completion" => new CompletionVerb(),
+        HelpVerb.Word => new HelpVerb(),
         _ => throw new ArgumentOutOfRangeException(nameof(word), word, "No command begins so."),
     };
 

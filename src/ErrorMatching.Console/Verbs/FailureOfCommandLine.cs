@@ -7,6 +7,9 @@ namespace ErrorMatching.Console;
 /// <summary>What is wrong with a command line, with the word that was probably meant.</summary>
 internal static class FailureOfCommandLine
 {
+    // Two letters begin too many words.
+    private const int Shortest = 3;
+
     /// <summary>Judges a parsed command line; null if nothing is wrong with it.</summary>
     public static Failure? Of(ParseResult parsed)
     {
@@ -24,7 +27,17 @@ internal static class FailureOfCommandLine
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         var most = Math.Max(1, word.Trim('-').Length / 3);
-        return known.Select(k => (Word: k, Edits: Edits(word, k))).Where(k => k.Edits <= most).OrderBy(k => k.Edits).FirstOrDefault().Word;
+        string[] words = [.. known];
+        return words.Select(k => (Word: k, Edits: Edits(word, k))).Where(k => k.Edits <= most).OrderBy(k => k.Edits).FirstOrDefault().Word
+            ?? words.Where(k => BeginsAs(word, k)).OrderByDescending(k => k.Length).FirstOrDefault();
+    }
+
+    // --prog for --program, --output and --ouput for --out: one word is the beginning of the other, but for one letter.
+    private static bool BeginsAs(string word, string known)
+    {
+        var (shorter, longer) = word.Length < known.Length ? (word, known) : (known, word);
+        return shorter.Trim('-').Length >= Shortest && shorter.StartsWith("--", StringComparison.Ordinal)
+            && Enumerable.Range(shorter.Length - 1, 3).Any(n => n <= longer.Length && Edits(shorter, longer[..n]) <= 1);
     }
 
     private static IEnumerable<string> Messages(ParseResult parsed)

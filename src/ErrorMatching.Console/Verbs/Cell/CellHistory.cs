@@ -49,6 +49,7 @@ internal sealed class CellHistory : CellVerb
         Options.Add(_to);
         Options.Add(_program);
         Options.Add(_user);
+        _state.CompletionSources.Add(States);
         Options.Add(_state);
         Options.Add(_most);
         Demand(_from, t => Time(t) is not null, "a time such as 2026-11-21 or 2026-11-21T22:00, in UTC");

@@ -40,6 +40,8 @@ internal sealed class FitPolynomial : FitVerb
     public FitPolynomial()
         : base("polynomial", "Fits a polynomial y(x) to points.", "errormatch fit polynomial samples/fits/curve.csv --degree auto")
     {
+        _degree.CompletionSources.Add(Auto);
+        _ridge.CompletionSources.Add(Auto, "0");
         Options.Add(_degree);
         Options.Add(_ridge);
         Options.Add(_uncertainty);

@@ -25,6 +25,7 @@ internal static class JobKind
                 result.AddError($"The kind of job is {token.Value}; expected {Mating}, {Freeform} or {Cell}.");
             }
         });
+        kind.CompletionSources.Add(Mating, Freeform, Cell);
         return kind;
     }
 }

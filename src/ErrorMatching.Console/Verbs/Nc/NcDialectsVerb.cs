@@ -21,6 +21,7 @@ internal sealed class NcDialectsVerb : Verb
     public NcDialectsVerb()
         : base("dialects", "Lists the controls that are known, or all that is stated of one, with sources.", "errormatch nc dialects fanuc")
     {
+        _dialect.CompletionSources.Add([.. NcDialects.Names]);
         Arguments.Add(_dialect);
         Options.Add(_schema);
         Validators.Add(result =>

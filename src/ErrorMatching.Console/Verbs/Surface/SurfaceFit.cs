@@ -37,6 +37,7 @@ internal sealed class SurfaceFit : Verb
         Options.Add(_method);
         Options.Add(_check);
         Options.Add(_out);
+        _method.CompletionSources.Add(_ => FitMethod.All.Select(m => new System.CommandLine.Completions.CompletionItem(m.Name)));
         Demand(_method, name => FitMethod.Named(name) is not null, string.Join(", ", FitMethod.All));
     }
 

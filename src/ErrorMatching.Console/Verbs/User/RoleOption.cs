@@ -16,6 +16,7 @@ internal sealed class RoleOption : Option<string>
             + "and policy too).";
         HelpName = "ROLE";
         Required = true;
+        CompletionSources.Add(Words);
         Validators.Add(result =>
         {
             if (result.Tokens is [{ Value: var word }] && !Words.Contains(word))
