@@ -1,3 +1,4 @@
+using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -30,8 +31,15 @@ public static class RefusalForms
         "{0}: its points lie {1:0.####} times as far apart as those of {2}. Is one of the two in inch? "
         + "Give \"unit\" in the gauge's \"format\", or export mm.");
 
+    /// <summary>The theoretical points' file, and the columns as which a measurement's would fit it (<see cref="AxisOrder.Name"/>).</summary>
+    public static SentenceForm ColumnsDiffer { get; } = new(
+        "columns-differ",
+        "The points lie where {0} has them only if the coordinates are read as {1}: are columns exchanged, or does an axis point the other "
+        + "way? Name the columns in the gauge's \"format\", or export the file again.");
+
     /// <summary>All of them.</summary>
-    public static IReadOnlyList<SentenceForm> All { get; } = [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers];
+    public static IReadOnlyList<SentenceForm> All { get; } =
+        [ImplausibleDeviation, ImplausibleCourse, LimitImplausible, UnitDiffers, ColumnsDiffer];
 
     /// <summary>A refusal as a statement, without its place; its message as words if its code has no form.</summary>
     /// <param name="refusal">The refusal.</param>

@@ -12,4 +12,10 @@ public static class NcInputCodes
 
     /// <summary>The program is larger than the limit.</summary>
     public const string ProgramTooLarge = "program-too-large";
+
+    /// <summary>The program has no block.</summary>
+    public const string EmptyProgram = "empty-program";
+
+    /// <summary>The program is in an encoding that no control reads, or is no text.</summary>
+    public const string ProgramNotText = "program-not-text";
 }

@@ -29,13 +29,13 @@ internal sealed class MachineReader(JsonItem list, CellPaths paths, CellProblems
     {
         if (!NcDialects.IsFile(item.Text))
         {
-            if (!NcDialects.Names.Contains(item.Text, StringComparer.Ordinal))
+            if (!NcDialects.IsName(item.Text))
             {
                 problems.Refuse(
                     item,
                     "unknown-dialect",
                     $"the dialect \"{item.Text}\"",
-                    Names.Of(NcDialects.Names) + ", or a shop's own file that ends in .json");
+                    NcDialects.ExpectedInsteadOf(item.Text));
             }
 
             return item.Text;

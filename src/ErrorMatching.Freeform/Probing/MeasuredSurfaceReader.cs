@@ -17,6 +17,10 @@ public static class MeasuredSurfaceReader
     /// <summary>Maximum size of a log in bytes.</summary>
     public const int MaxBytes = 1 << 26;
 
+    private const string UnknownPoint = "unknown-point";
+    private const string ContradictoryPoint = "contradictory-point";
+    private const string MissingPoint = "missing-point";
+    private const string FarOffPoint = "far-off-point";
     private const double RoundingMm = 0.005;
 
     /// <summary>Reads the measured points of a plan from the bytes of one file, as in the other overload.</summary>
@@ -36,7 +40,8 @@ public static class MeasuredSurfaceReader
     /// surface.</param>
     /// <exception cref="InputException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
     /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it
-    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The file does not follow its format
+    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The points lie on the surface at other places than the
+    /// plan's (<c>own-grid</c>). The file does not follow its format
     /// (a code of <see cref="MeasurementError"/>).</exception>
     public static MeasuredPoints Read(MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring)
     {
@@ -48,6 +53,22 @@ public static class MeasuredSurfaceReader
         var raw = IsLog(bytes.Span, file)
             ? Log(bytes.Span, file, plan, out cutBy)
             : new MeasuredPointNames(MeasurementReader.Read(source, measuring.Format), measuring.ReportsStylusCenter).Read();
+        try
+        {
+            return InPlan(source, plan, measuring, raw, cutBy);
+        }
+        catch (InputException e) when (e.Code is UnknownPoint or ContradictoryPoint or MissingPoint or FarOffPoint
+            && OwnGrid.Of(raw, plan, LimitOf(measuring)) is { } why)
+        {
+            throw InputException.At(
+                "own-grid", file, $"the points lie on the surface, {why}. Use the plan that errormatch surface plan writes.");
+        }
+    }
+
+    private static MeasuredPoints InPlan(
+        MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring, IReadOnlyList<RawPoint> raw, string? cutBy)
+    {
+        var file = source.File;
         var found = new RawPoint?[plan.Points.Count];
         var warnings = new List<ReportWarning>();
         var places = plan.Points.ToDictionary(p => (p.I, p.J), p => p.Number);
@@ -81,6 +102,8 @@ public static class MeasuredSurfaceReader
         FarOff(points, plan, measuring, found, file);
         return new(file, source.Sha256, points, warnings) { CutByMeasurement = cutBy };
     }
+
+    private static double LimitOf(JobMeasuring measuring) => Math.Min(measuring.ApproachMm, measuring.OvertravelMm) - RoundingMm;
 
     private static string Whole(int number) => number.ToString(CultureInfo.InvariantCulture);
 
@@ -126,7 +149,7 @@ public static class MeasuredSurfaceReader
             if (number < 1 || number > plan.Points.Count)
             {
                 throw InputException.At(
-                    "unknown-point",
+                    UnknownPoint,
                     file,
                     FormattableString.Invariant($"found point {number}; the plan has the points 1 to {plan.Points.Count}."),
                     point.Line);
@@ -136,7 +159,7 @@ public static class MeasuredSurfaceReader
             return point.I is null || (point.I == planned.I && point.J == planned.J)
                 ? number
                 : throw InputException.At(
-                    "contradictory-point",
+                    ContradictoryPoint,
                     file,
                     string.Create(
                         CultureInfo.InvariantCulture,
@@ -148,7 +171,7 @@ public static class MeasuredSurfaceReader
         return point is { I: { } i, J: { } j } && places.TryGetValue((i, j), out var found)
             ? found
             : throw InputException.At(
-                "unknown-point",
+                UnknownPoint,
                 file,
                 string.Create(
                     CultureInfo.InvariantCulture,
@@ -165,7 +188,7 @@ public static class MeasuredSurfaceReader
             var shown = string.Join(", ", missing.Take(10).Select(n => n.ToString(CultureInfo.InvariantCulture)))
                 + (missing.Length > 10 ? ", ..." : "");
             throw InputException.At(
-                "missing-point",
+                MissingPoint,
                 file,
                 string.Create(
                     CultureInfo.InvariantCulture,
@@ -183,7 +206,7 @@ public static class MeasuredSurfaceReader
 
         var foot = NormalFoot.Of(plan.Surface.Spline, raw.Position, planned.U, planned.V)
             ?? throw InputException.At(
-                "far-off-point",
+                FarOffPoint,
                 file,
                 FormattableString.Invariant(
                     $"point {planned.Number} is so far from the surface that no normal of it goes through its center."),
@@ -195,7 +218,7 @@ public static class MeasuredSurfaceReader
     private static void FarOff(MeasuredPoint[] points, MeasuringPlan plan, JobMeasuring measuring, RawPoint?[] found, string file)
     {
         // If the move misses, the log contains its rounded end.
-        var limit = Math.Min(measuring.ApproachMm, measuring.OvertravelMm) - RoundingMm;
+        var limit = LimitOf(measuring);
         var far = points.Where(p => (p.Contact - plan.ContactOf(p.Planned)).Length >= limit).ToArray();
         if (far.Length == 0)
         {
@@ -206,7 +229,13 @@ public static class MeasuredSurfaceReader
         var off = first.Contact - plan.ContactOf(first.Planned);
         var along = off.Dot(first.Planned.Normal);
         var isRadius = !found[first.Planned.Number - 1]!.IsCenter && Math.Abs(along - plan.StylusRadiusMm) < limit / 4;
-        var hint = isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
+        var hint = AxisOrder.Fitting(
+                AxisOrder.InSpace,
+                [.. points.Select(p => p.Contact)],
+                [.. points.Select(p => plan.ContactOf(p.Planned))],
+                limit) is { } order
+                ? $"Read as {order.Name}, all points are where they are expected: are columns exchanged, or does an axis point the other way?"
+            : isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
             : far.Length == points.Length
                 ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"
             : "Measure it again.";
@@ -217,7 +246,7 @@ public static class MeasuredSurfaceReader
             _ => string.Create(CultureInfo.InvariantCulture, $" {far.Length - 1} other points are beyond that, too."),
         };
         throw InputException.At(
-            "far-off-point",
+            FarOffPoint,
             file,
             string.Create(
                 CultureInfo.InvariantCulture,

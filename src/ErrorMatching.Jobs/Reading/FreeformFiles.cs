@@ -195,7 +195,7 @@ public sealed class FreeformFiles
                     path,
                     place,
                     $"the dialect \"{name}\"",
-                    $"one of {string.Join(", ", NcDialects.Names)}, or a shop's own file that ends in .json");
+                    NcDialects.ExpectedInsteadOf(name));
         }
 
         var dialect = AtPlace(path, () => InputFile.Dialect(Job.PathOf(name)));

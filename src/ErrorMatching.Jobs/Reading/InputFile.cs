@@ -16,11 +16,11 @@ public static class InputFile
 
     /// <summary>The job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
-    public static MatingJob Job(string path) => MatingJob.Parse(Open(path, p => JsonInput.Load(p)), PathText.Of(path));
+    public static MatingJob Job(string path) => MatingJob.Parse(JobBytes(path), PathText.Of(path));
 
     /// <summary>The free-form job in a file.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
-    public static FreeformJob Freeform(string path) => FreeformJob.Parse(Open(path, p => JsonInput.Load(p)), PathText.Of(path));
+    public static FreeformJob Freeform(string path) => FreeformJob.Parse(JobBytes(path), PathText.Of(path));
 
     /// <summary>The kind of the job in a file, as the file states it; null if it states none.</summary>
     /// <exception cref="InputException">The file cannot be opened. It is not JSON.</exception>
@@ -47,17 +47,25 @@ public static class InputFile
     }
 
     /// <summary>The bytes of a program.</summary>
-    /// <exception cref="InputException">The file cannot be opened, or exceeds the limit for programs.</exception>
-    public static ReadOnlyMemory<byte> Program(string path) => Open(path, p =>
+    /// <exception cref="InputException">The file cannot be opened, or exceeds the limit for programs. There is nothing in it, or no text
+    /// that a control reads.</exception>
+    public static ReadOnlyMemory<byte> Program(string path) => Checked(path, Open(path, p =>
     {
         var length = new FileInfo(p).Length;
         return length <= NcProgram.MaxBytes
             ? length < Many
-            ? SharedFile.ReadAllBytes(p)
+            ? SharedFile.ReadAllBytes(p, NcProgram.MaxBytes)
             : InHalves(p, (int)length)
             : throw new InputException(
                 new Refusal(NcInputCodes.ProgramTooLarge, $"{p} has {length} bytes; at most {NcProgram.MaxBytes} are read."));
-    });
+    }));
+
+    /// <summary>The bytes of a program, if they can be one.</summary>
+    /// <param name="file">Its name, for messages.</param>
+    /// <param name="bytes">Its content.</param>
+    /// <exception cref="InputException">There is nothing in it, or no text that a control reads.</exception>
+    public static ReadOnlyMemory<byte> Checked(string file, ReadOnlyMemory<byte> bytes) =>
+        ProgramText.Problem(bytes.Span) is { } problem ? throw new InputException(problem.In(file)) : bytes;
 
     /// <summary>The bytes of a file.</summary>
     /// <exception cref="InputException">The file cannot be opened, or is larger than the limit.</exception>
@@ -65,7 +73,7 @@ public static class InputFile
     {
         var length = new FileInfo(p).Length;
         return length <= mostBytes
-            ? SharedFile.ReadAllBytes(p)
+            ? SharedFile.ReadAllBytes(p, mostBytes)
             : throw new IOException($"It has {length} bytes; at most {mostBytes} are read");
     });
 
@@ -73,6 +81,13 @@ public static class InputFile
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
     public static WishFile Wish(string path) =>
         WishFile.Read(Open(path, p => JsonInput.Load(p, JsonLimits.Default with { MaxBytes = WishFile.MaxBytes })), path);
+
+    private static byte[] JobBytes(string path) => SharedFile.IsStream(path)
+        ? throw new InputException(new Refusal(
+            "job-without-folder",
+            $"{path} is a pipe, and the files that a job names are looked for in the job's own folder. Name a file.",
+            new() { File = path }))
+        : Open(path, p => JsonInput.Load(p));
 
     // Reading is copying, so the two halves of a long file are read concurrently.
     private static byte[] InHalves(string path, int length)
@@ -114,7 +129,7 @@ public static class InputFile
             throw new InputException(
                 new Refusal(
                     MeasurementError.FileUnreadable,
-                    $"{path} cannot be opened: {e.Message.TrimEnd('.')}. Name a file that this user may read.",
+                    $"{path} cannot be opened: {FileFault.Of(path, e)}. Name a file that this user may read.",
                     new() { File = path }),
                 e);
         }

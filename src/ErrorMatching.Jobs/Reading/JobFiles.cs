@@ -97,13 +97,13 @@ public sealed class JobFiles
     }
 
     /// <summary>The counterpart's program: the given one, or the job's.</summary>
-    /// <exception cref="InputException">The file cannot be opened.</exception>
+    /// <exception cref="InputException">The file cannot be opened. There is nothing in it, or no text that a control reads.</exception>
     public (string File, ReadOnlyMemory<byte> Bytes) Program(GivenFile? given)
     {
         var file = given ?? new(Job.PathOf(Job.Counterpart.Program));
         if (file.Bytes is { } bytes)
         {
-            return (file.File, bytes);
+            return (file.File, InputFile.Checked(file.File, bytes));
         }
 
         _read.Add(file.File);

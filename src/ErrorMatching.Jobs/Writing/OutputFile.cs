@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Jobs;
 
 /// <summary>Writes outputs that appear complete or not at all: written under a temporary name, flushed to disk, renamed.</summary>
@@ -128,7 +130,7 @@ public static class OutputFile
             throw new OutputException(
                 OutputException.Unwritable,
                 path,
-                $"{path} cannot be written: {e.Message.TrimEnd('.')}. Choose a place with room where this user may write.",
+                $"{path} cannot be written: {FileFault.Of(path, e)}. Choose a place with room where this user may write.",
                 e);
         }
     }

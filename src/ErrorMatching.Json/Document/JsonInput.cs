@@ -82,10 +82,9 @@ public static class JsonInput
         }
         catch (JsonException e)
         {
-            var nothing = bytes.IndexOfAnyExcept(" \t\r\n"u8) < 0;
-            throw nothing
+            throw bytes.IndexOfAnyExcept(" \t\r\n"u8) < 0
                 ? Refuse(file, "empty-document", new(1, 1), "nothing", "one JSON value")
-                : Refuse(file, "not-json", map.PlaceOf(bytes, e.LineNumber ?? 0, e.BytePositionInLine ?? 0), SyntaxSentence(e), "JSON");
+                : NotJson(file, bytes, map, map.IndexOf(e.LineNumber ?? 0, e.BytePositionInLine ?? 0, bytes.Length));
         }
 
         return tree.Problems.Count == 0 ? root : throw new InputException(file, tree.Problems);
@@ -94,10 +93,9 @@ public static class JsonInput
     private static InputException Refuse(string file, string code, JsonPlace place, string found, string expected) =>
         new(file, [JsonRefusal.At(place, "$", code, found, expected)]);
 
-    /// <summary>The reader's sentence without its own line numbers, which start at 0.</summary>
-    private static string SyntaxSentence(JsonException e)
+    private static InputException NotJson(string file, ReadOnlySpan<byte> bytes, LineMap map, int at)
     {
-        var end = e.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
-        return end < 0 ? e.Message : e.Message[..end].TrimEnd('.');
+        var fault = JsonFault.Of(bytes, at);
+        return Refuse(file, "not-json", map.PlaceOf(bytes, fault.At), fault.Found, fault.Expected);
     }
 }

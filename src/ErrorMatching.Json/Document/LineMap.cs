@@ -33,11 +33,12 @@ internal sealed class LineMap
         return new(line + 1, CharactersBefore(bytes, _starts[line], (int)index) + 1);
     }
 
-    public JsonPlace PlaceOf(ReadOnlySpan<byte> bytes, long line, long byteInLine)
-    {
-        var start = _starts[(int)Math.Min(line, _starts.Count - 1)];
-        return PlaceOf(bytes, Math.Min(start + byteInLine, bytes.Length));
-    }
+    /// <summary>The index of a byte in a line.</summary>
+    /// <param name="line">The line, from 0.</param>
+    /// <param name="byteInLine">The byte in it, from 0.</param>
+    /// <param name="length">Length of the text, the largest index.</param>
+    public int IndexOf(long line, long byteInLine, int length) =>
+        (int)Math.Min(_starts[(int)Math.Min(line, _starts.Count - 1)] + byteInLine, length);
 
     // Places are queried from front to back, so that a document on one line is counted only once.
     private int CharactersBefore(ReadOnlySpan<byte> bytes, int start, int index)

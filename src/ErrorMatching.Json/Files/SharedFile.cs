@@ -37,15 +37,27 @@ public static class SharedFile
     public static SafeFileHandle OpenHandle(string path, FileShare share) => Patiently(
         () => File.OpenHandle(path, FileMode.Open, FileAccess.Read, share));
 
-    /// <summary>The bytes of a file, opened as by <see cref="OpenRead(string)"/>.</summary>
+    /// <summary>The bytes of a file, opened as by <see cref="OpenRead(string)"/>, or of a pipe to its end.</summary>
     /// <exception cref="IOException">The file cannot be read, or has 2 GB or more.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
-    public static byte[] ReadAllBytes(string path)
+    public static byte[] ReadAllBytes(string path) => ReadAllBytes(path, Array.MaxLength);
+
+    /// <summary>The same with a limit.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="most">The most bytes.</param>
+    /// <exception cref="IOException">The file cannot be read, or has more bytes.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
+    public static byte[] ReadAllBytes(string path, long most)
     {
         using var file = OpenRead(path);
-        if (file.Length > Array.MaxLength)
+        if (!file.CanSeek)
         {
-            throw new IOException($"{path} is too large to be read at once");
+            return ReadToEnd(file, most);
+        }
+
+        if (file.Length > most)
+        {
+            throw TooLarge(most);
         }
 
         // A file of the system may have no length and yet content.
@@ -53,6 +65,35 @@ public static class SharedFile
         file.CopyTo(bytes);
         return bytes.Length == bytes.Capacity ? bytes.GetBuffer() : bytes.ToArray();
     }
+
+    /// <summary>True if a path names something that a process has open, as shells write process substitution: it has no folder and no
+    /// name of its own.</summary>
+    public static bool IsStream(string path)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        return path.StartsWith("/dev/", StringComparison.Ordinal) || path.StartsWith("/proc/", StringComparison.Ordinal);
+    }
+
+    // A pipe, as a shell makes for process substitution.
+    private static byte[] ReadToEnd(FileStream pipe, long most)
+    {
+        using var bytes = new MemoryStream();
+        var buffer = new byte[1 << 16];
+        for (int read; (read = pipe.Read(buffer)) > 0;)
+        {
+            if (bytes.Length + read > most)
+            {
+                throw TooLarge(most);
+            }
+
+            bytes.Write(buffer, 0, read);
+        }
+
+        return bytes.ToArray();
+    }
+
+    private static IOException TooLarge(long most) =>
+        new(string.Create(System.Globalization.CultureInfo.InvariantCulture, $"it has more than the {most} bytes that are read at most"));
 
     /// <summary>Gives a complete file the name of another one, which is replaced if it exists.</summary>
     /// <param name="from">The complete file, in the same folder.</param>

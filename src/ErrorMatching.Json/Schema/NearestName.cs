@@ -1,11 +1,15 @@
 namespace ErrorMatching.Json;
 
 /// <summary>Finds the known name that a mistyped one was probably meant to be.</summary>
-internal static class NearestName
+public static class NearestName
 {
     /// <summary>Returns the nearest name, or null if none is near: at most a third of the letters may differ. Case is ignored.</summary>
+    /// <param name="name">The mistyped name.</param>
+    /// <param name="known">The known names.</param>
     public static string? To(string name, IEnumerable<string> known)
     {
+        ArgumentNullException.ThrowIfNull(name);
+        ArgumentNullException.ThrowIfNull(known);
         string? best = null;
         var bestDistance = int.MaxValue;
         foreach (var candidate in known)

@@ -54,6 +54,15 @@ internal sealed class JobReader(JsonItem root)
                 "the measured counterpart's file, since the compensation comes from it");
         }
 
+        if (!NcDialects.IsName(job.Counterpart.Dialect))
+        {
+            _problems.Refuse(
+                root["counterpart"]["dialect"],
+                NcInputCodes.UnknownDialect,
+                $"the dialect \"{job.Counterpart.Dialect}\"",
+                NcDialects.ExpectedInsteadOf(job.Counterpart.Dialect));
+        }
+
         new LimitCheck(_problems).Check(root, job);
         return job;
     }

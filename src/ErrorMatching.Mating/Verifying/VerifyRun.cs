@@ -29,6 +29,7 @@ public static class VerifyRun
         IReadOnlyList<FeatureMap> maps = [];
         var refused = path.Refusal
             ?? UnitCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
+            ?? ColumnCheck.Refuse(job, input.Theoretical, input.Part, input.Before, input.After)
             ?? OriginCheck.Refuse(job.OriginCheck, input.Theoretical, input.Part, input.Before, input.After)
             ?? AlignedMeasurement.Check(job)
             ?? FeatureMapper.Map(job, path, input.Theoretical, out maps);

@@ -30,9 +30,10 @@ internal static class FileBytes
         {
             throw MeasurementRefusal.Of(
                 MeasurementError.FileUnreadable,
-                e is FileNotFoundException or DirectoryNotFoundException
+                e is FileNotFoundException or DirectoryNotFoundException && !Directory.Exists(path)
                     ? "no such file"
-                    : "a file that cannot be read: " + e.Message.TrimEnd('.'),
+                    : Directory.Exists(path) ? "a folder"
+                    : "a file that cannot be read: " + FileFault.Of(path, e),
                 "a measurement file that exists and that this user may read",
                 path,
                 cause: e);

@@ -59,7 +59,26 @@ public static class NcDialects
         ? BuiltIn[index].Value
         : throw new InputException(new Refusal(
             NcInputCodes.UnknownDialect,
-            $"\"{name}\" is no known dialect. Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json."));
+            $"\"{name}\" is no known dialect. {Hint(name)}Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json."));
+
+    /// <summary>Whether a document may name a dialect so: it is known, or names a file.</summary>
+    public static bool IsName(string dialect) => IsFile(dialect) || Names.Contains(dialect, StringComparer.Ordinal);
+
+    /// <summary>What is expected in a document instead of an unknown name, as the end of a sentence: the name that was probably meant,
+    /// and all of them.</summary>
+    public static string ExpectedInsteadOf(string dialect)
+    {
+        ArgumentNullException.ThrowIfNull(dialect);
+        var near = NearestTo(dialect) is { } name ? $"\"{name}\", or " : "";
+        return $"{near}one of {string.Join(", ", Names)}, or a shop's own file that ends in .json";
+    }
+
+    private static string Hint(string name) => NearestTo(name) is { } near ? $"Did you mean {near}? " : "";
+
+    // A name that is only begun, such as siemens, has the first one that begins so.
+    private static string? NearestTo(string name) =>
+        NearestName.To(name, Names) ?? (name.Length < 3 ? null
+            : Names.FirstOrDefault(n => n.Contains(name, StringComparison.OrdinalIgnoreCase)));
 
     /// <summary>Whether a text names a dialect file, not a built-in dialect: it ends in <c>.json</c>.</summary>
     public static bool IsFile(string dialect)

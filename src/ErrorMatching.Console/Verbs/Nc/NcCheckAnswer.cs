@@ -14,6 +14,8 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
 
     public override string Schema => "errormatch/nc-check/1";
 
+    private readonly DialectFit? _otherDialect = DialectFit.Of(path.Program, path.Dialect);
+
     private readonly Refusal? _compensation = CompensatedPath.Check(path);
 
     public override Failure? Failure => (path.Refusal ?? Stop ?? (isStrict ? _understanding.Refusal : null)) is { } refusal
@@ -39,6 +41,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
         json.WriteNumber("blocksSkipped", _understanding.Skipped);
         json.WriteNumber("motionsOnlyTheMachineKnows", _understanding.OfMachine);
         json.WriteString("sentence", _understanding.Sentence);
+        if (_otherDialect is { } other)
+        {
+            json.WriteString("dialect", other.Sentence);
+            json.WriteString("betterDialect", other.Better?.Name);
+        }
+
         json.WriteEndObject();
         json.WriteStartArray("programmed");
         foreach (var note in Programmed())
@@ -59,6 +67,12 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
     {
         page.Heading($"{file}, dialect {path.Dialect.Name}");
         page.Line();
+        if (_otherDialect is { } other)
+        {
+            page.Line(other.Sentence);
+            page.Line();
+        }
+
         page.Facts(
         [
             ("blocks", Count(census.Blocks)),

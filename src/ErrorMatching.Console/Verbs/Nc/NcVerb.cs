@@ -30,13 +30,18 @@ internal abstract class NcVerb : Verb
     }
 
     /// <summary>The option that names a control.</summary>
-    public static Option<string> DialectOption() => new("--dialect")
+    public static Option<string> DialectOption()
     {
-        Description = "The control that the program is written for: a dialect that errormatch nc dialects lists, or a file of your own "
-            + "that ends in .json.",
-        HelpName = "NAME|FILE.json",
-        DefaultValueFactory = _ => NcDialects.Names[0],
-    };
+        var option = new Option<string>("--dialect")
+        {
+            Description = "The control that the program is written for: a dialect that errormatch nc dialects lists, or a file of your own "
+                + "that ends in .json.",
+            HelpName = "NAME|FILE.json",
+            DefaultValueFactory = _ => NcDialects.Names[0],
+        };
+        option.CompletionSources.Add([.. NcDialects.Names]);
+        return option;
+    }
 
     /// <summary>The option for the state of the block skip switch.</summary>
     public static Option<string> BlockSkipOption()
@@ -75,7 +80,7 @@ internal abstract class NcVerb : Verb
         CancellationToken cancellation)
     {
         var known = InputFile.Dialect(dialect).With(blockSkip).With(assumed).With(radii);
-        var read = NcProgram.Read(program.Bytes ?? InputFile.Program(program.File));
+        var read = NcProgram.Read(program.Bytes is { } bytes ? InputFile.Checked(program.File, bytes) : InputFile.Program(program.File));
         return NcInterpreter.Run(read, known, new ProgramFolder(program.File, libraries ?? []).Find, cancellation);
     }
 
@@ -95,9 +100,17 @@ internal abstract class NcVerb : Verb
             cancellation);
         cancellation.ThrowIfCancellationRequested();
         return path.Refusal is { } refusal && !ShowsWhatIsWrong
-            ? FailureOf.Refused(file, refusal)
-            : Run(file, path, arguments, cancellation);
+            ? FailureOf.Refused(file, Refusals(path, refusal))
+            : Run(file, path, arguments, cancellation) switch
+            {
+                Failure { Exit: ExitCode.Refused } failure => FailureOf.Refused(file, Refusals(path, [.. failure.Errors])),
+                var result => result,
+            };
     }
+
+    /// <summary>Reasons for a refusal, behind the one that explains them all if the program is in another dialect.</summary>
+    public static Refusal[] Refusals(NcPath path, params Refusal[] reasons) =>
+        DialectFit.Refusal(path.Program, path.Dialect) is { } other ? [other, .. reasons] : reasons;
 
     /// <summary>True if the verb reports the errors of a program that cannot be followed to its end; other verbs refuse it.</summary>
     protected virtual bool ShowsWhatIsWrong => false;
