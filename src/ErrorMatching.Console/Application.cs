@@ -32,15 +32,6 @@ internal static class Application
                 return exit;
             }
 
-            // The help of what was begun, such as errormatch alone or errormatch nc, is worth more than a complaint; the exit code still
-            // tells a script that no command was named.
-            if (!isJson && IsBegun(parsed))
-            {
-                CommandTree.WriteHelp(args, terminal.Output);
-                terminal.Output.Flush();
-                return (int)ExitCode.WrongInput;
-            }
-
             // errormatch nc help check
             if (args is [var group, HelpVerb.Word, ..] && CommandTree.Build(group).Subcommands.Any(c => c.Name == group && c is not Verb))
             {
@@ -49,6 +40,11 @@ internal static class Application
 
             var code = OutcomeWriter.Write(OutcomeOf(parsed, terminal, cancellation), terminal, isJson);
             terminal.Output.Flush();
+            if (!isJson && IsBegun(parsed))
+            {
+                CommandTree.WriteHelp(args, terminal.Error);
+            }
+
             return (int)code;
         }
         catch (IOException e)
@@ -59,6 +55,8 @@ internal static class Application
         }
     }
 
+    // errormatch alone, or errormatch nc: what may follow is worth more than the complaint. It goes where the complaint goes, so that a
+    // script does not take it for a result.
     private static bool IsBegun(ParseResult parsed) =>
         parsed.CommandResult.Command is not Verb && parsed.UnmatchedTokens.Count == 0;
 

@@ -15,7 +15,10 @@ public sealed class HelpTests
         string[] line = words.Split(' ', StringSplitOptions.RemoveEmptyEntries);
         var help = Shell.Run([.. line, "--help"]);
         Assert.Equal((0, ""), (help.Exit, help.Error));
-        Assert.Equal((1, help.Output, ""), Shell.Run(line));
+        var begun = Shell.Run(line);
+        Assert.Equal((1, ""), (begun.Exit, begun.Output));
+        Assert.StartsWith("errormatch: ", begun.Error, StringComparison.Ordinal);
+        Assert.EndsWith("\n" + help.Output, begun.Error, StringComparison.Ordinal);
         Assert.Equal("command-line", Shell.Error(1, line).GetProperty("code").GetString());
     }
 

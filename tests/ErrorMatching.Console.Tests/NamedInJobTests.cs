@@ -17,7 +17,9 @@ public sealed class NamedInJobTests
         var job = Job(folder, text => With(text, section, "\"dialect\": \"siemens-840d\"", "\"dialect\": \"heidenhain\""));
         var error = Refused(folder, job, verb, "unknown-dialect", $"$.{section}.dialect", "\"heidenhain\"");
         Assert.Contains(
-            "found the dialect \"heidenhain\"; expected one of generic, fanuc, ", error.Text("message"), StringComparison.Ordinal);
+            "found the dialect \"heidenhain\"; expected \"heidenhain-klartext\", or one of generic, fanuc, ",
+            error.Text("message"),
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -11,6 +11,7 @@ public static class ProgramText
 
     // Stray control characters are told by the tokenizer; this many are no program.
     private const int OneIn = 10;
+    private const int Few = 4;
 
     // Tapes have their start and stop codes, and NUL, before and behind the program.
     private static readonly SearchValues<byte> Blank = SearchValues.Create("\0 \t\r\n\f\v\u001a"u8);
@@ -40,7 +41,7 @@ public static class ProgramText
         // The characters of a program are one byte each, so that two or four bytes for each leave one or three of them NUL.
         return nuls >= text.Length / 4 && nuls > 0 ? NotText("text in UTF-16 or UTF-32")
             : text.StartsWith("%PDF-"u8) ? NotText("a PDF document")
-            : Controls(text) > text.Length / OneIn ? NotText("a binary file")
+            : Controls(text) > Math.Max(Few, text.Length / OneIn) ? NotText("a binary file")
             : null;
     }
 
