@@ -19,7 +19,8 @@ internal sealed partial class ContentArchive : IDisposable
 
     // Larger than any that is written: a store thins in several.
     private const long MostBytes = 4L << 30;
-    private const long MostContentBytes = 1L << 30;
+    // No program and no measurement that a cell takes is larger.
+    private const long MostContentBytes = 256L << 20;
     private const string Columns = "SELECT CASE WHEN length(bytes) <= @most THEN bytes END, form, length, NULL, NULL, sha256 FROM content";
 
     private readonly string _file;
@@ -78,10 +79,10 @@ internal sealed partial class ContentArchive : IDisposable
 
     /// <summary>The plain bytes of a content.</summary>
     /// <param name="sha256">Its hash.</param>
-    /// <param name="length">Its length, as the store says; no more than that is ever expanded.</param>
+    /// <param name="length">Its length, as the store says; no more than that is ever read or expanded.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.Damaged"/> if it is not in the archive as it was kept.</exception>
     public byte[] Plain(string sha256, long? length) => Named(() =>
-        Rows.Query(_connection, Columns + " WHERE sha256 = @sha256", ContentRow.ReadOrNull, new { sha256, most = MostContentBytes })
+        Rows.Query(_connection, Columns + " WHERE sha256 = @sha256", ContentRow.ReadOrNull, new { sha256, most = Math.Min(length ?? 0, MostContentBytes) })
             is [{ } packed]
             && PlainOf(packed, length) is { } plain
             && ContentRow.Sha256(plain) == sha256

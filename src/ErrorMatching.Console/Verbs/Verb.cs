@@ -48,7 +48,7 @@ internal abstract class Verb : Command
     /// <exception cref="InputException">Standard input cannot be read, or is too large.</exception>
     [return: NotNullIfNotNull(nameof(file))]
     protected GivenFile? GivenMeasurement(string? file) =>
-        file is null ? null : Input.File(file, MeasurementReader.LimitOf(MeasurementFormat.Points), MeasurementError.FileTooLarge);
+        file is null ? null : Input.File(file, MeasurementFormat.Points.MaxBytes, MeasurementError.FileTooLarge);
 
     /// <summary>The columns of a table of numbers that the user named, or of standard input.</summary>
     /// <exception cref="InputException">It cannot be opened, or is no such table.</exception>

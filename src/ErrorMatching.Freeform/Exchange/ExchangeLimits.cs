@@ -3,7 +3,7 @@ namespace ErrorMatching.Freeform;
 /// <summary>Limits for reading surface files. A broken or hostile file must end in a message, not exhaust memory.</summary>
 internal static class ExchangeLimits
 {
-    public const int MaxBytes = 1 << 28;
+    public const int MaxBytes = 1 << 26;
 
     /// <summary>Maximum number of poles of one surface or curve.</summary>
     public const int MaxPoles = 4_000_000;

@@ -71,7 +71,7 @@ public sealed class FreeformFiles
             return MeasuredSurfaceReader.Read(Note(role, file.File, given).Span, file.File, plan, Job.Measuring);
         }
 
-        var source = MeasurementBytes.Read(file.File, MeasurementReader.LimitOf(Job.Measuring.Format));
+        var source = MeasurementBytes.Read(file.File, Job.Measuring.Format.MaxBytes);
         _read.AddRange(source.Files);
         _inputs.Add(new(role, file.File, source.Sha256));
         return MeasuredSurfaceReader.Read(source, plan, Job.Measuring);

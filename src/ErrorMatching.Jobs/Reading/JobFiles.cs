@@ -136,7 +136,7 @@ public sealed class JobFiles
     {
         try
         {
-            return File.Exists(path) && MeasurementBytes.Read(path, MeasurementReader.LimitOf(Job.Gauge.Format)).Sha256 == sha256;
+            return File.Exists(path) && MeasurementBytes.Read(path, Job.Gauge.Format.MaxBytes).Sha256 == sha256;
         }
         catch (InputException)
         {
@@ -159,7 +159,7 @@ public sealed class JobFiles
             return MeasurementReader.Read(bytes, file.File, format);
         }
 
-        var source = MeasurementBytes.Read(file.File, MeasurementReader.LimitOf(format));
+        var source = MeasurementBytes.Read(file.File, format.MaxBytes);
         _read.AddRange(source.Files);
         return MeasurementReader.Read(source, format);
     }

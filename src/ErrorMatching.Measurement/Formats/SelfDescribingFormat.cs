@@ -7,9 +7,6 @@ namespace ErrorMatching.Measurement;
 /// <remarks>Each is a subfolder with a class derived from this one, which is registered in <see cref="All"/>.</remarks>
 internal abstract class SelfDescribingFormat
 {
-    /// <summary>Maximum file size in bytes.</summary>
-    public const int MaxBytes = 1 << 26;
-
     /// <summary>Maximum number of points.</summary>
     public const int MaxPoints = 1_000_000;
 

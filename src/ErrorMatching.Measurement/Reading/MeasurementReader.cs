@@ -13,7 +13,7 @@ public static class MeasurementReader
     public static MeasurementFile Read(string path, MeasurementFormat format)
     {
         ArgumentNullException.ThrowIfNull(format);
-        return Read(MeasurementBytes.Read(path, LimitOf(format)), format);
+        return Read(MeasurementBytes.Read(path, format.MaxBytes), format);
     }
 
     /// <summary>Reads a file from its bytes.</summary>
@@ -33,8 +33,8 @@ public static class MeasurementReader
     {
         ArgumentNullException.ThrowIfNull(source);
         ArgumentNullException.ThrowIfNull(format);
+        FileBytes.ThrowIfTooLarge(source.File, source.Bytes.Length, format.MaxBytes);
         var own = format.Origin == FormatOrigin.Described ? null : SelfDescribingFormat.Of(source);
-        FileBytes.ThrowIfTooLarge(source.File, source.Bytes.Length, own is null ? format.MaxBytes : SelfDescribingFormat.MaxBytes);
         var content = own?.Read(source) ?? ReadTable(source, format);
         return content switch
         {
@@ -48,14 +48,6 @@ public static class MeasurementReader
                 own is null ? "a table without points" : "a file without points",
                 "at least one point: export the measurement again"),
         };
-    }
-
-    /// <summary>The largest file that may be read before its content shows its format.</summary>
-    /// <param name="format">The format of tables.</param>
-    public static int LimitOf(MeasurementFormat format)
-    {
-        ArgumentNullException.ThrowIfNull(format);
-        return format.Origin == FormatOrigin.Described ? format.MaxBytes : Math.Max(format.MaxBytes, SelfDescribingFormat.MaxBytes);
     }
 
     private static MeasuredContent ReadTable(MeasurementBytes source, MeasurementFormat format)

@@ -8,6 +8,9 @@ internal static class ExpressionArithmetic
 {
     private const double CloseTo = 0.00001;
     private const double RelativeTo = 1e-12;
+
+    // STRING[200] is the longest of Siemens (Job Planning, DEF); texts in between may be somewhat longer.
+    private const int LongestText = 400;
     private const double LargestWhole = 9.0e15;
 
     /// <summary>Applies an operator. The error says why there is no result; it is null if there is one.</summary>
@@ -21,7 +24,14 @@ internal static class ExpressionArithmetic
 
         if (what == ExpressionOperator.Join)
         {
-            return NcValue.Of(Text(a) + Text(b));
+            var (first, second) = (Text(a), Text(b));
+            if (first.Length + second.Length > LongestText)
+            {
+                error = $"a text of more than {LongestText} characters";
+                return NcValue.Unknown;
+            }
+
+            return NcValue.Of(first + second);
         }
 
         if (what is ExpressionOperator.Equal or ExpressionOperator.NotEqual && Differ(a, b) is { } differ)

@@ -14,6 +14,9 @@ internal sealed class NcVariables
     private readonly NcSyntax _syntax;
     private readonly int _localCount;
     private readonly Dictionary<int, NcValue> _numbered = [];
+
+    // Apart from the program's own, since they are forgotten often.
+    private readonly Dictionary<int, NcValue> _machine = [];
     private readonly Dictionary<string, VariableArray> _global = new(StringComparer.Ordinal);
     private readonly Stack<Level> _levels = new();
 
@@ -93,11 +96,7 @@ internal sealed class NcVariables
     /// <summary>Marks values that the machine may have changed itself (offsets, positions) as unknown.</summary>
     public void ForgetMachine()
     {
-        foreach (var number in _numbered.Keys.Where(IsOfMachine).ToArray())
-        {
-            _numbered.Remove(number);
-        }
-
+        _machine.Clear();
         Version++;
     }
 
@@ -305,7 +304,7 @@ internal sealed class NcVariables
             return NcValue.Unknown;
         }
 
-        if (_numbered.TryGetValue(number, out var value))
+        if ((IsOfMachine(number) ? _machine : _numbered).TryGetValue(number, out var value))
         {
             return value;
         }
@@ -323,8 +322,9 @@ internal sealed class NcVariables
             return;
         }
 
-        Version += _numbered.TryGetValue(number, out var old) && old == value ? 0 : 1;
-        _numbered[number] = value;
+        var numbered = IsOfMachine(number) ? _machine : _numbered;
+        Version += numbered.TryGetValue(number, out var old) && old == value ? 0 : 1;
+        numbered[number] = value;
     }
 
     private NcValue ReadName(VariablePlace place, out string? error)

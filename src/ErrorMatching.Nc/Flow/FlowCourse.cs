@@ -6,15 +6,23 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
 {
     private const int SearchedPerStep = 8;
 
+    // A block of a program has 20 to 40 bytes. Reading a longer one takes longer.
+    private const int BytesPerStep = 64;
+    private const int ElementsPerStep = 64;
+
     private readonly Dictionary<(FlowIndex, int), long> _jumps = [];
     private long _changes;
+
+    // The work done so far, in blocks of usual length, counted where the program does not run straight through: a budget of time that
+    // does not depend on the computer.
+    private long _steps;
     private int _resumed;
 
     /// <summary>The next block to execute.</summary>
     public int Next { get; set; }
 
-    /// <summary>Number of blocks executed, counted where the program does not run straight through.</summary>
-    public long Steps { get; private set; }
+    /// <summary>True once the program has not run straight through.</summary>
+    public bool HasJumped { get; private set; }
 
     public bool HasEnded { get; private set; }
 
@@ -55,18 +63,40 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
     /// <summary>Continues at a block of the current program without checking for an endless loop.</summary>
     public FlowAction GoTo(int from, int target)
     {
-        Steps += Math.Max(0, from - _resumed) + 1;
+        HasJumped = true;
+        CountTo(from);
         return Resume(from, target);
+    }
+
+    /// <summary>Counts work of a block that its length does not show: the elements of an array that it writes.</summary>
+    public FlowAction CountElements(int block, int count)
+    {
+        _steps += count / ElementsPerStep;
+        return HasTime(block);
+    }
+
+    // The blocks from where the program went on last up to one.
+    private void CountTo(int block)
+    {
+        var program = calls.Program;
+        var last = Math.Min(block, program.BlockCount - 1);
+        var blocks = Math.Max(0, block - _resumed) + 1;
+        _steps += last < _resumed ? blocks : Math.Max(blocks, (program[last].End - program[_resumed].Start) / BytesPerStep);
     }
 
     private FlowAction Resume(int from, int target)
     {
         (_resumed, Next) = (target, target);
-        if (Steps + (calls.Unit.Index.Searched / SearchedPerStep) > settings.Steps)
+        return HasTime(from);
+    }
+
+    private FlowAction HasTime(int from)
+    {
+        if (_steps + (calls.Unit.Index.Searched / SearchedPerStep) > settings.Steps)
         {
             return report.Refuse(NcRefusalCodes.EndlessLoop, from,
                 FormattableString.Invariant(
-                    $"{settings.Steps} blocks were executed and the program has not ended; the loop here is taken never to end."));
+                    $"the work of {settings.Steps} blocks was done and the program has not ended; the loop here is taken never to end."));
         }
 
         return settings.Cancellation.IsCancellationRequested
@@ -144,7 +174,7 @@ internal sealed class FlowCourse(NcSyntax syntax, CallStack calls, FlowReport re
         }
 
         var target = frame.Caller + 1;
-        Steps += Math.Max(0, from - _resumed) + 1;
+        CountTo(from);
         calls.Frames.Pop();
         calls.Frame.ModalCalls = frame.IsModalMacro ? calls.Frame.ModalCalls : frame.ModalCalls;
         if (number >= 0)

@@ -93,7 +93,7 @@ internal sealed class FlowIndex
         return _units[low];
     }
 
-    /// <summary>Number of blocks searched for jump targets.</summary>
+    /// <summary>The work of searching for jump targets so far, in blocks with heads of usual length.</summary>
     public long Searched => _search.Count;
 
     /// <summary>The structure statement at a block; null if there is none.</summary>

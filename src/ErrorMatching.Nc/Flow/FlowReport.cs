@@ -6,6 +6,7 @@ namespace ErrorMatching.Nc;
 internal sealed class FlowReport(CallStack calls)
 {
     private readonly List<NcNote> _notes = [];
+    private readonly HashSet<(string Code, int Block)> _noted = [];
 
     /// <summary>Why the program cannot continue; null if it can.</summary>
     public Refusal? Refusal { get; private set; }
@@ -61,7 +62,7 @@ internal sealed class FlowReport(CallStack calls)
     public void Note(string code, int block, string message)
     {
         block = calls.InProgram(block);
-        if (!_notes.Exists(n => n.Code == code && n.Block == block))
+        if (_noted.Add((code, block)))
         {
             _notes.Add(new(code, block, 1, message));
         }

@@ -13,7 +13,7 @@ internal sealed record FlowSettings
     /// <summary>Called when a pass of a call ends, with the depth of that call: 1 if the main program called.</summary>
     public Action<int> Returned { get; init; } = _ => { };
 
-    /// <summary>Maximum number of blocks executed where the program does not run straight through.</summary>
+    /// <summary>Maximum work where the program does not run straight through, in blocks of usual length.</summary>
     public long Steps { get; init; } = 10_000_000;
 
     /// <summary>Maximum depth of nested calls.</summary>

@@ -10,6 +10,9 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     private readonly List<(VariablePlace Place, NcValue Value)> _pending = [];
     private int _scanned = -1;
 
+    // No block before this one has a word of an axis.
+    private int _still;
+
     /// <summary>The words of the block with their values, in order; letter 0 is a word of several letters.</summary>
     public List<(byte Letter, NcValue Value)> Collected => _words;
 
@@ -161,17 +164,29 @@ internal sealed class IsoWords(NcSyntax syntax, CallStack calls, FlowReport repo
     // program is complete.
     private bool IsLock(int block)
     {
-        var isLock = calls.Depth == 0 && course.Steps == 0 && !memory.HasComputed;
-        for (var i = 0; isLock && i < block; i++)
+        if (calls.Depth > 0 || course.HasJumped || memory.HasComputed)
         {
-            foreach (var token in calls.Program.Tokens(calls.Program[i]))
+            return false;
+        }
+
+        for (; _still < block && !HasAxisWord(_still); _still++)
+        {
+        }
+
+        return _still >= block;
+    }
+
+    private bool HasAxisWord(int block)
+    {
+        foreach (var token in calls.Program.Tokens(calls.Program[block]))
+        {
+            if (token.Kind == NcTokenKind.Word && token.Letter is (>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'))
             {
-                isLock &= token.Kind != NcTokenKind.Word
-                    || token.Letter is not ((>= (byte)'U' and <= (byte)'Z') or (>= (byte)'A' and <= (byte)'C'));
+                return true;
             }
         }
 
-        return isLock;
+        return false;
     }
 
     private void ReadWord(ReadOnlySpan<byte> text, ref ExpressionReader reader)

@@ -28,6 +28,9 @@ internal sealed class NcFlow
     private readonly ModalCalls _modal;
     private readonly FlowSteering _steering;
 
+    // The blocks before this one say nothing; null if nobody asked yet.
+    private int? _headed;
+
     public NcFlow(NcProgram program, NcDialect dialect, FlowSettings? settings = null)
     {
         settings ??= new();
@@ -222,15 +225,16 @@ internal sealed class NcFlow
     // The start of the next program ends the current one. If there is an index, it already limits the blocks to those of the program.
     private FlowAction Heading(int block, ReadOnlySpan<byte> head, int headAt)
     {
-        var isFirst = _calls.Frames.Count == 0;
-        var first = isFirst && _syntax == NcSyntax.Iso ? Leader.BlocksOf(_program, _dialect) : 0;
-        for (var i = block - 1; isFirst && i >= first; i--)
+        if (_calls.Frames.Count == 0)
         {
-            var text = _program.BytesOf(_program[i]);
-            var at = BlockHead.Read(text, _syntax).At;
-            if (at < text.Length && text[at] != ';' && text[at] != '%')
+            for (_headed ??= _syntax == NcSyntax.Iso ? Leader.BlocksOf(_program, _dialect) : 0; _headed < block; _headed++)
             {
-                return _course.Ended();
+                var text = _program.BytesOf(_program[_headed.Value]);
+                var at = BlockHead.Read(text, _syntax).At;
+                if (at < text.Length && text[at] != ';' && text[at] != '%')
+                {
+                    return _course.Ended();
+                }
             }
         }
 

@@ -30,7 +30,9 @@ internal sealed class SiemensArrays(FlowReport report, FlowMemory memory, FlowCo
 
             var array = Dimensions(ref reader, out var rows, out var columns) ? memory.Variables.Define(name, type.Value, rows, columns)
                 : null;
-            if (array is not null && reader.Take((byte)'=') && Initial(block, ref reader, text, array) == FlowAction.Stop)
+            if (array is not null
+                && (course.CountElements(block, array.Values.Length) == FlowAction.Stop
+                    || (reader.Take((byte)'=') && Initial(block, ref reader, text, array) == FlowAction.Stop)))
             {
                 return FlowAction.Stop;
             }
@@ -59,7 +61,13 @@ internal sealed class SiemensArrays(FlowReport report, FlowMemory memory, FlowCo
 
             if (reader.Error is null)
             {
-                array.Values.AsSpan(at, isRepeated ? array.Values.Length - at : 1).Fill(array.Converted(value));
+                var count = isRepeated ? array.Values.Length - at : 1;
+                if (course.CountElements(block, count) == FlowAction.Stop)
+                {
+                    return FlowAction.Stop;
+                }
+
+                array.Values.AsSpan(at, count).Fill(array.Converted(value));
                 at += isRepeated ? 0 : 1;
                 course.Change();
             }

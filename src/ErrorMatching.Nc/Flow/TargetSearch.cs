@@ -8,7 +8,9 @@ internal sealed class TargetSearch(NcProgram program, NcSyntax syntax, bool skip
 {
     private readonly Dictionary<(int From, bool Forward, bool Backward, long Number, string Label), int> _targets = [];
 
-    /// <summary>Number of blocks searched.</summary>
+    private const int BytesPerBlock = 64;
+
+    /// <summary>The work of searching so far, in blocks with heads of usual length.</summary>
     public long Count { get; private set; }
 
     /// <summary>The block with a number, searched forward from a block and then from the start of the program; -1 if none.</summary>
@@ -65,9 +67,9 @@ internal sealed class TargetSearch(NcProgram program, NcSyntax syntax, bool skip
 
     private bool IsTarget(int block, long number, string label)
     {
-        Count++;
         var text = program.BytesOf(program[block]);
         var head = BlockHead.Read(text, syntax);
+        Count += 1 + (head.At / BytesPerBlock);
         return skips && head.IsSkip ? false : label.Length == 0
             ? head.Number == number && number >= 0
             : head.LabelLength == label.Length

@@ -18,6 +18,8 @@ internal static class SyntaxBytes
     public static int BehindPadding(ReadOnlySpan<byte> bytes, int at, int end) =>
         bytes[at..end].IndexOfAnyExcept((byte)0, EndOfFile) is >= 0 and var length ? at + length : end;
 
+    private const int LongestProgramName = 32;
+
     /// <summary>True for bytes that controls ignore: zero bytes at the end of a block, as left by paper tapes and file systems, and an
     /// end-of-file sign with only filler after it.</summary>
     public static bool IsFiller(ReadOnlySpan<byte> bytes, int start, int end, int blockEnd) => end == blockEnd
@@ -35,14 +37,19 @@ internal static class SyntaxBytes
     /// letters, digits and signs (Fanuc 30i).</summary>
     public static int BehindProgramName(ReadOnlySpan<byte> bytes, int at, int end)
     {
-        var name = at + 1;
-        while (name < end
+        if (bytes[at] != '<')
+        {
+            return 0;
+        }
+
+        var (name, last) = (at + 1, Math.Min(end, at + LongestProgramName + 2));
+        while (name < last
             && (IsLetter(bytes[name]) || IsDigit(bytes[name]) || bytes[name] is (byte)'+' or (byte)'-' or (byte)'_' or (byte)'.'))
         {
             name++;
         }
 
-        return name < end && bytes[at] == '<' && bytes[name] == '>' && name - at is > 1 and <= 33 ? name + 1 : 0;
+        return name < last && bytes[name] == '>' && name - at > 1 ? name + 1 : 0;
     }
 
     public static int SkipSpaces(ReadOnlySpan<byte> bytes, int at, int end)

@@ -55,7 +55,7 @@ public sealed class HostileFileTests
         var error = Assert.Throws<InputException>(() => SurfaceReader.Read(
             new byte[SurfaceReader.MaxBytes + 1], "a.igs", null, outsideIsUp: true));
         Assert.Equal("too-large", error.Code);
-        Assert.Contains("268435457 bytes; at most 268435456", error.Problem, StringComparison.Ordinal);
+        Assert.Contains("67108865 bytes; at most 67108864", error.Problem, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -40,13 +40,13 @@ internal sealed class MtConnectAgent(MtConnectSettings settings) : MachineStateS
             throw Wrong($"HTTP {(int)answer.StatusCode}");
         if (answer.Headers.Age is { } age && age > TimeSpan.Zero)
             throw new StateException(StateCodes.Stale, Recorded.StateStale.With(Place, age.TotalSeconds, 0));
-        using var document = await ReadAsync(answer.Content, cancellation).ConfigureAwait(false);
-        return new MtConnectStreams(settings, Place, Wrong).Read(document);
+        var document = await ReadAsync(answer.Content, cancellation).ConfigureAwait(false);
+        return new MtConnectStreams(settings, Place, Wrong).Read(document, cancellation);
     }
 
-    private async Task<MemoryStream> ReadAsync(HttpContent content, CancellationToken cancellation)
+    private async Task<ReadOnlyMemory<byte>> ReadAsync(HttpContent content, CancellationToken cancellation)
     {
-        var document = new MemoryStream();
+        using var document = new MemoryStream();
         var stream = await content.ReadAsStreamAsync(cancellation).ConfigureAwait(false);
         var buffer = new byte[16 << 10];
         for (int read; (read = await stream.ReadAsync(buffer, cancellation).ConfigureAwait(false)) > 0;)
@@ -56,7 +56,6 @@ internal sealed class MtConnectAgent(MtConnectSettings settings) : MachineStateS
             document.Write(buffer, 0, read);
         }
 
-        document.Position = 0;
-        return document;
+        return document.GetBuffer().AsMemory(0, (int)document.Length);
     }
 }

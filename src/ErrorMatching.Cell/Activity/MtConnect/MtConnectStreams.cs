@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Xml;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -18,23 +19,21 @@ internal sealed class MtConnectStreams(MtConnectSettings settings, string place,
     /// <summary>Reads the document.</summary>
     /// <exception cref="XmlException">It is not well-formed, or declares a document type.</exception>
     /// <exception cref="StateException">It does not have one device that says what it executes.</exception>
-    public MachineState Read(Stream document)
+    public MachineState Read(ReadOnlyMemory<byte> document, CancellationToken cancellation)
     {
-        using var xml = XmlReader.Create(document, new XmlReaderSettings
+        using var nodes = new XmlNodes(document);
+        var xml = nodes.Xml;
+        while (nodes.Read() && xml.NodeType != XmlNodeType.Element)
         {
-            DtdProcessing = DtdProcessing.Prohibit,
-            XmlResolver = null,
-            MaxCharactersFromEntities = 1,
-            IgnoreComments = true,
-            IgnoreProcessingInstructions = true,
-        });
-        xml.MoveToContent();
+        }
+
         if (xml.LocalName == "MTConnectError")
-            throw wrong(ErrorOf(xml));
+            throw wrong(ErrorOf(nodes));
         if (xml.LocalName != "MTConnectStreams")
             throw wrong($"the element {xml.LocalName} instead of MTConnectStreams");
-        while (xml.Read())
+        while (nodes.Read())
         {
+            cancellation.ThrowIfCancellationRequested();
             if (xml.Depth > MostDepth)
                 throw wrong("elements within elements without end");
             if (xml.NodeType == XmlNodeType.Element)
@@ -52,9 +51,10 @@ internal sealed class MtConnectStreams(MtConnectSettings settings, string place,
 
     private bool IsWanted(Device device) => settings.Device is not { } name || device.Name == name || device.Uuid == name;
 
-    private static string ErrorOf(XmlReader xml)
+    private static string ErrorOf(XmlNodes nodes)
     {
-        while (xml.Read())
+        var xml = nodes.Xml;
+        while (nodes.Read())
         {
             if (xml is { NodeType: XmlNodeType.Element, LocalName: "Error" })
                 return $"{xml.GetAttribute("errorCode")}: {xml.ReadElementContentAsString()}";

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Xml;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Measurement;
 
@@ -30,19 +31,10 @@ internal sealed class QifReader(MeasurementBytes source)
     {
         try
         {
-            using var stream = new MemoryStream(source.Bytes.ToArray(), writable: false);
-            using var xml = XmlReader.Create(stream, new XmlReaderSettings
+            using var nodes = new XmlNodes(source.Bytes);
+            while (nodes.Read())
             {
-                DtdProcessing = DtdProcessing.Prohibit,
-                XmlResolver = null,
-                MaxCharactersInDocument = SelfDescribingFormat.MaxBytes,
-                IgnoreComments = true,
-                IgnoreProcessingInstructions = true,
-                IgnoreWhitespace = true,
-            });
-            while (xml.Read())
-            {
-                Visit(xml);
+                Visit(nodes.Xml);
             }
         }
         catch (XmlException e)
