@@ -1,3 +1,5 @@
+using System.Globalization;
+using System.Text;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Nc.Tests;
@@ -30,7 +32,53 @@ public class ReadingCostTests
     {
         var dialect = NcDialects.Named(name);
         ReadingCost.IsLinear(
+            1 << 13,
             bytes => Assert.NotNull(NcInterpreter.Run(NcProgram.Read(bytes), dialect).Motions),
-            Lexemes.SelectMany(l => new[] { ("", l, ""), ("G1 X1 F1\nX", l, "\n"), ("N10 M98 ", l, " P1\n"), ("IF[", l, "]\n") }));
+            Lexemes.SelectMany(l => new[] { ("", l, ""), ("N10 M98 ", l, " P1\n") }));
+    }
+
+    // What took time with the square of the input, or without a limit.
+    [Theory]
+    [InlineData("fanuc", "N10 M98 ", "-", "\n")]
+    [InlineData("fanuc", "", "#3000=1\n", "")]
+    [InlineData("fanuc", "", "#§=1\nG54\n", "")]
+    [InlineData("fanuc", "", "%\n", "")]
+    [InlineData("fanuc", "", "IF[#5061EQ0]THEN#3000=1\n", "")]
+    [InlineData("linuxcnc", "", "#§=1\nG92 X0\n", "")]
+    [InlineData("okuma-osp", "", "%\n", "")]
+    [InlineData("okuma-osp", "", "(()", "")]
+    [InlineData("okuma-osp", "N10 M98 ", "O1", "\n")]
+    public void What_was_slow(string name, string head, string fragment, string tail)
+    {
+        var dialect = NcDialects.Named(name);
+        ReadingCost.IsLinear(
+            1 << 17, bytes => Assert.NotNull(NcInterpreter.Run(NcProgram.Read(bytes), dialect).Motions), (head, fragment, tail));
+    }
+
+    [Theory]
+    [InlineData("fanuc", "#1=0\nWHILE[#1LT400000]DO1\n#1=#1+1\n({0})\nEND1\nM30\n")]
+    [InlineData("fanuc", "#1=0\nN1#1=#1+1\nIF[#1LT400000]GOTO#1\n{0}G0X0\nM30\n")]
+    [InlineData("siemens-840d", "R1=0\nWHILE R1<400000\nR1=R1+1\nMSG(\"{0}\")\nENDWHILE\nM30\n")]
+    [InlineData("siemens-840d", "DEF REAL A[100000]\nR1=0\nWHILE R1<400000\nR1=R1+1\nA[0]=REP(R1)\nENDWHILE\nM30\n")]
+    public void A_small_program_is_executed_or_refused_in_a_second(string name, string text)
+    {
+        var program = NcProgram.Read(Encoding.ASCII.GetBytes(string.Format(CultureInfo.InvariantCulture, text, new string('x', 27_000))));
+        NcPath? path = null;
+        var seconds = ReadingCost.Seconds(() => path = NcInterpreter.Run(program, NcDialects.Named(name)));
+        Assert.NotNull(path);
+#if DEBUG
+        Assert.InRange(seconds, 0, 10);
+#else
+        Assert.InRange(seconds, 0, 2);
+#endif
+    }
+
+    [Fact]
+    public void A_text_does_not_grow_for_ever()
+    {
+        var text = "DEF STRING[200] S=\"abcdefgh\"\n" + string.Concat(Enumerable.Repeat("S=S<<S\n", 60)) + "M30\n";
+        var path = NcInterpreter.Run(NcProgram.Read(Encoding.ASCII.GetBytes(text)), NcDialects.Siemens840D);
+        Assert.Equal(NcRefusalCodes.BadExpression, path.Refusal?.Code);
+        Assert.Contains("400 characters", path.Refusal!.Message, StringComparison.Ordinal);
     }
 }

@@ -15,41 +15,50 @@ internal static class ReadingCost
     // Below this, a difference is noise: a megabyte would take at most a third of a second.
     private const double Noise = 0.08;
     private const double MostRatio = 2.5;
+#if DEBUG
+    private const double MostSecondsAMegabyte = 5;
+#else
     private const double MostSecondsAMegabyte = 1;
+#endif
 
     // Larger inputs, which find more and take longer: ERRORMATCH_READING=2000000.
-    private static readonly int Small = int.TryParse(Environment.GetEnvironmentVariable("ERRORMATCH_READING"), out var bytes) ? bytes : 1 << 16;
+    private static readonly int? Given = int.TryParse(Environment.GetEnvironmentVariable("ERRORMATCH_READING"), out var bytes) ? bytes : null;
 
     /// <summary>Checks a reader with one input after the other.</summary>
     /// <param name="read">Reads the bytes; it may refuse them.</param>
     /// <param name="inputs">Head, repeated fragment and tail of each input.</param>
-    public static void IsLinear(Action<byte[]> read, params IEnumerable<(string Head, string Fragment, string Tail)> inputs)
+    public static void IsLinear(Action<byte[]> read, params IEnumerable<(string Head, string Fragment, string Tail)> inputs) =>
+        IsLinear(1 << 16, read, inputs);
+
+    /// <summary>The same with inputs of a given length and of twice that.</summary>
+    public static void IsLinear(int length, Action<byte[]> read, params IEnumerable<(string Head, string Fragment, string Tail)> inputs)
     {
+        length = Given ?? length;
         var found = new List<string>();
         var count = 0;
         foreach (var input in inputs)
         {
             count++;
             // What is done for the first time is not what is measured. A quadratic reader shows itself here already.
-            read(Input(input, Small / 16));
-            var first = Seconds(() => read(Input(input, Small / 16)));
+            read(Input(input, length / 16));
+            var first = Seconds(() => read(Input(input, length / 16)));
             if (first > Noise)
             {
-                found.Add(FormattableString.Invariant($"{Shown(input)}: {first:0.000} s for {Small / 16} bytes"));
+                found.Add(FormattableString.Invariant($"{Shown(input)}: {first:0.000} s for {length / 16} bytes"));
                 continue;
             }
 
-            var (small, large) = (Seconds(() => read(Input(input, Small))), Seconds(() => read(Input(input, 2 * Small))));
-            for (var again = 0; again < 4 && IsTooMuch(small, large); again++)
+            var (small, large) = (Seconds(() => read(Input(input, length))), Seconds(() => read(Input(input, 2 * length))));
+            for (var again = 0; again < 4 && IsTooMuch(small, large, length); again++)
             {
                 (small, large) = (
-                    Math.Min(small, Seconds(() => read(Input(input, Small)))), Math.Min(large, Seconds(() => read(Input(input, 2 * Small)))));
+                    Math.Min(small, Seconds(() => read(Input(input, length)))), Math.Min(large, Seconds(() => read(Input(input, 2 * length)))));
             }
 
-            if (IsTooMuch(small, large))
+            if (IsTooMuch(small, large, length))
             {
                 found.Add(FormattableString.Invariant(
-                    $"{Shown(input)}: {first:0.000} s for {Small / 16} bytes, {small:0.000} s for {Small}, {large:0.000} s for {2 * Small}"));
+                    $"{Shown(input)}: {first:0.000} s for {length / 16} bytes, {small:0.000} s for {length}, {large:0.000} s for {2 * length}"));
             }
         }
 
@@ -65,8 +74,8 @@ internal static class ReadingCost
         return ThreadSeconds() - before;
     }
 
-    private static bool IsTooMuch(double small, double large) =>
-        large > Noise && (large > MostRatio * small || large * (1 << 20) / (2.0 * Small) > MostSecondsAMegabyte);
+    private static bool IsTooMuch(double small, double large, int length) =>
+        large > Noise && (large > MostRatio * small || large * (1 << 20) / (2.0 * length) > MostSecondsAMegabyte);
 
     private static byte[] Input((string Head, string Fragment, string Tail) input, int length)
     {

@@ -91,11 +91,11 @@ internal readonly ref struct BlockScanner(ReadOnlySpan<byte> bytes, int end, NcS
     /// <summary>True at an equals sign that assigns.</summary>
     public bool IsEquals(int at) => at < End && Bytes[at] == '=' && !(at + 1 < End && Bytes[at + 1] == '=');
 
-    /// <summary>The closing parenthesis of an open one; -1 if there is none.</summary>
-    public int PartnerOf(int open)
+    /// <summary>The closing parenthesis of an open one; -1 if there is none within a length.</summary>
+    public int PartnerOf(int open, int most = int.MaxValue)
     {
-        var depth = 0;
-        for (var at = open; at < End; at++)
+        var (depth, end) = (0, Math.Min(End, open + (long)most));
+        for (var at = open; at < end; at++)
         {
             depth += Bytes[at] == '(' ? 1 : Bytes[at] == ')' ? -1 : 0;
             if (depth == 0)

@@ -14,6 +14,9 @@ internal sealed class OkumaFlow(
     ModalCalls modal)
     : LanguageFlow
 {
+    // The blocks before this one say nothing.
+    private int _silent;
+
     public override FlowAction Execute(int block, ReadOnlySpan<byte> text, BlockHead head)
     {
         var (assigns, computes, hasWords) = (false, false, false);
@@ -74,9 +77,9 @@ internal sealed class OkumaFlow(
             return block >= calls.Unit.End;
         }
 
-        for (var i = block - 1; i >= 0; i--)
+        for (; _silent < block; _silent++)
         {
-            var text = calls.Program.BytesOf(calls.Program[i]);
+            var text = calls.Program.BytesOf(calls.Program[_silent]);
             var at = BlockHead.Read(text, NcSyntax.Okuma).At;
             if (at < text.Length && text[at] is not ((byte)'$' or (byte)'%' or (byte)';'))
             {

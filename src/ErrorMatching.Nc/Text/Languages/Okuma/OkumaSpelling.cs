@@ -6,6 +6,10 @@ namespace ErrorMatching.Nc;
 /// addresses and variables with an equals sign (<c>X=VC1+5</c>, <c>XPOS=10</c>), and statements (<c>IF [VC1 EQ 1] NLAP</c>).</summary>
 internal sealed class OkumaSpelling : LanguageSpelling
 {
+    // A block of OSP has at most 158 characters. Of a longer comment, the partner is not looked for from each parenthesis again.
+    private const int LongestComment = 1_000;
+    private const int LongestName = 100;
+
     // A statement contains all up to its comment.
     private static readonly string[] Statements = ["IF", "GOTO", "CALL", "MODIN", "MODOUT", "RTS"];
 
@@ -75,7 +79,7 @@ internal sealed class OkumaSpelling : LanguageSpelling
     // Unless it has a partner, the first closing parenthesis ends a comment, as most controls read it.
     private static NcToken CommentAt(in BlockScanner text, int at)
     {
-        var close = text.PartnerOf(at) is >= 0 and var partner ? partner
+        var close = text.PartnerOf(at, LongestComment) is >= 0 and var partner ? partner
             : text.Bytes[at..text.End].IndexOf((byte)')') is >= 0 and var first ? at + first
             : -1;
         return BlockScanner.Plain(close < 0 ? NcTokenKind.Invalid : NcTokenKind.Comment, at, close < 0 ? text.End : close + 1);
@@ -177,11 +181,11 @@ internal sealed class OkumaSpelling : LanguageSpelling
         }
     }
 
-    // Letters, digits and underscores, not beginning with a digit.
+    // Letters, digits and underscores, not beginning with a digit. OSP has at most 16 of them in a name; what is longer is words.
     private static int NameLength(ReadOnlySpan<byte> text, int at)
     {
-        var end = at;
-        while (end < text.Length && (SyntaxBytes.IsLetter(text[end]) || text[end] == '_' || (end > at && SyntaxBytes.IsDigit(text[end]))))
+        var (end, last) = (at, Math.Min(text.Length, at + LongestName));
+        while (end < last && (SyntaxBytes.IsLetter(text[end]) || text[end] == '_' || (end > at && SyntaxBytes.IsDigit(text[end]))))
         {
             end++;
         }
