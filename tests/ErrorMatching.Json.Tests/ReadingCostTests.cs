@@ -13,7 +13,7 @@ public class ReadingCostTests
         {
           "type": "object", "additionalProperties": false, "required": ["name"],
           "properties": {
-            "name": { "type": "string", "pattern": "^[a-z]+([0-9]+)*$" },
+            "name": { "type": "string", "pattern": "^[a-z]+[0-9]*$" },
             "kind": { "enum": ["one", "two"] },
             "list": { "type": "array", "items": { "type": "object", "properties": { "a": { "type": "number" } }, "additionalProperties": false } }
           }

@@ -110,7 +110,7 @@ internal sealed class TreeReader(LineMap map, string file, int skipped, int maxV
         var item = new JsonItem(JsonItemKind.Number, place, parent, name, index) { Text = spelling, Number = reader.GetDouble() };
         if (!double.IsFinite(item.Number))
         {
-            Report(JsonRefusal.At(item, "number-out-of-range", $"the number {spelling}", "a number that a computer can hold"));
+            Report(JsonRefusal.At(item, "number-out-of-range", ValueText.Of(item), "a number that a computer can hold"));
         }
 
         return item;
