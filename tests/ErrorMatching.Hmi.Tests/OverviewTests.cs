@@ -62,7 +62,7 @@ public sealed class OverviewTests
         var overview = (OverviewViewModel)seat.Shell.Current!;
         var english = $"1069 files waiting, the oldest since {oldest}\n1 measurement not computed yet, since {oldest}";
         seat.WaitFor(() => Lives() && overview.Gauges[0].State == english, "It is not said what waits.");
-        var why = Recorded.All.Single(f => f.Name == "backlog-grows").With(1069, "cmm", 1);
+        var why = Recorded.All.Single(f => f.Name == "backlog-grows").With("cmm", 1069, 1);
         var trouble = new CellTrouble(CellTrouble.OfBacklog("cmm"), CellCodes.BacklogGrows, why.Sentence, now) { Recorded = why.Text };
         seat.WaitFor(() => Lives(trouble) && overview.Gauges[0].Severity == Severity.Alarm, "A backlog that grows is no alarm.");
         Assert.StartsWith("More is measured than the cell computes.", overview.Gauges[0].State, StringComparison.Ordinal);

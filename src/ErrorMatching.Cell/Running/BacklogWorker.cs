@@ -33,11 +33,11 @@ internal sealed class BacklogWorker(CellFlow flow, GaugeSettings gauge)
         if (backlog.Since is { } since && flow.Clock.GetUtcNow() - since >= gauge.WaitLimit)
         {
             Begin(CellCodes.PieceWaits, Recorded.PieceWaits.With(
-                since, gauge.WaitLimit.TotalMinutes, backlog.Files, gauge.Name, backlog.Pieces));
+                since, gauge.WaitLimit.TotalMinutes, gauge.Name, backlog.Files, backlog.Pieces));
         }
         else if (backlog.IsGrowing)
         {
-            Begin(CellCodes.BacklogGrows, Recorded.BacklogGrows.With(backlog.Files, gauge.Name, backlog.Pieces));
+            Begin(CellCodes.BacklogGrows, Recorded.BacklogGrows.With(gauge.Name, backlog.Files, backlog.Pieces));
         }
         else if (flow.Troubles.End(_where))
         {

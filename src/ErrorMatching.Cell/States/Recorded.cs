@@ -128,11 +128,11 @@ public static class Recorded
         "waits-too-long", "Correction {0:0} has waited for the machine since {1:yyyy-MM-dd HH:mm} UTC. {2}");
     internal static readonly SentenceForm BacklogGrows = new(
         "backlog-grows",
-        "What waits has grown for a minute: more arrives than the cell computes. Files that wait: {0:0}, at the gauge {1}. Measurements that "
-            + "are not computed: {2:0}.");
+        "What waits has grown for a minute: more arrives than the cell computes. Files at the gauge {0}: {1:0}. Measurements that are not "
+            + "computed: {2:0}.");
     internal static readonly SentenceForm PieceWaits = new(
         "piece-waits",
-        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. Files at the gauge {3}: {2:0}. "
+        "The oldest measurement has waited since {0:yyyy-MM-dd HH:mm} UTC, and {1:0.##} min are allowed. Files at the gauge {2}: {3:0}. "
             + "Measurements that are not computed: {4:0}.");
     internal static readonly SentenceForm StartedMeanwhile = new(
         "started-meanwhile",
