@@ -91,7 +91,7 @@ public class ReadingCostTests
         var text = new StringBuilder("<a>\n<b ");
         for (var i = 0; text.Length < 2 * XmlNodes.MostNodeBytes; i++)
         {
-            text.Append("a").Append(i).Append("='' ");
+            text.Append('a').Append(i).Append("='' ");
         }
 
         using var nodes = new XmlNodes(Encoding.UTF8.GetBytes(text.Append("/>\n</a>").ToString()));

@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc.Tests;
@@ -265,7 +266,7 @@ public sealed class ActiveLayerTests
     // CYCLDEF10SUB is the second line of CYCL DEF 10.
     private static string Spelled(string word)
     {
-        var text = System.Text.RegularExpressions.Regex.Replace(word, "^(CYCLDEF)([0-9]+)(SUB|RESET)?$", m =>
+        var text = Regex.Replace(word, "^(CYCLDEF)([0-9]+)(SUB|RESET)?$", m =>
             m.Groups[3].Value switch
             {
                 "SUB" => $"CYCL DEF {m.Groups[2]}.1 X+1",
@@ -276,8 +277,8 @@ public sealed class ActiveLayerTests
                     var n => $"CYCL DEF {n}.1",
                 },
                 _ => $"CYCL DEF {m.Groups[2]}",
-            });
-        text = System.Text.RegularExpressions.Regex.Replace(text, "^(PLANE|FUNCTION)(?=[A-Z])", "$1 ");
+            }, RegexOptions.None, TimeSpan.FromSeconds(1));
+        text = Regex.Replace(text, "^(PLANE|FUNCTION)(?=[A-Z])", "$1 ", RegexOptions.None, TimeSpan.FromSeconds(1));
         return text == "FUNCTION RESET" ? "FUNCTION RESET TCPM" : text;
     }
 }

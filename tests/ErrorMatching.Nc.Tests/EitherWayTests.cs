@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>Branches on values that only the machine knows: where both ways lead to the same, the program goes on; a result is right for

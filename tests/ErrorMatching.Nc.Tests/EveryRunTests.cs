@@ -100,7 +100,10 @@ public sealed class EveryRunTests
         {
             var name = Path.GetFileName(Path.GetDirectoryName(file)) switch
             {
-                "siemens" => "siemens-840d", "linuxcnc" => "linuxcnc", "okuma" => "okuma-osp", _ => "fanuc",
+                "siemens" => "siemens-840d",
+                "linuxcnc" => "linuxcnc",
+                "okuma" => "okuma-osp",
+                _ => "fanuc",
             };
             var dialect = NcDialects.Named(name);
             var path = NcInterpreter.Run(NcProgram.Read(File.ReadAllBytes(file), dialect.Syntax), dialect);

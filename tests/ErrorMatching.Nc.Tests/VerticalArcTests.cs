@@ -1,5 +1,3 @@
-using ErrorMatching.Geometry;
-
 namespace ErrorMatching.Nc.Tests;
 
 /// <summary>Arcs in G18 or G19 that lead into a contour in XY and out of it: where the contour moves, the whole lead moves with it. The

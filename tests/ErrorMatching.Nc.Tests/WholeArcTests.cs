@@ -1,6 +1,5 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -24,7 +23,7 @@ public sealed class WholeArcTests
     [InlineData("siemens-840d", "CR=")]
     public void Half_a_turn_beside_a_moved_end_follows_everywhere(string dialect, string radius)
     {
-        var path = Read(string.Format(CultureInfo.InvariantCulture, Slot, radius), dialect);
+        var path = Read(Slot.Replace("{0}", radius, StringComparison.Ordinal), dialect);
         var (rewrite, proof) = Proved(path, DisplacementWish.EndsBy(path, Bench.Blocks(path, "N1"), new(0, 0.02, 0)).Result!);
         var (was, now) = (Bench.MotionOf(path, "N2"), Bench.MotionOf(NcInterpreter.Run(rewrite.Program, path), "N2"));
         var moved = Furthest(was, now);
@@ -37,7 +36,7 @@ public sealed class WholeArcTests
     [Fact]
     public void The_proof_finds_an_arc_that_bulges_between_its_ends()
     {
-        var path = Bench.Read(string.Format(CultureInfo.InvariantCulture, Slot, "R"));
+        var path = Bench.Read(Slot.Replace("{0}", "R", StringComparison.Ordinal));
         var wish = DisplacementWish.EndsBy(path, Bench.Blocks(path, "N1"), new(0, 0.02, 0)).Result!;
         var bad = NcProgram.FromText(Bench.Text(path.Program).Replace("N1 G1 X20", "N1 G1 X20 Y-4.98", StringComparison.Ordinal)
             .Replace("X20 Y5 R5", "X20 Y5 R-4.991", StringComparison.Ordinal));

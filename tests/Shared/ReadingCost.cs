@@ -22,7 +22,8 @@ internal static class ReadingCost
 #endif
 
     // Larger inputs, which find more and take longer: ERRORMATCH_READING=2000000.
-    private static readonly int? Given = int.TryParse(Environment.GetEnvironmentVariable("ERRORMATCH_READING"), out var bytes) ? bytes : null;
+    private static readonly int? Given = int.TryParse(
+        Environment.GetEnvironmentVariable("ERRORMATCH_READING"), NumberStyles.None, CultureInfo.InvariantCulture, out var bytes) ? bytes : null;
 
     /// <summary>Checks a reader with one input after the other.</summary>
     /// <param name="read">Reads the bytes; it may refuse them.</param>

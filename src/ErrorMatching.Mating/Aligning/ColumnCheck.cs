@@ -55,23 +55,24 @@ internal static class ColumnCheck
     private static bool IsMirrored(List<Point3> designed, List<Point3> found, double limit)
     {
         var (a, b) = (Centered(designed), Centered(found));
-        var (square, turned, mirrored) = (0.0, System.Numerics.Complex.Zero, System.Numerics.Complex.Zero);
+        var square = 0.0;
+        var (turned, mirrored) = (default(Vector2), default(Vector2));
         for (var i = 0; i < a.Length; i++)
         {
-            square += (a[i] * System.Numerics.Complex.Conjugate(a[i])).Real + (b[i] * System.Numerics.Complex.Conjugate(b[i])).Real;
-            turned += a[i] * System.Numerics.Complex.Conjugate(b[i]);
-            mirrored += a[i] * b[i];
+            square += a[i].Dot(a[i]) + b[i].Dot(b[i]);
+            turned += new Vector2((a[i].X * b[i].X) + (a[i].Y * b[i].Y), (a[i].Y * b[i].X) - (a[i].X * b[i].Y));
+            mirrored += new Vector2((a[i].X * b[i].X) - (a[i].Y * b[i].Y), (a[i].Y * b[i].X) + (a[i].X * b[i].Y));
         }
 
         return Rms(turned) > limit && Rms(mirrored) < limit;
 
-        double Rms(System.Numerics.Complex sum) => Math.Sqrt(Math.Max(0, square - (2 * sum.Magnitude)) / a.Length);
+        double Rms(Vector2 sum) => Math.Sqrt(Math.Max(0, square - (2 * sum.Length)) / a.Length);
     }
 
-    private static System.Numerics.Complex[] Centered(List<Point3> points)
+    private static Vector2[] Centered(List<Point3> points)
     {
         var (x, y) = (points.Average(p => p.X), points.Average(p => p.Y));
-        return [.. points.Select(p => new System.Numerics.Complex(p.X - x, p.Y - y))];
+        return [.. points.Select(p => new Vector2(p.X - x, p.Y - y))];
     }
 
     private static Point3 Flat(Point3 point) => point with { Z = 0 };

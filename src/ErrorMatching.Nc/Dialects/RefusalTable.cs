@@ -269,7 +269,7 @@ internal sealed class RefusalTable
 
     private static bool IsAssumed(string source) => source.StartsWith("assumed", StringComparison.OrdinalIgnoreCase);
 
-    private static IEnumerable<string> Parts(JsonItem entry, string key) =>
+    private static string[] Parts(JsonItem entry, string key) =>
         entry.Find(key)?.Text.Split('&', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries) ?? [];
 
     /// <summary>A letter as a bit; bit 0 is A.</summary>

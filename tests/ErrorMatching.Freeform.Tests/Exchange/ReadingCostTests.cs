@@ -1,4 +1,3 @@
-using System.Text;
 using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc.Tests;
 
