@@ -266,19 +266,19 @@ public sealed class ActiveLayerTests
     // CYCLDEF10SUB is the second line of CYCL DEF 10.
     private static string Spelled(string word)
     {
-        var text = Regex.Replace(word, "^(CYCLDEF)([0-9]+)(SUB|RESET)?$", m =>
-            m.Groups[3].Value switch
+        var text = Regex.Replace(word, "^CYCLDEF(?<number>[0-9]+)(?<what>SUB|RESET)?$", m =>
+            m.Groups["what"].Value switch
             {
-                "SUB" => $"CYCL DEF {m.Groups[2]}.1 X+1",
-                "RESET" => m.Groups[2].Value switch
+                "SUB" => $"CYCL DEF {m.Groups["number"]}.1 X+1",
+                "RESET" => m.Groups["number"].Value switch
                 {
                     "10" => "CYCL DEF 10.1 ROT+0",
                     "11" => "CYCL DEF 11.1 SCL 1",
                     var n => $"CYCL DEF {n}.1",
                 },
-                _ => $"CYCL DEF {m.Groups[2]}",
+                _ => $"CYCL DEF {m.Groups["number"]}",
             }, RegexOptions.None, TimeSpan.FromSeconds(1));
-        text = Regex.Replace(text, "^(PLANE|FUNCTION)(?=[A-Z])", "$1 ", RegexOptions.None, TimeSpan.FromSeconds(1));
+        text = Regex.Replace(text, "^(?<word>PLANE|FUNCTION)(?=[A-Z])", "${word} ", RegexOptions.None, TimeSpan.FromSeconds(1));
         return text == "FUNCTION RESET" ? "FUNCTION RESET TCPM" : text;
     }
 }

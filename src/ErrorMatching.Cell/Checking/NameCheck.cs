@@ -55,7 +55,7 @@ internal sealed class NameCheck(CellSettings settings, IReadOnlyList<CheckedMach
         if (program.Slot is not null && own.Naming != ProgramNaming.ByFile && machine.Names is { } names
             && MachinePrograms.OtherFile(machine.Machine, own, names) is { } found)
         {
-            var name = own.Heads.FirstOrDefault() ?? own.File;
+            var name = own.Heads.Count > 0 ? own.Heads[0] : own.File;
             yield return Taken(at, $"the control would call the program for {place} by {name}, and the file {found} at the machine has "
                 + "that name, too. Look which of them is meant, and remove or rename the other.");
         }

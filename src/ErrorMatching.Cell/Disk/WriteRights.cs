@@ -56,7 +56,7 @@ internal static class WriteRights
     private static bool IsReached(string path) =>
         Steps(path).All(s => s == path || ModeOf(s) is not { } mode || mode.HasFlag(UnixFileMode.OtherExecute));
 
-    private static IEnumerable<string> Steps(string path)
+    private static Stack<string> Steps(string path)
     {
         var steps = new Stack<string>();
         for (var step = Path.TrimEndingDirectorySeparator(path); step is not null; step = Path.GetDirectoryName(step))

@@ -54,7 +54,7 @@ internal sealed class SlotNames(CellFlow flow, MachineSettings machine, SlotSett
         var names = await folder.ListAsync(cancellation);
         if (MachinePrograms.OtherFile(machine, program, names) is not { } file)
             return null;
-        var name = program.Heads.FirstOrDefault() ?? slot.Program;
+        var name = program.Heads.Count > 0 ? program.Heads[0] : slot.Program;
         return (CellCodes.NameTaken, Recorded.NameOfFile.With(slot.Program, machine.Name, name, file));
     }
 }

@@ -367,9 +367,9 @@ internal sealed class SlotWorker(
             return flow.Clock.GetElapsedTime(now, _nextReady);
         }
 
-        var names = await listing.NamesAsync(_seenAt, stop);
+        var listed = await listing.NamesAsync(_seenAt, stop);
         _nextReady = flow.Clock.GetTimestamp() + (long)(flow.Pace.Ready.TotalSeconds * flow.Clock.TimestampFrequency);
-        if (!names.Contains(ready, StringComparer.Ordinal))
+        if (!listed.Contains(ready, StringComparer.Ordinal))
         {
             return flow.Pace.Ready;
         }

@@ -198,9 +198,7 @@ public sealed class CellStore : IDisposable
         Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null) => Step(from, to, by, basis, with, contents, isPageOfReport: false);
 
-    /// <summary>The same.</summary>
-    /// <param name="isPageOfReport">True if the page among the contents was drawn from the report among them, by
-    /// <see cref="ReportPages"/>.</param>
+    // The same. isPageOfReport: the page among the contents was drawn from the report among them, by ReportPages.
     internal Correction Step(
         Correction from,
         CorrectionState to,

@@ -70,7 +70,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
                 new { machine, slot, turn })
 
             // It took a step between the two looks.
-            ?? Line(machine, slot).FirstOrDefault();
+            ?? (Line(machine, slot) is [var first, ..] ? first : null);
     }
 
     /// <inheritdoc cref="CellStore.First(CorrectionState, int, IReadOnlyList{string}?, IReadOnlyList{string}?)"/>

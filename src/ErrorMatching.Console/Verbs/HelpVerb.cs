@@ -1,5 +1,4 @@
 using System.CommandLine;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 

@@ -1,5 +1,4 @@
 using System.Text;
-using ErrorMatching.Nc;
 
 namespace ErrorMatching.Cell.Tests;
 

@@ -46,7 +46,7 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
         Correction? FirstInLine()
         {
             var first = store.FirstInLine("mill", "1");
-            Assert.Equal(store.Line("mill", "1").FirstOrDefault()?.Id, first?.Id);
+            Assert.Equal(store.Line("mill", "1") is [var expected, ..] ? expected.Id : null, first?.Id);
             return first;
         }
 

@@ -116,10 +116,10 @@ internal static partial class Rs274
         return said;
     }
 
-    [GeneratedRegex(@"MESSAGE\(""(?<side>[<>])(?<number>[0-9]+)""\)", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant)]
+    [GeneratedRegex(@"MESSAGE\(""(?<side>[<>])(?<number>[0-9]+)""\)", RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Mark();
 
-    [GeneratedRegex(@"^\s*[0-9]+ N\S*\s+[A-Z0-9_]+ *\(|^executing$|^\s*$", RegexOptions.CultureInvariant)]
+    [GeneratedRegex(@"^\s*[0-9]+ N\S*\s+[A-Z0-9_]+ *\(|^executing$|^\s*$", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Command();
 
     // The last origin and rotation that the control was given.

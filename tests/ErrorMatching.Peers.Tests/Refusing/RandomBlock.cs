@@ -106,12 +106,16 @@ internal sealed class RandomBlock
             case 35: Behind("G95", "M3 S400"); Words("G1", "X5", "F0.1"); break;
             case 36: Words(Any("G96 D2000", "G96"), "S" + Number(1, 300)); break;
             case 37: Words(Any("M0", "M1", "M3", "M4", "M5", "M7", "M8", "M9", "M48", "M49", "M60", "M70"), Any("S800", "F90", "T3")); break;
-            case 38: Words(Any("M62 P1", "M63 P2", "M64 P0", "M65 P3", "M66 P1", "M66 E1", "M67 E1 Q5", "M68 E0 Q1", "M50 P1", "M52 P0",
-                "M61 Q2", "T4 M6", "M19 R90", "M19 R10 P1", "M66 P1 L3 Q2")); break;
+            case 38:
+                Words(Any("M62 P1", "M63 P2", "M64 P0", "M65 P3", "M66 P1", "M66 E1", "M67 E1 Q5", "M68 E0 Q1", "M50 P1", "M52 P0",
+                "M61 Q2", "T4 M6", "M19 R90", "M19 R10 P1", "M66 P1 L3 Q2"));
+                break;
             case 39: Words("G64", "P" + Number(0.01, 1), "Q" + Number(0.01, 1)); break;
             case 40: Words(Any("@5^30", "G0 @4 ^60", "G1 ^45", "G0 X5 A10", "G1 Y2 B3 C4", "G0 A90")); break;
-            case 41: Words(Any("#1=5", "#<a>=[2+3]", "#100=#5220", "#<_glob>=ABS[-3]", "#2=ATAN[1]/[2]", "#3=SQRT[2]", "#4=[5 MOD 3]",
-                "#5=ROUND[2.5]", "#6=[2**3]", "#7=[1 GT 0]", "#8=EXISTS[#<a>]", "#9=FIX[-2.5]", "#10=ACOS[0.5]", "#11=LN[2]")); break;
+            case 41:
+                Words(Any("#1=5", "#<a>=[2+3]", "#100=#5220", "#<_glob>=ABS[-3]", "#2=ATAN[1]/[2]", "#3=SQRT[2]", "#4=[5 MOD 3]",
+                "#5=ROUND[2.5]", "#6=[2**3]", "#7=[1 GT 0]", "#8=EXISTS[#<a>]", "#9=FIX[-2.5]", "#10=ACOS[0.5]", "#11=LN[2]"));
+                break;
             case 42: Words("G1", "X[1+2]", "Y-#5220", "Z[5*[2-1]]"); break;
             default:
                 Behind("G1 X5", "G41.1 D2");
