@@ -119,7 +119,7 @@ public sealed class RefusalTests
             NcRefusalCodes.BadExpression, NcRefusalCodes.CallTooDeep,
             NcRefusalCodes.BlockSkip,
             NcRefusalCodes.CompensationGouge, NcRefusalCodes.CompensationStop, NcRefusalCodes.CompensationUnfollowed,
-            NcRefusalCodes.ToolRadiusUnknown,
+            NcRefusalCodes.ToolRadiusUnknown, NcRefusalCodes.RefusedByControl,
         ];
         var codes = typeof(NcRefusalCodes).GetFields(
             BindingFlags.Public | BindingFlags.Static).Select(f => (string)f.GetRawConstantValue()!);
