@@ -24,6 +24,7 @@ public class ModalStateTests
     {
         bool value => !value,
         int value => value + 1,
+        ulong value => value + 1,
         double value => value + 1,
         ArcPole value => value with { IsKnown = !value.IsKnown },
         Point3 value => new Point3(value.X, value.Y, value.Z + 1),

@@ -119,7 +119,7 @@ internal sealed class ControlRefusals(
         var inForce = control.State.InForce;
         var moves = (stated & _table.Motion) == 0 && intent.Use is AxisUse.Motion or AxisUse.MachineCoordinates
             && ((given & (BlockWords.LinearAxes | values.OtherAxes | RefusalTable.Polar)) != 0
-                || ((given & BlockWords.CenterWords) != 0 && (inForce & (ulong)_table.Arcs) != 0));
+                || ((given & BlockWords.CenterWords) != 0 && (inForce & (ulong)_table.ArcCodes) != 0));
 
         // What the block continues; where that is not known, it can be any motion.
         var continued = moves && (stated & _table.Motion) == 0 ? inForce & _table.Motion : 0;

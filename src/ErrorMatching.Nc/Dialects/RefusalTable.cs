@@ -82,7 +82,7 @@ internal sealed class RefusalTable
 
         Rules = rules;
         Motion = Groups(Set("G0"));
-        Arcs = Set("G2 G3");
+        ArcCodes = Set("G2 G3");
         _ofLetter = new RefusalRule[27][];
         for (var i = 0; i < _ofLetter.Length; i++)
         {
@@ -127,7 +127,7 @@ internal sealed class RefusalTable
     public ulong Motion { get; }
 
     /// <summary>The codes of arcs.</summary>
-    public UInt128 Arcs { get; }
+    public UInt128 ArcCodes { get; }
 
     /// <summary>When a straight move needs no look at the rules.</summary>
     public StraightRefusals Straight { get; } = StraightRefusals.None;

@@ -7,7 +7,7 @@ namespace ErrorMatching.Nc;
 internal sealed class OkumaSpelling : LanguageSpelling
 {
     // A block of OSP has at most 158 characters. Of a longer comment, the partner is not looked for from each parenthesis again.
-    private const int LongestComment = 1_000;
+    private const int LongestComment = 200;
     private const int LongestName = 100;
 
     // A statement contains all up to its comment.
