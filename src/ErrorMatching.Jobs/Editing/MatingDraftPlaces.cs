@@ -34,7 +34,7 @@ public static class MatingDraftPlaces
             Gauge = new() { Uncertainty = "0.001" },
             Features = [
                 FeatureDraft.New(FeatureKinds.All[0], "line", new()) with { Blocks = "N1", Lower = "0", Upper = "0", Plane = plane }],
-            Counterpart = counterpart with { Program = "places.nc", Dialect = "fanuc-mill", ToolDiameter = "1", Measured = "", Map = "" },
+            Counterpart = counterpart with { Program = "places.nc", Dialect = "fanuc", ToolDiameter = "1", Measured = "", Map = "" },
         };
         try
         {
