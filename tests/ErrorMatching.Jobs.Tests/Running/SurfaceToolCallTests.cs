@@ -31,7 +31,9 @@ public sealed class SurfaceToolCallTests
         // Whoever looks at it sees the whole path.
         var read = NcInterpreter.Run(NcProgram.Read(finished.Program, NcDialects.Named(dialect).Syntax), NcDialects.Named(dialect));
         Assert.Null(read.Refusal);
-        Assert.Empty(read.Problems);
+
+        // The lock is what the control refuses.
+        Assert.All(read.Problems, p => Assert.Equal(NcRefusalCodes.RefusedByControl, p.Code));
         Assert.True(read.Motions.Length > 1000, $"{read.Motions.Length} motions");
 
         using var json = JsonDocument.Parse(finished.ReportJson());
