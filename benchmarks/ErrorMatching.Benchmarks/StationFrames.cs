@@ -66,7 +66,8 @@ internal static class StationFrames
             user.Settle();
             await OpenAsync(window, user, size, file, "");
             var (text, path) = (
-                window.GetVisualDescendants().OfType<Hmi.ProgramText>().Single(), window.GetVisualDescendants().OfType<PathPlot>().Single());
+                window.GetVisualDescendants().OfType<Hmi.ProgramText>().Single(),
+                window.GetVisualDescendants().OfType<PathPlot>().Single());
             FrameTimes.Report(size, "scrolling by a row", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.RowHeight)));
             FrameTimes.Report(size, "scrolling by a page", FrameTimes.Of(user, _ => text.Offset += new Vector(0, text.Bounds.Height)));
             FrameTimes.Report(size, "lighting the next block", FrameTimes.Of(user, _ => text.Picture!.Move(1, isExtending: false)));

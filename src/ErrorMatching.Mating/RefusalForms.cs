@@ -31,7 +31,8 @@ public static class RefusalForms
         "{0}: its points lie {1:0.####} times as far apart as those of {2}. Is one of the two in inch? "
         + "Give \"unit\" in the gauge's \"format\", or export mm.");
 
-    /// <summary>The theoretical points' file, and the columns as which a measurement's would fit it (<see cref="AxisOrder.Name"/>).</summary>
+    /// <summary>The theoretical points' file, and the columns as which a measurement's would fit it (<see
+    /// cref="AxisOrder.Name"/>).</summary>
     public static SentenceForm ColumnsDiffer { get; } = new(
         "columns-differ",
         "The points lie where {0} has them only if the coordinates are read as {1}: are columns exchanged, or does an axis point the other "

@@ -54,7 +54,8 @@ public sealed class WrongInputTests
     [Fact]
     public void What_a_control_reads_is_a_program()
     {
-        foreach (var text in (string[])["%\n", "G0 X1\n", "\0\0\0\0%\nO1\nG0 X1\nM30\n%\0\0", "N10 G0 X1 (\u00e4\u00f6)", "\u0012%\nG0\n\u0014"])
+        foreach (var text in (string[])["%\n", "G0 X1\n", "\0\0\0\0%\nO1\nG0 X1\nM30\n%\0\0", "N10 G0 X1 (\u00e4\u00f6)",
+            "\u0012%\nG0\n\u0014"])
         {
             Assert.Null(ProgramText.Problem(Encoding.Latin1.GetBytes(text)));
         }
@@ -118,7 +119,8 @@ public sealed class WrongInputTests
         Assert.Contains(better, first, StringComparison.Ordinal);
         Assert.Equal(
             better,
-            Shell.Json(0, "errormatch/nc-check/1", "nc", "check", program, "--dialect", dialect).GetProperty("understanding").Text("betterDialect"));
+            Shell.Json(0, "errormatch/nc-check/1", "nc", "check", program, "--dialect", dialect).GetProperty("understanding")
+                .Text("betterDialect"));
 
         var errors = Shell.Json(2, "errormatch/error/1", "nc", "locate", program, "--dialect", dialect, "--blocks", "N99999")
             .GetProperty("errors");
@@ -211,6 +213,7 @@ public sealed class WrongInputTests
         var swapped = folder.File("swapped.csv", "point,y,x,z\n" + string.Concat(points.Select((p, k) => string.Create(
             CultureInfo.InvariantCulture, $"{k + 1},{p[0]:0.0000},{p[1]:0.0000},{p[2]:0.0000}\n"))));
         Assert.Contains(
-            "Read as y, x, z,", Shell.Error(1, "surface", "evaluate", job, "--measured", swapped).Text("message")!, StringComparison.Ordinal);
+            "Read as y, x, z,", Shell.Error(1, "surface", "evaluate", job, "--measured", swapped).Text("message")!,
+            StringComparison.Ordinal);
     }
 }

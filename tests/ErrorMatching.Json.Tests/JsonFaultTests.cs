@@ -53,7 +53,8 @@ public sealed class JsonFaultTests
         var told = 0;
         for (var at = 0; at < Good.Length; at++)
         {
-            foreach (var text in new[] { Good[..at], Good[..at] + Good[(at + 1)..], Good[..at] + "," + Good[at..], Good[..at] + "'" + Good[at..] })
+            foreach (var text in new[] { Good[..at], Good[..at] + Good[(at + 1)..], Good[..at] + "," + Good[at..],
+                Good[..at] + "'" + Good[at..] })
             {
                 try
                 {

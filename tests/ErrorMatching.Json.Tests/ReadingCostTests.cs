@@ -111,7 +111,8 @@ public class ReadingCostTests
         }
 
         var (count, tags) = (0, 0);
-        using var nodes = new XmlNodes(Encoding.Unicode.GetPreamble().Concat(Encoding.Unicode.GetBytes(text.Append("</a>").ToString())).ToArray());
+        using var nodes = new XmlNodes(Encoding.Unicode.GetPreamble().Concat(Encoding.Unicode.GetBytes(text.Append("</a>").ToString()))
+            .ToArray());
         while (nodes.Read())
         {
             count++;

@@ -32,9 +32,11 @@ public class ReadingCostTests
         (QifHead + "<A>", "x<!-- -->", "</A>"),
         (QifHead + "<A>", "<?p ?>", "</A>"),
         (QifHead + "<", "A", "/>"),
-        (Measured, "<PointFeatureMeasurement id=\"§\"><FeatureName>P§</FeatureName><Location>1 2 3</Location></PointFeatureMeasurement>", ""),
+        (Measured, "<PointFeatureMeasurement id=\"§\"><FeatureName>P§</FeatureName><Location>1 2 3</Location></PointFeatureMeasurement>",
+            ""),
         (Measured, "<PointFeatureMeasurement id=\"§\"><FeatureName>P§</FeatureName></PointFeatureMeasurement>", ""),
-        (Measured + "<PointFeatureMeasurement id=\"1\"><FeatureName>P</FeatureName><Location>", "1 ", "</Location></PointFeatureMeasurement>"));
+        (Measured + "<PointFeatureMeasurement id=\"1\"><FeatureName>P</FeatureName><Location>", "1 ",
+            "</Location></PointFeatureMeasurement>"));
 
     [Fact]
     public void Aqdef() => Check(

@@ -112,7 +112,8 @@ public sealed class ControlRefusalTests
 
         var problem = Assert.Single(path.Problems);
         Assert.Equal((NcRefusalCodes.RefusedByControl, 1), (problem.Code, problem.Block));
-        Assert.Equal("The control refuses this block (I): I belongs to an arc, a spline, G10, G33.1, G71, G72, G76 or G87.", problem.Message);
+        Assert.Equal("The control refuses this block (I): I belongs to an arc, a spline, G10, G33.1, G71, G72, G76 or G87.",
+            problem.Message);
     }
 
     [Fact]

@@ -75,8 +75,9 @@ public sealed class DisplaceEndsTests
         Assert.Equal(0, ArcCenter.Mismatch(arc.PlaneStart, arc.PlaneEnd, arc.Center), 0.001);
     }
 
-    // A quarter of radius 5 whose end moves by 0.1: the circle through (10, 0), its middle (13.535534, 1.464466), moved by half of that, and
-    // (15.1, 5) has the radius 5.0863. With 5, the middle would be 0.036 beside that. An end that moves along its circle keeps the radius.
+    // A quarter of radius 5 whose end moves by 0.1: the circle through (10, 0), its middle (13.535534, 1.464466), moved by half of that,
+    // and (15.1, 5) has the radius 5.0863. With 5, the middle would be 0.036 beside that. An end that moves along its circle keeps the
+    // radius.
     [Theory]
     [InlineData(0.1, 0, "N20 G3 X15.1 Y5. R5.086")]
     [InlineData(0.001, -0.001, "N20 G3 X15.001 Y4.999 R5.")]
@@ -89,8 +90,8 @@ public sealed class DisplaceEndsTests
     [Fact]
     public void Radius_becomes_a_center_where_its_decimals_do_not_suffice()
     {
-        // Half a turn of diameter 10 stretched to 10.5: the circle through (0, 0), (5.25, 5) and (10.5, 0) is about (5.25, -0.25625). With a
-        // radius of 5.257, its middle would be 0.0144 below that.
+        // Half a turn of diameter 10 stretched to 10.5: the circle through (0, 0), (5.25, 5) and (10.5, 0) is about (5.25, -0.25625). With
+        // a radius of 5.257, its middle would be 0.0144 below that.
         var result = Bench.By("G90 G17\nG0 X0. Y0.\nN10 G2 X10. Y0. R5.\nG0 Z5.\n", new(0.5, 0, 0), "N10");
         Assert.Equal("G90 G17\nG0 X0. Y0.\nN10 G2 X10.5 Y0. I5.25 J-0.256\nG0 Z5.\n", result);
     }

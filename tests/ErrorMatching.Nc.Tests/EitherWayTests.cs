@@ -161,7 +161,8 @@ public sealed class EitherWayTests
         Assert.False(read.IsAbout(Bench.Read(Program, NcDialects.FanucMill), "wish.json"));
 
         // What is stated and not read changes nothing.
-        Assert.Equal(path.Sha256, Bench.Read(Program, NcDialects.FanucMill.With(AssumedValues.Of([new("#500", 1), new("#501", 1)]))).Sha256);
+        Assert.Equal(path.Sha256,
+            Bench.Read(Program, NcDialects.FanucMill.With(AssumedValues.Of([new("#500", 1), new("#501", 1)]))).Sha256);
         var bad = System.Text.Encoding.UTF8.GetString(stream.ToArray()).Replace("#500", "5;00", StringComparison.Ordinal);
         Assert.Throws<Refusals.InputException>(() => WishFile.Read(System.Text.Encoding.UTF8.GetBytes(bad), "wish.json"));
     }

@@ -9,13 +9,21 @@ public class ReadingCostTests
 {
     private static readonly string[] Lexemes =
     [
-        "-", "+", "--", "1", ".", "(", ")", "[", "]", "[[", "]]", "(()", "#", "##", "#1=", "#1", "#[", "$", "$$", "\"", "'", ";", ":", "/", "//", "\\", "%", "=",
-        " ", "\t", "\n", "\r", ",", "*", "?", "<", ">", "<a", "{", "}", "|", "^", "@", "X", "X1", "X1 ", "G", "G1", "G1 ", "M98", "M98 P", "M98 -",
-        "O", "O1", "o<", "o1 sub ", "E", "e1", "R1=", "R1", "IF", "IF ", "IF[", "IF ", "SIN(", "SIN[", "AC(", "IC(", "DEF REAL A§ ", "A§=1\n", "#§=1\n", "R§=1\n", "Q§=1\n",
-        "#<_v§>=1\n", "N§ X1\n", "N1 X1\n", "O§\n", "O§\nM99\n", ":§\n", "LBL §\n", "L§:\n", "GOTO §\n", "GOTOF L§\n", "M98 P§\n", "G65 P1 A1\n", "IF[#1EQ§]GOTO 1\n", "WHILE[#1LT0]DO1\n",
-        "WHILE[0]DO1\nEND1\n", "o§ sub\no§ endsub\n", "o§ call\n", "o§ if [0]\n", "o§ while [0]\n", "PROC P§\nRET\n", "IF R1==1\n", "FOR R1=1 TO 2\n", "REPEAT\n", "LOOP\n",
-        "CYCL DEF 7.0\n", "CC X0 Y0\n", "L X§ Y1\n", "C X1 Y1 DR+\n", "CALL LBL 1\n", "FN 0: Q1 = +1\n", "CALL OA§\n", "VC1=1\n", "G54.1 P§\n", "G10 L2 P1 X§\n", "G68 X0 Y0 R1\n",
-        "G41 D1\n", "G2 X1 Y1 I1\n", "G2 X1 Y1 R1\n", "G81 R1 Z-1\n", "G1 X§ Y§\n", "(MSG, x)", "(c)\n", "; c\n", "/1 X1\n", "<tag>\n", "TRANS X1\n", "ROT RPL=1\n", "CYCLE81(1,1,1)\n", "MCALL CYCLE81(1,1,1)\n", "G33 X1 K1\n", "T1 M6\n", "M97 P§\n", "#3000=1\n", "#3006=1(x)\n", "%\n", ";\n%\n", "IF[#0EQ#5061]THEN#3000=1\n", "A=REP(0)\n", "STRING", "G83 Z-9 Q.001 R0\n",
+        "-", "+", "--", "1", ".", "(", ")", "[", "]", "[[", "]]", "(()", "#", "##", "#1=", "#1", "#[", "$", "$$", "\"", "'", ";", ":", "/",
+        "//", "\\", "%", "=",
+        " ", "\t", "\n", "\r", ",", "*", "?", "<", ">", "<a", "{", "}", "|", "^", "@", "X", "X1", "X1 ", "G", "G1", "G1 ", "M98", "M98 P",
+        "M98 -",
+        "O", "O1", "o<", "o1 sub ", "E", "e1", "R1=", "R1", "IF", "IF ", "IF[", "IF ", "SIN(", "SIN[", "AC(", "IC(", "DEF REAL A§ ",
+        "A§=1\n", "#§=1\n", "R§=1\n", "Q§=1\n",
+        "#<_v§>=1\n", "N§ X1\n", "N1 X1\n", "O§\n", "O§\nM99\n", ":§\n", "LBL §\n", "L§:\n", "GOTO §\n", "GOTOF L§\n", "M98 P§\n",
+        "G65 P1 A1\n", "IF[#1EQ§]GOTO 1\n", "WHILE[#1LT0]DO1\n",
+        "WHILE[0]DO1\nEND1\n", "o§ sub\no§ endsub\n", "o§ call\n", "o§ if [0]\n", "o§ while [0]\n", "PROC P§\nRET\n", "IF R1==1\n",
+        "FOR R1=1 TO 2\n", "REPEAT\n", "LOOP\n",
+        "CYCL DEF 7.0\n", "CC X0 Y0\n", "L X§ Y1\n", "C X1 Y1 DR+\n", "CALL LBL 1\n", "FN 0: Q1 = +1\n", "CALL OA§\n", "VC1=1\n",
+        "G54.1 P§\n", "G10 L2 P1 X§\n", "G68 X0 Y0 R1\n",
+        "G41 D1\n", "G2 X1 Y1 I1\n", "G2 X1 Y1 R1\n", "G81 R1 Z-1\n", "G1 X§ Y§\n", "(MSG, x)", "(c)\n", "; c\n", "/1 X1\n", "<tag>\n",
+        "TRANS X1\n", "ROT RPL=1\n", "CYCLE81(1,1,1)\n", "MCALL CYCLE81(1,1,1)\n", "G33 X1 K1\n", "T1 M6\n", "M97 P§\n", "#3000=1\n",
+        "#3006=1(x)\n", "%\n", ";\n%\n", "IF[#0EQ#5061]THEN#3000=1\n", "A=REP(0)\n", "STRING", "G83 Z-9 Q.001 R0\n",
         "é", "\uFEFF", "\0",
     ];
 

@@ -78,7 +78,8 @@ public sealed class VerticalArcTests
     [Fact]
     public void A_feed_above_the_contour_ends_where_the_lead_begins()
     {
-        const string Program = "G90 G17\nG0 X40. Y-10.\nG1 Z2. F100\nN3 X20.\n" + In + Contour + "N8 G18 G3 X-12. Z2. K2.\nN9 G1 X-40.\nM30\n";
+        const string Program = "G90 G17\nG0 X40. Y-10.\nG1 Z2. F100\nN3 X20.\n" + In + Contour
+            + "N8 G18 G3 X-12. Z2. K2.\nN9 G1 X-40.\nM30\n";
 
         Assert.Equal(
             Program.Replace("N3 X20.", "N3 X20. Y-10.1", StringComparison.Ordinal).Replace("X10.\n", "X9.9\n", StringComparison.Ordinal)
@@ -120,7 +121,8 @@ public sealed class VerticalArcTests
     // G18 with an arc does not say that the lines behind it are in ZX; G18 before a line does, and so does G18 where no G17 was.
     [Theory]
     [InlineData("G17 G0 X0 Y0 Z0\nG18 G3 X2 Z-2 I2 K0\nG1 X9", "XY ZX* XY")]
-    [InlineData("G17\nG0 X0 Y0 Z0\nG18\nG3 X2 Z-2 I2 K0\nG1 X9\nG17 G3 X10 Y1 J1\nG1 Y5\nG19 G2 Y6 Z-1 K1\nG0 Z9", "XY ZX* XY XY XY YZ* XY")]
+    [InlineData("G17\nG0 X0 Y0 Z0\nG18\nG3 X2 Z-2 I2 K0\nG1 X9\nG17 G3 X10 Y1 J1\nG1 Y5\nG19 G2 Y6 Z-1 K1\nG0 Z9",
+        "XY ZX* XY XY XY YZ* XY")]
     [InlineData("G17 G0 X0 Y0 Z0\nG18\nG1 X5\nG3 X2 Z-2 I2 K0\nG1 X9", "XY ZX ZX ZX")]
     [InlineData("G17 G0 X0 Y0 Z0\nG18 G1 X5\nG3 X2 Z-2 I2 K0\nG1 X9", "XY ZX ZX ZX")]
     [InlineData("G0 X0 Y0 Z0\nG18 G3 X2 Z-2 I2 K0\nG1 X9", "XY ZX ZX")]
@@ -139,7 +141,8 @@ public sealed class VerticalArcTests
     {
         const string Klartext = "0 BEGIN PGM A MM\n1 TOOL CALL 23 Z S8979\n2 L X+313 Y-203.6 R0 FMAX\n3 L Z+5 R0 FMAX\n4 CC X+305 Z+5\n"
             + "5 CP IPA+90 DR+ F1000\n6 L X-45 Z-3\n7 L Y-170\n8 L X+305\n9 END PGM A MM\n";
-        const string Twin = "G90 G17\nN2 G0 X313. Y-203.6\nN3 G0 Z5.\nN5 G18 G3 X305. Z-3. I-8. K0. F1000\nN6 G1 X-45. Z-3.\nN7 Y-170.\nN8 X305.\n";
+        const string Twin = "G90 G17\nN2 G0 X313. Y-203.6\nN3 G0 Z5.\nN5 G18 G3 X305. Z-3. I-8. K0. F1000\n"
+            + "N6 G1 X-45. Z-3.\nN7 Y-170.\nN8 X305.\n";
 
         Assert.Equal(
             Klartext.Replace("Y-203.6", "Y-203.65", StringComparison.Ordinal).Replace("X-45", "X-45.05", StringComparison.Ordinal)
@@ -195,7 +198,8 @@ public sealed class VerticalArcTests
 
         Assert.Equal(
             (NcRefusalCodes.ArcForm, 6),
-            (Bench.RefusedNormal(Program, 0.1, "N7", NcDialects.HeidenhainKlartext) is var refusal ? refusal.Code : "", refusal.Place.Line));
+            (Bench.RefusedNormal(Program, 0.1, "N7", NcDialects.HeidenhainKlartext) is var refusal ? refusal.Code : "",
+                refusal.Place.Line));
     }
 
     [Fact]

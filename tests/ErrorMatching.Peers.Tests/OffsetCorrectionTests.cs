@@ -213,7 +213,8 @@ public sealed partial class OffsetCorrectionTests
             l => Label().Replace(l, m => $"o{i.ToString(CultureInfo.InvariantCulture)}{m.Groups["number"].Value} ") + "\n"))) + "M2\n";
 
     private static bool IsKept(string line) =>
-        line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6") && !line.StartsWith("o<offsets> ", StringComparison.Ordinal);
+        line.Length > 0 && line[0] is not ('%' or 'O') && line is not ("M2" or "T1 M6")
+            && !line.StartsWith("o<offsets> ", StringComparison.Ordinal);
 
     [GeneratedRegex("^o(?<number>[0-9]{1,5}) ", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Label();

@@ -8,8 +8,8 @@ namespace ErrorMatching.Testing;
 
 /// <summary>Checks that reading costs time in proportion to the input: twice the input takes at most 2.5 times the processor time, and a
 /// megabyte less than a second, whatever it contains.</summary>
-/// <remarks>An input is a head, a fragment that is repeated, and a tail. Repetition is what makes an algorithm show its order: a list that is
-/// searched for every item, a text that is copied for every character, a pattern that is tried from every place.</remarks>
+/// <remarks>An input is a head, a fragment that is repeated, and a tail. Repetition is what makes an algorithm show its order: a list that
+/// is searched for every item, a text that is copied for every character, a pattern that is tried from every place.</remarks>
 internal static class ReadingCost
 {
     // Below this, a difference is noise: a megabyte would take at most a third of a second.
@@ -23,7 +23,8 @@ internal static class ReadingCost
 
     // Larger inputs, which find more and take longer: ERRORMATCH_READING=2000000.
     private static readonly int? Given = int.TryParse(
-        Environment.GetEnvironmentVariable("ERRORMATCH_READING"), NumberStyles.None, CultureInfo.InvariantCulture, out var bytes) ? bytes : null;
+        Environment.GetEnvironmentVariable("ERRORMATCH_READING"), NumberStyles.None, CultureInfo.InvariantCulture, out var bytes) ? bytes
+            : null;
 
     /// <summary>Checks a reader with one input after the other.</summary>
     /// <param name="read">Reads the bytes; it may refuse them.</param>
@@ -53,13 +54,15 @@ internal static class ReadingCost
             for (var again = 0; again < 4 && IsTooMuch(small, large, length); again++)
             {
                 (small, large) = (
-                    Math.Min(small, Seconds(() => read(Input(input, length)))), Math.Min(large, Seconds(() => read(Input(input, 2 * length)))));
+                    Math.Min(small, Seconds(() => read(Input(input, length)))),
+                    Math.Min(large, Seconds(() => read(Input(input, 2 * length)))));
             }
 
             if (IsTooMuch(small, large, length))
             {
                 found.Add(FormattableString.Invariant(
-                    $"{Shown(input)}: {first:0.000} s for {length / 16} bytes, {small:0.000} s for {length}, {large:0.000} s for {2 * length}"));
+                    $"{Shown(input)}: {first:0.000} s for {length / 16} bytes, "
+                        + $"{small:0.000} s for {length}, {large:0.000} s for {2 * length}"));
             }
         }
 
@@ -90,7 +93,8 @@ internal static class ReadingCost
         while (bytes.Count < length)
         {
             bytes.AddRange(input.Fragment.Contains('§', StringComparison.Ordinal)
-                ? Encoding.UTF8.GetBytes(input.Fragment.Replace("§", (number++).ToString(CultureInfo.InvariantCulture), StringComparison.Ordinal))
+                ? Encoding.UTF8.GetBytes(input.Fragment.Replace("§", (number++).ToString(CultureInfo.InvariantCulture),
+                    StringComparison.Ordinal))
                 : fragment);
         }
 
@@ -99,7 +103,8 @@ internal static class ReadingCost
     }
 
     private static string Shown((string Head, string Fragment, string Tail) input) =>
-        string.Join(" ", new[] { input.Head, input.Fragment, input.Tail }.Select(t => JsonEncodedText.Encode(t.Length > 60 ? t[^60..] : t).ToString()));
+        string.Join(" ",
+            new[] { input.Head, input.Fragment, input.Tail }.Select(t => JsonEncodedText.Encode(t.Length > 60 ? t[^60..] : t).ToString()));
 
     // The thread alone: other tests run at the same time in the same process.
     private static double ThreadSeconds()

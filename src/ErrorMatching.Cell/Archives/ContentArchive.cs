@@ -82,7 +82,8 @@ internal sealed partial class ContentArchive : IDisposable
     /// <param name="length">Its length, as the store says; no more than that is ever read or expanded.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.Damaged"/> if it is not in the archive as it was kept.</exception>
     public byte[] Plain(string sha256, long? length) => Named(() =>
-        Rows.Query(_connection, Columns + " WHERE sha256 = @sha256", ContentRow.ReadOrNull, new { sha256, most = Math.Min(length ?? 0, MostContentBytes) })
+        Rows.Query(_connection, Columns + " WHERE sha256 = @sha256", ContentRow.ReadOrNull,
+            new { sha256, most = Math.Min(length ?? 0, MostContentBytes) })
             is [{ } packed]
             && PlainOf(packed, length) is { } plain
             && ContentRow.Sha256(plain) == sha256

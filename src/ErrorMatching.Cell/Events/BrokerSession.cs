@@ -120,8 +120,8 @@ internal sealed class BrokerSession : IDisposable
         },
         cancellation);
 
-    /// <summary>Publishes what replaces the message before, and waits for no answer (quality of service 0). The broker keeps it for those who
-    /// subscribe later.</summary>
+    /// <summary>Publishes what replaces the message before, and waits for no answer (quality of service 0). The broker keeps it for those
+    /// who subscribe later.</summary>
     /// <param name="topic">The topic.</param>
     /// <param name="payload">The message.</param>
     /// <param name="life">How long the message is true.</param>

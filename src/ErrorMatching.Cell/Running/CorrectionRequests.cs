@@ -30,7 +30,8 @@ internal static class CorrectionRequests
             : ReportOf(
                 flow.Store,
                 job.IsFreeform ? CutProgram.Of(flow.Store, correction).By : CutProgram.Before(flow.Store, correction)),
-        SlotProgram = flow.Settings.Machines.FirstOrDefault(m => m.Name == job.Machine)?.Slots.FirstOrDefault(s => s.Name == job.Slot)?.Program,
+        SlotProgram = flow.Settings.Machines.FirstOrDefault(m => m.Name == job.Machine)?.Slots
+                .FirstOrDefault(s => s.Name == job.Slot)?.Program,
         Identity = correction.Identity,
     };
 

@@ -56,5 +56,6 @@ internal static class FailureOf
     /// <summary>A defect of the program, which its user can only report.</summary>
     public static Failure Defect(Exception e) => new(
         ExitCode.Outside,
-        new Refusal("internal-error", $"This is a defect of errormatch: please report it with the input that shows it. {e.ToString().ReplaceLineEndings(" ")}"));
+        new Refusal("internal-error",
+            $"This is a defect of errormatch: please report it with the input that shows it. {e.ToString().ReplaceLineEndings(" ")}"));
 }

@@ -40,8 +40,8 @@ public static class MeasuredSurfaceReader
     /// surface.</param>
     /// <exception cref="InputException">The file cannot be read; a planned point is missing (<c>missing-point</c>) or occurs twice
     /// (<c>doubled-point</c>); a point is unknown to the plan (<c>unknown-point</c>), at another place in it
-    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The points lie on the surface at other places than the
-    /// plan's (<c>own-grid</c>). The file does not follow its format
+    /// (<c>contradictory-point</c>), or too far from the expected place (<c>far-off-point</c>). The points lie on the surface at other
+    /// places than the plan's (<c>own-grid</c>). The file does not follow its format
     /// (a code of <see cref="MeasurementError"/>).</exception>
     public static MeasuredPoints Read(MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring)
     {
@@ -234,7 +234,8 @@ public static class MeasuredSurfaceReader
                 [.. points.Select(p => p.Contact)],
                 [.. points.Select(p => plan.ContactOf(p.Planned))],
                 limit) is { } order
-                ? $"Read as {order.Name}, all points are where they are expected: are columns exchanged, or does an axis point the other way?"
+                ? $"Read as {order.Name}, all points are where they are expected: "
+                    + "are columns exchanged, or does an axis point the other way?"
             : isRadius ? "This is the radius of the ball: does the file hold centers (\"reports\": \"stylus-center\")?"
             : far.Length == points.Length
                 ? "All points are: is the file of another piece, work offset or tool length, or is the surface not where the job has it?"

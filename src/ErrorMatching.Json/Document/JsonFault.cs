@@ -112,7 +112,8 @@ internal readonly record struct JsonFault(int At, string Found, string Expected)
             ? new(at, $"\\{CharacterAt(bytes, at)} in a text", "\\\\ for a backslash, or / between folders")
             : bytes[at] is (byte)'\n' or (byte)'\r'
                 ? new(start, "a text that does not end in its line", "a closing quotation mark (\")")
-            : new(at, string.Create(CultureInfo.InvariantCulture, $"the character 0x{bytes[at]:X2} in a text"), "a text without control characters");
+            : new(at, string.Create(CultureInfo.InvariantCulture, $"the character 0x{bytes[at]:X2} in a text"),
+                "a text without control characters");
     }
 
     // 0,02: the reader stops behind the comma, or at a digit behind a zero there.
@@ -156,7 +157,8 @@ internal readonly record struct JsonFault(int At, string Found, string Expected)
             : -1;
     }
 
-    private static bool IsOfNumber(byte b) => char.IsAsciiDigit((char)b) || b is (byte)'+' or (byte)'-' or (byte)'.' or (byte)'e' or (byte)'E';
+    private static bool IsOfNumber(byte b) => char.IsAsciiDigit((char)b)
+        || b is (byte)'+' or (byte)'-' or (byte)'.' or (byte)'e' or (byte)'E';
 
     private static string Token(ReadOnlySpan<byte> bytes, int start, bool withComma = false)
     {

@@ -47,7 +47,9 @@ public static class MatchReporter
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),
             RadiusWearMm = UniformOffset.RadiusWearMm(result.Decision),
-            Correction = result.Correction is { } correction ? Correction(correction, result.Input, result.Before.Dialect, programFile) : null,
+            Correction = result.Correction is { } correction
+                ? Correction(correction, result.Input, result.Before.Dialect, programFile)
+                : null,
             Lot = result.Lot,
             Warnings = [.. evaluations.SelectMany(e => e.Warnings), .. Warnings(result)],
             Notes = Notes(result),

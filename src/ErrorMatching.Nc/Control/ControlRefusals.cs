@@ -346,7 +346,8 @@ internal sealed class ControlRefusals(
 
         if (values.Dialect.NestedComments != NestedComments.Accepted && HasNestedComment(text))
         {
-            result.Problem(NcRefusalCodes.RefusedByControl, "The control refuses this block: a parenthesis stands inside a comment. Write the comment without it.",
+            result.Problem(NcRefusalCodes.RefusedByControl,
+                "The control refuses this block: a parenthesis stands inside a comment. Write the comment without it.",
                 MotionFlags.None);
             layers.Forget();
         }

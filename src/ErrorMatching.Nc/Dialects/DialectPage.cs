@@ -92,7 +92,8 @@ internal static class DialectPage
     }
 
     private static DialectFact Fact(DialectTopic topic, string subject, JsonItem item, DialectDocument document) =>
-        new(topic, subject, topic == DialectTopic.Refusal ? RefusalText.Of(item) : MeaningOf(item), item["statement"].Text, item["source"].Text, document.Name);
+        new(topic, subject, topic == DialectTopic.Refusal ? RefusalText.Of(item) : MeaningOf(item), item["statement"].Text,
+            item["source"].Text, document.Name);
 
     private static string MeaningOf(JsonItem item)
     {

@@ -235,7 +235,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         string[] known = line.Text.StartsWith('?') ? [.. names, .. before] : [.. names];
         foreach (var name in OffsetRule.NamesIn(line.Text).Where(n => !known.Contains(n, StringComparer.Ordinal)))
         {
-            Problems.Add(JsonRefusal.At(line, "unknown-value", $"{{{name}}}", $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
+            Problems.Add(JsonRefusal.At(line, "unknown-value", $"{{{name}}}",
+                $"one of {string.Join(", ", known.Select(k => $"{{{k}}}"))}"));
         }
 
         return line.Text;

@@ -59,7 +59,8 @@ public static class NcDialects
         ? BuiltIn[index].Value
         : throw new InputException(new Refusal(
             NcInputCodes.UnknownDialect,
-            $"\"{name}\" is no known dialect. {Hint(name)}Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json."));
+            $"\"{name}\" is no known dialect. {Hint(name)}"
+                + $"Known are {string.Join(", ", Names)}; a shop's own is a file that ends in .json."));
 
     /// <summary>Whether a document may name a dialect so: it is known, or names a file.</summary>
     public static bool IsName(string dialect) => IsFile(dialect) || Names.Contains(dialect, StringComparer.Ordinal);

@@ -261,7 +261,8 @@ internal sealed class RefusalTable
             return null;
         }
 
-        return entry.Find("rises") is null && rule is { Codes.Length: 0, Letters.Length: 0, Repeated: 0, MostFunctions: int.MaxValue } ? null : rule;
+        return entry.Find("rises") is null && rule is { Codes.Length: 0, Letters.Length: 0, Repeated: 0, MostFunctions: int.MaxValue }
+            ? null : rule;
     }
 
     private static ulong Remember(JsonItem entry, string key) =>

@@ -8,7 +8,8 @@ internal static class RefusalText
     private static readonly (string Key, string Word)[] Conditions =
     [
         ("twoOf", "two of"), ("codes", ""), ("letters", ""), ("repeated", "twice"), ("missing", "without"), ("where", "with"),
-        ("unless", "unless"), ("while", "while"), ("whileNot", "while not"), ("before", "after"), ("notYet", "before the first"), ("clears", "ends"),
+        ("unless", "unless"), ("while", "while"), ("whileNot", "while not"), ("before", "after"), ("notYet", "before the first"),
+        ("clears", "ends"),
         ("inForce", "in force: one of"), ("ends", "ended by"), ("atStart", "at first"),
     ];
 
@@ -21,7 +22,8 @@ internal static class RefusalText
 
         // A group is nearly always the same as its codes that exclude each other.
         var isSame = entry.Find("twoOf")?.Text == entry.Find("inForce")?.Text;
-        var parts = Conditions.Where(c => entry.Find(c.Key) is not null && !(isSame && c.Key == "inForce")).Select(c => $"{c.Word} {entry[c.Key].Text}".Trim()).ToList();
+        var parts = Conditions.Where(c => entry.Find(c.Key) is not null && !(isSame && c.Key == "inForce"))
+            .Select(c => $"{c.Word} {entry[c.Key].Text}".Trim()).ToList();
         if (entry.Find("begins") is not null)
         {
             parts.Add("where it begins");

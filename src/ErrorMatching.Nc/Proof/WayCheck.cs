@@ -172,7 +172,8 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             || (first > 0 && (task.Before.Motions[first - 1].Has(MotionFlags.MachineMove) || task.EndPoints.Contains(first - 1)));
         for (var i = first; i <= last; i++)
         {
-            isHeld &= i == rapid || task.Before.Motions.IsLeadArc(i) || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
+            isHeld &= i == rapid || task.Before.Motions.IsLeadArc(i)
+                || ProofTask.Same(task.After.Motions[i].PlaneStart, task.After.Motions[i].PlaneEnd);
         }
 
         return isHeld && task.IsCutInPlane(last + 1);

@@ -140,7 +140,8 @@ internal sealed class ElementDisplacer
                 return _elements.At(
                     motion,
                     NcRefusalCodes.ArcForm,
-                    $"this helix cuts the same circle as {_elements.NameOf(beside)}, and its words cannot make it larger or smaller. Post it "
+                    $"this helix cuts the same circle as {_elements.NameOf(beside)}, and its words cannot make it larger or smaller. "
+                        + "Post it "
                         + "with coordinates, or lead in inside of the contour.");
             }
         }

@@ -150,8 +150,8 @@ internal static class Positioning
         Move(change, last, motion + 1);
     }
 
-    // Moves the joints behind or before one up to another as that moved. On the other side of a move along the tool axis, the tool is at its
-    // programmed height.
+    // Moves the joints behind or before one up to another as that moved. On the other side of a move along the tool axis, the tool is at
+    // its programmed height.
     private static void Move(PathChange change, int from, int to)
     {
         var motions = change.Path.Motions;

@@ -64,7 +64,8 @@ public static class Rewriter
             && rewrite.Result.ChangedBlocks.Where(uncertain.Contains).Cast<int?>().FirstOrDefault() is { } block)
         {
             return BlockRefusal.At(change.Path.Program, block, NcRefusalCodes.UnknownCondition,
-                "it would have to change, and whether it is cut depends on a value that only the machine knows, or on block skip. State that: "
+                "it would have to change, and whether it is cut depends on a value that only the machine knows, or on block skip. "
+                    + "State that: "
                     + "assume or blockSkip in the job, --assume or --block-skip at the console; or leave out the blocks beside it.");
         }
 

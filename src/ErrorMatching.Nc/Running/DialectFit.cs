@@ -34,10 +34,12 @@ public sealed class DialectFit
     /// <summary>What to do, in a sentence or two.</summary>
     public string Sentence => string.Create(
         CultureInfo.InvariantCulture,
-        $"{Unknown} of {(Blocks == MostBlocks ? "the first " : "")}{Blocks} blocks have words that the dialect {Dialect.Name} does not know. ")
+        $"{Unknown} of {(Blocks == MostBlocks ? "the first " : "")}{Blocks} blocks have words "
+            + $"that the dialect {Dialect.Name} does not know. ")
         + (Better is null ? "No built-in dialect knows many more: is this an NC program?"
             : UnknownToBetter == 0 ? $"The dialect {Better.Name} knows all of them: is the program for that control?"
-            : string.Create(CultureInfo.InvariantCulture, $"To the dialect {Better.Name}, {UnknownToBetter} are unknown: is the program for that control?"));
+            : string.Create(CultureInfo.InvariantCulture,
+                $"To the dialect {Better.Name}, {UnknownToBetter} are unknown: is the program for that control?"));
 
     /// <summary>Compares dialects for a program; null if the given one knows the words of at least half of the blocks.</summary>
     /// <param name="program">The program.</param>

@@ -211,10 +211,12 @@ public sealed class NcInterpreter
         {
             var text = program.BytesOf(program[block]);
             var head = BlockHead.Read(text, program.Syntax);
-            if (head.At < text.Length && FlowIndex.HeadingOf(text, head.At, program.Syntax) is { Length: > 0 } name && !called.Contains(name))
+            if (head.At < text.Length && FlowIndex.HeadingOf(text, head.At, program.Syntax) is { Length: > 0 } name
+                && !called.Contains(name))
             {
                 _result.Block = block;
-                _result.Note("programs-follow", $"Behind the end of the program, others follow in the file ({name} the first), which this one "
+                _result.Note("programs-follow",
+                    $"Behind the end of the program, others follow in the file ({name} the first), which this one "
                     + "does not call: they are not run, and what is said here is not about them.");
             }
         }

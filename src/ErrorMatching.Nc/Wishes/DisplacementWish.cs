@@ -178,7 +178,8 @@ public sealed class DisplacementWish
             blocks[0],
             NcRefusalCodes.NoMotion,
             blocks.Any(b => path.MotionOf(b) is >= 0 and var motion && path.Motions.IsVertical(motion))
-                ? "the named blocks hold no motion that could be displaced: an upright arc (G18, G19) leads to a contour and follows it. Name "
+                ? "the named blocks hold no motion that could be displaced: "
+                    + "an upright arc (G18, G19) leads to a contour and follows it. Name "
                     + "the blocks that cut the boundary."
                 : "the named blocks hold no motion that could be displaced. Name the blocks that cut the boundary.")
         : new(NcRefusalCodes.NoMotion, "No blocks are named.");

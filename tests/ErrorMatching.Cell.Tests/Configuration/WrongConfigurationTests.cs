@@ -91,7 +91,8 @@ public sealed class WrongConfigurationTests : IDisposable
 
         // Programs and ready files at machines.
         { "\"program\": \"O2002.NC\"", "\"program\": \"o2001.nc\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots", "again" },
-        { "\"program\": \"O2002.NC\"", "\"program\": \"2001.TXT\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots", "cannot tell from" },
+        { "\"program\": \"O2002.NC\"", "\"program\": \"2001.TXT\"", 11, "$.machines[0].slots[1].program", "program-of-two-slots",
+            "cannot tell from" },
         {
             "\"program\": \"O2002.NC\"",
             "\"program\": \"../O2002.NC\"",

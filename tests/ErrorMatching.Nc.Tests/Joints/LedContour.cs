@@ -65,7 +65,8 @@ internal sealed class LedContour
         return text.Append(
             CultureInfo.InvariantCulture,
             $"N201 {(_out.IsZX ? "G18" : "G19")} {(_out.IsZX == _out.Side > 0 ? "G2" : "G3")} {End(_out, words, height)} "
-                + $"{(radius.Length > 0 ? radius : "K")}{Text(_out.Radius)}\nN202 G90 G0 Z10.\nN203 G17\nN204 G0 X0. Y0.\nM30\n").ToString();
+                + $"{(radius.Length > 0 ? radius : "K")}{Text(_out.Radius)}\nN202 G90 G0 Z10.\nN203 G17\nN204 G0 X0. Y0.\nM30\n")
+                    .ToString();
     }
 
     private static (double X, double Y) Beside((bool IsZX, int Side, double Radius) lead) =>

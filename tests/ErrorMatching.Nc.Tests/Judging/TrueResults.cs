@@ -78,7 +78,8 @@ internal static class TrueResults
         var spelled = contour.Spell(seed % 20 == 19, seed % 30 == 9 ? "R" : isSiemens ? "CR=" : "");
         var path = Bench.Read(spelled, isSiemens ? NcDialects.Siemens840D : NcDialects.FanucMill);
         var distance = (seed % 7 == 0 ? -0.001 : 0.001) * (1 + (seed % 200));
-        var named = Bench.Blocks(path, seed % 40 < 20 ? "N5..N201" : "N101..N" + (100 + contour.Count).ToString(CultureInfo.InvariantCulture));
+        var named = Bench.Blocks(path, seed % 40 < 20 ? "N5..N201"
+            : "N101..N" + (100 + contour.Count).ToString(CultureInfo.InvariantCulture));
         return (path, Bench.Usable(seed % 50 == 49
             ? DisplacementWish.EndsBy(path, named, new(distance, -distance / 2, seed % 100 == 99 ? distance / 4 : 0))
             : DisplacementWish.Normal(path, named, distance)));

@@ -206,8 +206,8 @@ public sealed class FindingTests
 
     private const string Retract = "a move along the tool axis now moves in the plane or ends at another height.";
 
-    // The arc begins where N20 ends, with its center 5 above. If N20 ends d further to the right, the arc with the radius of its start misses
-    // its end by d; d higher, its middle, which goes by the mean of both ends, is 0.354 d outside.
+    // The arc begins where N20 ends, with its center 5 above. If N20 ends d further to the right, the arc with the radius of its start
+    // misses its end by d; d higher, its middle, which goes by the mean of both ends, is 0.354 d outside.
     [Theory]
     [InlineData("X50.", "X50.")]
     [InlineData(

@@ -3,10 +3,12 @@ using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Nc.Tests;
 
-/// <summary>What the proof finds in results with arcs that lead into a contour in a vertical plane: each of their coordinates matters.</summary>
+/// <summary>What the proof finds in results with arcs that lead into a contour in a vertical plane: each of their coordinates
+/// matters.</summary>
 public sealed partial class VerticalArcProofTests
 {
-    private const string Program = "G90 G17\nN1 G0 X20. Y-10.\nN2 G0 Z10.\nN3 G1 Z2. F100\nN4 G18 G3 X18. Z0. I-2. K0.\nN5 G17 G1 X10.\nN6 Y10.\n"
+    private const string Program = "G90 G17\nN1 G0 X20. Y-10.\nN2 G0 Z10.\nN3 G1 Z2. F100\nN4 G18 G3 X18. Z0. I-2. K0.\nN5 G17 G1 X10.\n"
+        + "N6 Y10.\n"
         + "N7 X-10.\nN8 G18 G3 X-12. Z2. I0. K2.\nN9 G1 Z10.\nN10 G17\nN11 G0 X0. Y0.\nM30\n";
 
     private const string Left = "an upright arc left its plane: its ends moved differently across it.";
@@ -62,7 +64,8 @@ public sealed partial class VerticalArcProofTests
         foreach (var (result, before, named) in new[] { (Across, Program, "N5..N7"), (MovedAlong, Along, "N5") })
         {
             var mutants = Coordinate().Matches(result).SelectMany(m => new[] { 0.002, -0.002 }.Select(by =>
-                result[..m.Index] + (double.Parse(m.Value, CultureInfo.InvariantCulture) + by).ToString("0.0##", CultureInfo.InvariantCulture)
+                result[..m.Index] + (double.Parse(m.Value, CultureInfo.InvariantCulture) + by).ToString("0.0##",
+                    CultureInfo.InvariantCulture)
                     + result[(m.Index + m.Length)..])).ToArray();
             Assert.InRange(mutants.Length, 30, 50);
             Assert.All(mutants, m => Assert.True(Of(m, before, named).Length > 0, m));

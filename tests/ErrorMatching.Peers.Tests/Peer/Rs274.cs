@@ -62,7 +62,8 @@ internal static partial class Rs274
     /// <param name="reset">Blocks before each of them, so that none depends on the one before.</param>
     /// <param name="blocks">The blocks, each with those that it needs.</param>
     /// <returns>The messages; null where a block is accepted.</returns>
-    public static IReadOnlyList<string?> RunBlocks(IReadOnlyList<string> reset, IReadOnlyList<(IReadOnlyList<string> Before, string Block)> blocks)
+    public static IReadOnlyList<string?> RunBlocks(IReadOnlyList<string> reset,
+        IReadOnlyList<(IReadOnlyList<string> Before, string Block)> blocks)
     {
         var home = Directory.CreateTempSubdirectory("errormatch-peer-").FullName;
         try

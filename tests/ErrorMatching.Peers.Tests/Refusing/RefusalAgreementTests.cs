@@ -5,7 +5,8 @@ namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
 /// Random blocks, half of them with one fault, and what LinuxCNC's own interpreter says of each: a block that it refuses is named here,
-/// and one that it accepts is not. <c>ERRORMATCH_PEER_BLOCKS</c> sets how many (200 if not set), <c>ERRORMATCH_PEER_SEED</c> the first seed.
+/// and one that it accepts is not. <c>ERRORMATCH_PEER_BLOCKS</c> sets how many (200 if not set), <c>ERRORMATCH_PEER_SEED</c> the first
+/// seed.
 /// </summary>
 public sealed class RefusalAgreementTests
 {
@@ -63,7 +64,8 @@ public sealed class RefusalAgreementTests
         var peer = Rs274.Run(program + "\nM2\n");
         var path = NcInterpreter.Run(NcProgram.FromText(program + "\nM2\n", NcDialects.LinuxCnc.Syntax), NcDialects.LinuxCnc);
 
-        Assert.True(peer.Refusal is null == (path.Refusal is null && path.Problems.Count == 0), $"rs274: {peer.Refusal}; we: {path.Refusal}");
+        Assert.True(peer.Refusal is null == (path.Refusal is null && path.Problems.Count == 0),
+            $"rs274: {peer.Refusal}; we: {path.Refusal}");
     }
 
     private static List<(int Line, string Message)> Findings(IReadOnlyList<string> reset, IReadOnlyList<string> before, string block)
