@@ -20,13 +20,13 @@ public static class SurfaceWarningForms
     /// <summary>File, point, its place, its error and what the points around it say in um.</summary>
     public static SentenceForm PointOff { get; } = new(
         "outlying-point-measured",
-        "{0}: Point {1} (near {2}) is {3} um off along the normal, where the points around it say {4} um: a chip, or a touch gone wrong? "
+        "{0}: Point {1} (near {2}) is {3} µm off along the normal, where the points around it say {4} µm: a chip, or a touch gone wrong? "
             + "It counts in all figures. Clean the place and the stylus and measure again.");
 
     /// <summary>The same of the furthest of several points, and the numbers of the others.</summary>
     public static SentenceForm PointsOff { get; } = new(
         "outlying-points-measured",
-        "{0}: Point {1} (near {2}) is {3} um off along the normal, where the points around it say {4} um; likewise off: {5}: chips, or "
+        "{0}: Point {1} (near {2}) is {3} µm off along the normal, where the points around it say {4} µm; likewise off: {5}: chips, or "
             + "touches gone wrong? They count in all figures. Clean the places and the stylus and measure again.");
 
     /// <summary>A file and the stage after which it was measured, and the same of the first.</summary>
@@ -38,13 +38,13 @@ public static class SurfaceWarningForms
     /// <summary>Point, its difference in um, and the number of the measurement.</summary>
     public static SentenceForm RepeatOutlier { get; } = new(
         "repeat-outlier",
-        "Point {0} was {1} um off its other measurements in measurement {2}. It counts all the same: measure again if that was a chip or "
+        "Point {0} was {1} µm off its other measurements in measurement {2}. It counts all the same: measure again if that was a chip or "
             + "a touch gone wrong.");
 
     /// <summary>Repeatability of the measurements, and spread of the error from place to place, in um.</summary>
     public static SentenceForm RepeatsDiffer { get; } = new(
         "repeats-differ",
-        "The measurements differ among themselves by {0} um, more than the error that they show differs from place to place ({1} um): are "
+        "The measurements differ among themselves by {0} µm, more than the error that they show differs from place to place ({1} µm): are "
             + "they of one piece in one clamping?");
 
     /// <summary>Count of points.</summary>
@@ -62,7 +62,7 @@ public static class SurfaceWarningForms
     public static SentenceForm OnlyMean { get; } = new(
         "noise-but-mean",
         "No test finds a structure in the errors (neighbors, plane, quadratic, waves; p {0} of all together): what differs from the mean "
-            + "looks like noise and is not mirrored. The mean of {1} um is compensated.");
+            + "looks like noise and is not mirrored. The mean of {1} µm is compensated.");
 
     /// <summary>Probability of noise with its sign of equality.</summary>
     public static SentenceForm OnlyNoise { get; } = new(
@@ -73,8 +73,8 @@ public static class SurfaceWarningForms
     /// <summary>Largest error between the points, its standard deviation, and that expected at the points, in um.</summary>
     public static SentenceForm WorseBetween { get; } = new(
         "worse-between-points",
-        "Between the points the surface that was fitted to them leaves up to {0} um, with a standard deviation of {1} um; at the points "
-            + "{2} um are expected. It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or "
+        "Between the points the surface that was fitted to them leaves up to {0} µm, with a standard deviation of {1} µm; at the points "
+            + "{2} µm are expected. It does not know the nominal surface between them: fit the error instead (\"of\": \"error\"), or "
             + "measure more points.");
 
     /// <summary>A program that exists cannot follow a surface through the compensation points.</summary>

@@ -22,7 +22,7 @@ public static class RefusalForms
     /// <summary>Feature, its limit, the largest deviation of its points, and that limit read as micrometers, in mm.</summary>
     public static SentenceForm LimitImplausible { get; } = new(
         "limit-implausible",
-        "The limits of {0} allow {1:0.####} mm, and no point of it is more than {2:0.0000} mm off: are they in um, "
+        "The limits of {0} allow {1:0.####} mm, and no point of it is more than {2:0.0000} mm off: are they in µm, "
         + "which would be {3:0.######} mm? State limits that the piece could miss.");
 
     /// <summary>Measurement, ratio of its point distances to the theoretical ones, and its file.</summary>

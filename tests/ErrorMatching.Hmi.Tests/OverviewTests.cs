@@ -60,7 +60,7 @@ public sealed class OverviewTests
         var oldest = Shown.Time(now, seat.Station.Clock);
         seat.SignIn(DemoCell.Operator);
         var overview = (OverviewViewModel)seat.Shell.Current!;
-        var english = $"1069 files waiting, the oldest since {oldest}\n1 measurement not computed yet, since {oldest}";
+        var english = $"1,069 files waiting, the oldest since {oldest}\n1 measurement not computed yet, since {oldest}";
         seat.WaitFor(() => Lives() && overview.Gauges[0].State == english, "It is not said what waits.");
         var why = Recorded.All.Single(f => f.Name == "backlog-grows").With("cmm", 1069, 1);
         var trouble = new CellTrouble(CellTrouble.OfBacklog("cmm"), CellCodes.BacklogGrows, why.Sentence, now) { Recorded = why.Text };

@@ -54,7 +54,7 @@ public sealed class SurfaceVerdictTextTests
             Assert.Equal(severity, SurfaceVerdictText.SeverityOf(verdict));
             foreach (var isReady in new[] { true, false })
             {
-                Assert.Equal(ProfileLead.Of(Sample.Value, verdict, "µm", isReady), Text(verdict, isReady));
+                Assert.Equal(ProfileLead.Of(Sample.Value, verdict, isReady), Text(verdict, isReady));
             }
         }
     });
@@ -89,7 +89,7 @@ public sealed class SurfaceVerdictTextTests
         var verdict = new SurfaceVerdict(Tolerance, judged, Good);
         await InAsync(Language.English, () =>
         {
-            Assert.Equal(ProfileWords.Of(Tolerance, [("piece.csv", judged)], "µm"), Plain(SurfaceVerdictText.OfPiece(verdict)));
+            Assert.Equal(ProfileWords.Of(Tolerance, [("piece.csv", judged)]), Plain(SurfaceVerdictText.OfPiece(verdict)));
             Assert.Equal(
                 Cases.TryGetValue(name, out var known) ? known.Severity : Severity.Attention, SurfaceVerdictText.SeverityOfPiece(verdict));
             Assert.Equal(("piece", null), (Piece(CuttingStage.Finishing) is null ? "" : "piece", Piece(CuttingStage.SemiFinishing)));
@@ -111,14 +111,14 @@ public sealed class SurfaceVerdictTextTests
     {
         var tolerance = new ProfileTolerance(0.02, isGuarded ? DecisionRule.GuardBand(5) : DecisionRule.Simple, isAligned);
         Assert.Equal(
-            ProfileWords.Of(tolerance, Good.UncertaintyMm, "µm"), Plain(SurfaceVerdictText.OfTolerance(new(tolerance, Good, Good))));
+            ProfileWords.Of(tolerance, Good.UncertaintyMm), Plain(SurfaceVerdictText.OfTolerance(new(tolerance, Good, Good))));
         Assert.Null(SurfaceVerdictText.OfTolerance(null));
     });
 
     [Fact]
     public Task Without_a_tolerance_nothing_is_judged_and_nothing_asks_for_attention() => InAsync(Language.English, () =>
     {
-        Assert.Equal(ProfileLead.Of(Sample.Value, null, "µm"), Text(null, true));
+        Assert.Equal(ProfileLead.Of(Sample.Value, null), Text(null, true));
         Assert.StartsWith("Not judged: ", Text(null, true), StringComparison.Ordinal);
         Assert.Equal(Severity.Quiet, SurfaceVerdictText.SeverityOf(null));
     });

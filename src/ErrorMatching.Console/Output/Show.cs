@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -11,8 +12,8 @@ internal static class Show
     /// <summary>A directed length in millimeters, with its sign; no sign if it rounds to zero.</summary>
     public static string Signed(double value) => value.ToString("+0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
 
-    /// <summary>A proportion in whole percent.</summary>
-    public static string Percent(double value) => value.ToString("0", CultureInfo.InvariantCulture) + " %";
+    /// <summary>A proportion in percent.</summary>
+    public static string Percent(double value) => ReportNumber.WholePercent(value) + " %";
 
     /// <summary>An angle in degrees, to a ten-thousandth.</summary>
     public static string Degrees(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture);

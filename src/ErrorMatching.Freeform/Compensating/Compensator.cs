@@ -116,8 +116,8 @@ public static class Compensator
         {
             notes.Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} um off in the "
-                    + $"mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} um are expected at the points: the error changes much "
+                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} µm off in the "
+                    + $"mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} µm are expected at the points: the error changes much "
                         + $"from "
                     + $"one to the next, and between them more may be left. Measure more points to know."));
         }

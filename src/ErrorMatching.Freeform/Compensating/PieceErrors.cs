@@ -125,8 +125,8 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         notes.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to "
-                + $"{mean.RepeatabilityMm * 1000:0.00} um, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} "
-                + $"um."));
+                + $"{mean.RepeatabilityMm * 1000:0.00} µm, their mean to {mean.RepeatabilityMm * 1000 / Math.Sqrt(repeats.Length):0.00} "
+                + $"µm."));
         foreach (var outlier in mean.Outliers)
         {
             warnings.Add(ReportWarning.Of(

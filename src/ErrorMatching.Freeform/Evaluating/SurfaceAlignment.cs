@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -46,7 +47,8 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
         ArgumentNullException.ThrowIfNull(points);
         if (points.Count < 6)
         {
-            throw InputException.At("too-few-points", file, $"{points.Count} points for an alignment; at least 6 are expected");
+            throw InputException.At("too-few-points", file, $"{ReportNumber.Count(points.Count, "point")} for an alignment; "
+                + $"at least 6 are expected");
         }
 
         var center = points.Aggregate(default(Vector3), (s, p) => s + (p.Contact - default(Point3))) * (1.0 / points.Count);

@@ -19,7 +19,7 @@ internal sealed record OutlyingPoint(ErrorSample Sample, double SaidMm)
         var (furthest, others) = Values(points);
         return string.Format(
             CultureInfo.InvariantCulture,
-            "Point {0} (near {1}) is {2} um off along the normal, where the points around it say {3} um",
+            "Point {0} (near {1}) is {2} µm off along the normal, where the points around it say {3} µm",
             [.. furthest])
             + (others.Length == 0 ? "" : $"; likewise off {(points.Count == 2 ? "is point" : "are points")} {others}");
     }

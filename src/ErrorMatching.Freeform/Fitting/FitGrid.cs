@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -59,7 +60,8 @@ internal sealed class FitGrid
         {
             throw new GeometryException(
                 GeometryError.TooFewPoints,
-                $"{grid.Curves.Count} curves with {grid.Points.Count()} points; a surface needs at least two curves with at least two "
+                $"{ReportNumber.Count(grid.Curves.Count, "curve")} with {ReportNumber.Count(grid.Points.Count(), "point")}; "
+                    + $"a surface needs at least two curves with at least two "
                     + $"points each");
         }
 

@@ -196,7 +196,7 @@ internal sealed class FreeformJobReader(JsonItem root)
                 item,
                 "limit-implausible",
                 found,
-                $"at most {Mm(2 * limit)}, twice compensation.limitMm, beyond which the job stops. um? {item.Text} um are "
+                $"at most {Mm(2 * limit)}, twice compensation.limitMm, beyond which the job stops. µm? {item.Text} µm are "
                     + $"{Mm(item.Number / 1000)}");
         }
         else if (2 * u > tolerance.WidthMm)

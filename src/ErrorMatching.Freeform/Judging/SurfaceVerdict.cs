@@ -18,7 +18,7 @@ public sealed record SurfaceVerdict(ProfileTolerance Tolerance, ProfileJudgement
         Write(json, Tolerance);
         json.Object("before", () => Before.Write(json));
         json.Object("predicted", () => Predicted.Write(json));
-        json.Text("sentence", ProfileWords.Of(this, "um"));
+        json.Text("sentence", ProfileWords.Of(this));
     }
 
     /// <summary>Reads what <see cref="Write(ReportWriter)"/> writes.</summary>

@@ -30,7 +30,9 @@ internal static class OwnGrid
             }
 
             onSurface++;
-            elsewhere += (Expected(nearest, radius) - point.Position).Length >= limitMm ? 1 : 0;
+            var off = Expected(nearest, radius) - point.Position;
+            // Along the surface: how far it is above or below says nothing about the place.
+            elsewhere += (off - (nearest.Normal * off.Dot(nearest.Normal))).Length >= limitMm ? 1 : 0;
             otherwise += (point.Number ?? nearest.Number) != nearest.Number
                 || (point.Number is null && (point.I != nearest.I || point.J != nearest.J)) ? 1 : 0;
         }

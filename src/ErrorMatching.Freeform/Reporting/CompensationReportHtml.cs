@@ -96,7 +96,7 @@ public static class CompensationReportHtml
         ];
         if (result.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var u })
         {
-            facts.Insert(0, ("Tolerance", ProfileWords.Of(tolerance, u, "µm")));
+            facts.Insert(0, ("Tolerance", ProfileWords.Of(tolerance, u)));
         }
 
         ReportFacts.Write(html, facts.ToArray());
@@ -265,7 +265,7 @@ public static class CompensationReportHtml
             ("Program", $"{report.Program.File}, SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…"),
             (
                 "Passes",
-                $"{ReportNumber.Count(path.Passes)} passes of {ReportNumber.Count(path.Points)} points, "
+                $"{ReportNumber.Count(path.Passes, "pass", "passes")} of {ReportNumber.Count(path.Points, "point")}, "
                     + $"{path.LengthMm.ToString("0", CultureInfo.InvariantCulture)} mm."),
             ("Chordal error", $"At most {Micrometres.OfMm(certificate.ChordMm)} µm, found by checking the rounded polyline densely."),
             ("Scallop", $"At most {Micrometres.OfMm(certificate.ScallopMm)} µm."),
@@ -280,7 +280,7 @@ public static class CompensationReportHtml
                                     + $"inside")
                         + $": checked against the whole surface, nowhere does the ball cut deeper into it than "
                             + $"{Micrometres.OfMm(certificate.GougeMm)} µm, chords and rounding included."
-                    : $"{ReportNumber.Count(certificate.RaisedPoints)} points were raised by up to "
+                    : $"{ReportNumber.Count(certificate.RaisedPoints, "point was", "points were")} raised by up to "
                         + $"{Micrometres.OfMm(certificate.RaisedMm)} µm where the ball does not fit: there material is left."));
     }
 

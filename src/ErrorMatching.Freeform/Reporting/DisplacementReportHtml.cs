@@ -59,7 +59,7 @@ public static class DisplacementReportHtml
             ("Between points", $"A straight cut misses the compensation by at most {Micrometres(displaced.LargestMisfitMm)} µm."),
             (
                 "Proof",
-                $"Holds: of {ReportNumber.Count(displaced.Proof.Motions)} motions {ReportNumber.Count(displaced.Proof.MovedMotions)} "
+                $"Holds: of {ReportNumber.Count(displaced.Proof.Motions, "motion")} {ReportNumber.Count(displaced.Proof.MovedMotions)} "
                     + $"moved, none further than {ReportNumber.Fine(displaced.Proof.MaxDeviationFromWantedMm)} mm from where it was "
                         + $"wanted; "
                     + $"every byte besides is the original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."),
@@ -91,7 +91,7 @@ public static class DisplacementReportHtml
             report.Displaced.Before.Program, report.Displaced.Rewrite.Program, report.Displaced.Rewrite.ChangedBlocks);
         html.Put(
             "p",
-            $"{ReportNumber.Count(report.Displaced.Rewrite.ChangedWords)} words in {ReportNumber.Count(blocks.Count)} "
+            $"{ReportNumber.Count(report.Displaced.Rewrite.ChangedWords, "word")} in {ReportNumber.Count(blocks.Count)} "
                 + $"blocks{(blocks.Count > MostBlocks ? $"; the first {ReportNumber.Count(MostBlocks)} are listed" : "")}.");
         HtmlTable.Write(
             html,

@@ -86,7 +86,7 @@ public static class EvaluationReportHtml
         if (report.Tolerance is { } tolerance)
         {
             facts.Insert(
-                0, ("Tolerance", ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm, "µm")));
+                0, ("Tolerance", ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm)));
         }
 
         ReportFacts.Write(html, facts.ToArray());

@@ -72,7 +72,7 @@ public static class EvaluationReportJson
         SurfaceVerdict.Write(json, tolerance);
         json.Count("pieces", report.Measured.Pieces.Count);
         json.Count("piecesWithin", report.Measured.Pieces.Count(p => p.Judgement!.IsWithin));
-        json.Text("sentence", ProfileLead.Of(report, "um"));
+        json.Text("sentence", ProfileLead.Of(report));
     }
 
     private static void Improvement(ReportWriter json, SurfaceImprovement? improvement) => json.Optional("improvement", improvement, i =>

@@ -10,36 +10,34 @@ public static class ProfileLead
     /// <summary>The verdict on a compensation in one line.</summary>
     /// <param name="result">The compensation.</param>
     /// <param name="verdict">Its verdict; null if the job states no tolerance.</param>
-    /// <param name="unit">The unit as the reader's screen has it: <c>um</c> or <c>µm</c>.</param>
     /// <param name="isReady">True if the program can be run as it is.</param>
-    public static string Of(CompensationResult result, SurfaceVerdict? verdict, string unit, bool isReady = true)
+    public static string Of(CompensationResult result, SurfaceVerdict? verdict, bool isReady = true)
     {
         ArgumentNullException.ThrowIfNull(result);
         return verdict is not null
-            ? ProfileWords.Of(verdict, unit)
+            ? ProfileWords.Of(verdict)
                 + (result.LargestMoveMm > 0 ? "" : " Nothing is compensated.")
                 + (verdict.Predicted.IsWithin && isReady ? " Cut it." : "")
-            : $"{NotJudged} Profile as measured {Micrometres.OfMm(result.Before.ProfileIsoMm)} {unit}, expected "
-                + $"{Micrometres.OfMm(result.Predicted.Statistics.ProfileIsoMm)} {unit}.";
+            : $"{NotJudged} Profile as measured {Micrometres.OfMm(result.Before.ProfileIsoMm)} µm, expected "
+                + $"{Micrometres.OfMm(result.Predicted.Statistics.ProfileIsoMm)} µm.";
     }
 
     /// <summary>The verdict on measured pieces in one line.</summary>
     /// <param name="report">The report.</param>
-    /// <param name="unit">The unit as the reader's screen has it: <c>um</c> or <c>µm</c>.</param>
-    public static string Of(EvaluationReport report, string unit)
+    public static string Of(EvaluationReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
         if (report.Tolerance is not { } tolerance)
         {
             return report.Before is { } was
-                ? $"{NotJudged} Profile before {Micrometres.OfMm(was.Together.ProfileIsoMm)} {unit}, now "
-                    + $"{Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} {unit}."
-                : $"{NotJudged} Profile {Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} {unit}.";
+                ? $"{NotJudged} Profile before {Micrometres.OfMm(was.Together.ProfileIsoMm)} µm, now "
+                    + $"{Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} µm."
+                : $"{NotJudged} Profile {Micrometres.OfMm(report.Measured.Together.ProfileIsoMm)} µm.";
         }
 
-        var now = ProfileWords.Of(tolerance, Judged(report.Measured), unit);
+        var now = ProfileWords.Of(tolerance, Judged(report.Measured));
         return report.Before is { } before
-            ? $"{now} {ProfileWords.Before([.. before.Pieces.Select(p => p.Judgement!)], unit)}"
+            ? $"{now} {ProfileWords.Before([.. before.Pieces.Select(p => p.Judgement!)])}"
             : now;
     }
 
@@ -49,11 +47,11 @@ public static class ProfileLead
     /// <param name="verdict">Its verdict; null if the job states no tolerance.</param>
     /// <param name="isReady">True if the program can be run as it is.</param>
     internal static void Write(HtmlText html, CompensationResult result, SurfaceVerdict? verdict, bool isReady) =>
-        Write(html, verdict?.Predicted.IsWithin, isReady, Of(result, verdict, "µm", isReady), result.Warnings.Count);
+        Write(html, verdict?.Predicted.IsWithin, isReady, Of(result, verdict, isReady), result.Warnings.Count);
 
     /// <summary>Writes the verdict on measured pieces.</summary>
     internal static void Write(HtmlText html, EvaluationReport report) =>
-        Write(html, report.IsInTolerance, true, Of(report, "µm"), report.Pieces.Sum(p => p.Warnings.Count));
+        Write(html, report.IsInTolerance, true, Of(report), report.Pieces.Sum(p => p.Warnings.Count));
 
     private static void Write(HtmlText html, bool? isWithin, bool isReady, string words, int warnings)
     {

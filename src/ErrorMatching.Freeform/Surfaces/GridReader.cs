@@ -2,6 +2,7 @@ using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -49,7 +50,7 @@ public static class GridReader
                 MaxPoints,
                 "x",
                 MeasurementError.TooManyPoints,
-                $"{table.Count} points",
+                ReportNumber.Count(table.Count, "point"),
                 $"at most {MaxPoints}: is this the right file?");
         }
 

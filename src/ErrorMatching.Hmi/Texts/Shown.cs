@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
 
@@ -58,9 +59,9 @@ public static class Shown
     /// <summary>A number without a unit, with up to three decimals.</summary>
     public static string Number(double value) => value.ToString("0.###;−0.###", CultureInfo.InvariantCulture);
 
-    /// <summary>A percentage without decimals.</summary>
+    /// <summary>A percentage; 100 only where nothing is left.</summary>
     public static string Percent(double? percent) =>
-        percent is { } p ? (Math.Round(p) + 0.0).ToString("0;−0", CultureInfo.InvariantCulture) + " %" : Nothing;
+        percent is { } p ? ReportNumber.WholePercent(p).Replace('-', '−') + " %" : Nothing;
 
     /// <summary>A percentage with one decimal.</summary>
     public static string FinePercent(double percent) => Number(percent, "0.0;−0.0") + " %";

@@ -2,6 +2,7 @@ using System.Globalization;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
@@ -36,7 +37,7 @@ internal sealed class KeyPointLabels(JobProblems problems)
             problems.Refuse(
                 list,
                 "too-few-points",
-                string.Create(CultureInfo.InvariantCulture, $"{labels.Count} point(s)"),
+                ReportNumber.Count(labels.Count, "point"),
                 string.Create(CultureInfo.InvariantCulture, $"at least {least}"));
         }
 

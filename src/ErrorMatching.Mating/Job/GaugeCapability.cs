@@ -61,5 +61,5 @@ public static class GaugeCapability
 
     private static string Number(double mm) => mm.ToString("0.####", CultureInfo.InvariantCulture);
 
-    private static string Percent(double share) => (share * 100).ToString("0", CultureInfo.InvariantCulture);
+    private static string Percent(double share) => ReportNumber.WholePercent(share * 100);
 }

@@ -44,7 +44,7 @@ internal sealed class LimitCheck(JobProblems problems)
             problems.Add(JsonRefusal.At(item, UncertaintyImplausible, Number(u), expected) with
             {
                 Message = $"found a standard uncertainty of {Number(u)} mm; expected {expected} mm, or no deviation is significant up to "
-                + $"the {Number(most)} mm where the job stops (\"limitMm\"). um? {Number(u)} um are {Number(u / 1000)} mm."
+                + $"the {Number(most)} mm where the job stops (\"limitMm\"). µm? {Number(u)} µm are {Number(u / 1000)} mm."
             });
             return;
         }
@@ -116,7 +116,7 @@ internal sealed class LimitCheck(JobProblems problems)
         problems.Add(JsonRefusal.At(item, RefusalForms.LimitImplausible.Name, found, expected) with
         {
             Message = $"found {found} mm; expected {expected} mm either way, since the job stops at any larger deviation (\"limitMm\"). "
-            + $"um? {Number(limit)} um are {Number(limit / 1000)} mm."
+            + $"µm? {Number(limit)} µm are {Number(limit / 1000)} mm."
         });
     }
 

@@ -13,13 +13,13 @@ public static class LotWords
     /// percent.</summary>
     public static SentenceForm Outlier { get; } = new(
         "lot-outlier",
-        "This piece does not fit the {0} before it: it shows a mean of {1} um where {2} um were expected. It hardly counts (an outlier by "
+        "This piece does not fit the {0} before it: it shows a mean of {1} µm where {2} µm were expected. It hardly counts (an outlier by "
             + "{3} %). If it is a new tool or clamping, the next piece will confirm it; if a touch went wrong, measure this piece again.");
 
     /// <summary>Number of the piece, count of all, probability in percent, the mean that it shows and the expected one in um.</summary>
     public static SentenceForm Moved { get; } = new(
         "lot-step",
-        "The process moved before piece {0} of {1} ({2} %): a mean of {3} um where {4} um were expected. A new tool or another clamping "
+        "The process moved before piece {0} of {1} ({2} %): a mean of {3} µm where {4} µm were expected. A new tool or another clamping "
             + "does that.");
 
     /// <summary>What a person should look at: the last piece is an outlier, or the process moved before one of the last two.</summary>
@@ -49,9 +49,9 @@ public static class LotWords
             .Append(string.Create(
                 CultureInfo.InvariantCulture,
                 $"The compensation follows {lot.Pieces.Count} pieces. Without it the next piece is expected to be off by a mean of "
-                    + $"{Um(lot.ExpectedMm.Average())} um; standard uncertainty of a point "
-                    + $"{Math.Sqrt(lot.UncertaintyMm.Average(u => u * u)) * 1000:0.00} um, noise of one measurement "
-                    + $"{lot.NoiseMm * 1000:0.00} um.{Drift(lot)}"));
+                    + $"{Um(lot.ExpectedMm.Average())} µm; standard uncertainty of a point "
+                    + $"{Math.Sqrt(lot.UncertaintyMm.Average(u => u * u)) * 1000:0.00} µm, noise of one measurement "
+                    + $"{lot.NoiseMm * 1000:0.00} µm.{Drift(lot)}"));
     }
 
     private static IEnumerable<int> Steps(Lot lot) =>
@@ -66,12 +66,12 @@ public static class LotWords
     private static string Drift(Lot lot) => Math.Abs(lot.DriftMm) > Significant * lot.DriftUncertaintyMm
         ? string.Create(
             CultureInfo.InvariantCulture,
-            $" The mean drifts by {Um(lot.DriftMm)} +- {2 * lot.DriftUncertaintyMm * 1000:0.00} um a piece.")
+            $" The mean drifts by {Um(lot.DriftMm)} ± {2 * lot.DriftUncertaintyMm * 1000:0.00} µm a piece.")
         : "";
 
     private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);
 
-    private static string Percent(double share) => (share * 100).ToString("0", CultureInfo.InvariantCulture);
+    private static string Percent(double share) => ReportNumber.WholePercent(share * 100);
 
     private static string Um(double mm) => (mm * 1000).ToString("+0.00;-0.00;0.00", CultureInfo.InvariantCulture);
 }

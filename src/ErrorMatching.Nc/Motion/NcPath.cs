@@ -56,7 +56,7 @@ public sealed class NcPath
 
     /// <summary>Blocks that move on only one of the ways of a branch on a value that only the machine knows: they must not change.
     /// Ascending.</summary>
-    internal IReadOnlyCollection<int> UncertainBlocks { get; init; } = [];
+    public IReadOnlyCollection<int> UncertainBlocks { get; init; } = [];
 
     /// <summary>The reason why the program could not be followed to its end: a missing program, an infinite loop, a branch on a value
     /// that only the machine knows. Null if it was followed to its end.</summary>

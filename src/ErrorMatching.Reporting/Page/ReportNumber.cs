@@ -25,8 +25,16 @@ public static class ReportNumber
     public static string Interval(double value, double? half) =>
         Format(value, "+0.0000;-0.0000;0.0000") + (half is { } h ? " ± " + Fine(h) : "");
 
-    /// <summary>A signed share in percent, with one decimal.</summary>
-    public static string Percent(double value) => Format(value, "+0.0;-0.0;0.0");
+    /// <summary>A signed share in percent, with one decimal; 100 only where nothing is left.</summary>
+    public static string Percent(double percent) => Format(ShortOfAll(percent), "+0.0;-0.0;0.0");
+
+    /// <summary>A share in whole percent, with a decimal between 99 and 100: 100 only where nothing is left.</summary>
+    public static string WholePercent(double percent) =>
+        Math.Abs(percent) is > 99 and < 100 ? Format(ShortOfAll(percent), "0.0;-0.0") : Format(percent, "0;-0;0");
+
+    // What would round to all is cut off instead.
+    private static double ShortOfAll(double percent) =>
+        Math.Abs(percent) is > 99 and < 100 ? Math.Round(percent, 1, MidpointRounding.ToZero) : percent;
 
     /// <summary>A probability in percent, with one decimal; next to 0 and 1, <c>less than</c> or <c>more than</c> a bound.</summary>
     public static string Probability(double value) => (value * 100) switch
@@ -49,7 +57,10 @@ public static class ReportNumber
     public static string Count(int value) => value.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>A count with a noun, which takes an s in the plural.</summary>
-    public static string Count(int value, string thing) => $"{Count(value)} {thing}{(value == 1 ? "" : "s")}";
+    public static string Count(int value, string thing) => Count(value, thing, thing + "s");
+
+    /// <summary>A count with what is counted, as one and as several.</summary>
+    public static string Count(int value, string one, string several) => $"{Count(value)} {(value == 1 ? one : several)}";
 
     private static string Format(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
 }

@@ -19,7 +19,7 @@ public sealed class ProgramIdentityTests
     [InlineData("siemens-840d", "FINISH.MPF", "%_N_P100_MPF", "/_N_WKS_DIR/_N_KEY_WPD/_N_P100_MPF")]
     [InlineData("siemens-840d", "FINISH.MPF", "%_N_P100_MPF", "//NC:/WKS.DIR/P100.MPF")]
     [InlineData("heidenhain-klartext", "FINISH.H", "0 BEGIN PGM KEY MM", @"TNC:\NC\KEY.H")]
-    [InlineData("linuxcnc", "FINISH.NGC", "O0240", "/home/cnc/nc_files/finish.ngc")]
+    [InlineData("linuxcnc", "FINISH.NGC", "O0240", "/nc/files/finish.ngc")]
     public void A_program_is_each_that_the_control_calls_so(string dialect, string file, string text, string reported) =>
         Assert.True(Running(reported).Uses(Identity(dialect, file, text)));
 

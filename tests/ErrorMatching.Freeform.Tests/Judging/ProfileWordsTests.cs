@@ -32,13 +32,13 @@ public sealed class ProfileWordsTests
         (string, ProfileJudgement) good = ("a.csv", Judged(Tolerance, 0.0005, 0.001)), bad = ("b.csv", Judged(Tolerance, 0.0005, 0.011));
         Assert.StartsWith(
             "Out of tolerance: 1 of 2 pieces, b.csv the worst with profile 22.00 of 20 um; 1 of 1 point is outside",
-            ProfileWords.Of(Tolerance, [good, bad], "um"),
+            ProfileWords.Of(Tolerance, [good, bad]),
             StringComparison.Ordinal);
         Assert.StartsWith(
             "In tolerance: all 2 pieces, a.csv the worst with profile 2.00 of 20 um at 1 point",
-            ProfileWords.Of(Tolerance, [good, good], "um"),
+            ProfileWords.Of(Tolerance, [good, good]),
             StringComparison.Ordinal);
-        Assert.Equal("Before: out of tolerance, profile 22.00 um.", ProfileWords.Before([good.Item2, bad.Item2], "um"));
+        Assert.Equal("Before: out of tolerance, profile 22.00 um.", ProfileWords.Before([good.Item2, bad.Item2]));
     }
 
     [Theory]
@@ -75,16 +75,16 @@ public sealed class ProfileWordsTests
         Assert.Equal(
             "Profile of a surface 20 µm by ISO 1101, with datums: points are judged where they were measured; measured points are "
                 + "accepted up to the limits.",
-            ProfileWords.Of(Tolerance, 0.001, "µm"));
+            ProfileWords.Of(Tolerance, 0.001));
         Assert.Equal(
             "Profile of a surface 20 µm by ISO 1101, without datums: points are aligned before they are judged; measured points are "
                 + "accepted 1.645 µm inside the limits, for a risk of at most 5 % at each.",
-            ProfileWords.Of(Guarded, 0.001, "µm"));
+            ProfileWords.Of(Guarded, 0.001));
     }
 
     private static ProfileJudgement Judged(ProfileTolerance tolerance, double uncertainty, params double[] errors) =>
         ProfileJudgement.OfMeasured(tolerance, ProfileJudgementTests.Samples(errors), uncertainty);
 
     private static string Measured(ProfileTolerance tolerance, double uncertainty, params double[] errors) =>
-        ProfileWords.Of(tolerance, [("a.csv", Judged(tolerance, uncertainty, errors))], "um");
+        ProfileWords.Of(tolerance, [("a.csv", Judged(tolerance, uncertainty, errors))]);
 }

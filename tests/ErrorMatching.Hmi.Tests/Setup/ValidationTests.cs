@@ -41,7 +41,7 @@ public sealed partial class ValidationTests
         ("stylus-diameter-missing", d => d with { Gauge = d.Gauge with { Reports = "stylus-center" } }),
         ("bad-format", d => d with { Gauge = d.Gauge with { Format = "table" } }),
         ("unknown-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuk" } }),
-        ("other-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuc-mill" } }),
+        ("other-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuc" } }),
         ("from-fixed", d => d with { Compensation = d.Compensation with { From = "counterpart" } }),
         ("file-unreadable", d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }),
         (

@@ -183,7 +183,8 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
               "jobs": [{ "name": "slot", "job": "{{Testing.Repository.PathTo("samples", "slot-mating", "job.json")}}", "gauges": ["cmm"],
                 "recognize": { "fileName": "x" }, "machine": "mill", "slot": "A" }] }
             """),
-        Path.Combine(control.Home, "cell.json")).Machines[0] with
+        // A folder of its own: everybody may write the control's.
+        Path.Combine(Directory.CreateDirectory(Path.Combine(control.Home, "cell")).FullName, "cell.json")).Machines[0] with
     {
         State = state
     };

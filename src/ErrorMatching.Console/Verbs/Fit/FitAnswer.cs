@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Measurement;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -24,7 +25,7 @@ internal abstract class FitAnswer(NumberTable table, IReadOnlyList<double> resid
 
     public sealed override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{Title}, {table.Count} points of {table.File}"));
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{Title}, {ReportNumber.Count(table.Count, "point")} of {table.File}"));
         page.Line();
         WriteFit(page);
         page.Line();

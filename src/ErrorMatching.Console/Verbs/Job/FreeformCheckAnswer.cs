@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -52,7 +53,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
                 $"{Method}, gain {Number(job.Compensation.Gain)}, at most {Mm(job.Compensation.LimitMm)}; {job.Fit.Method.Name} fit of "
                     + $"the {(job.Fit.OfError ? "error" : "points")}"],
             .. job.Profile is { } profile
-                ? new[] { new[] { "tolerance", ProfileWords.Of(profile, job.Measuring.UncertaintyMm, "um") } }
+                ? new[] { new[] { "tolerance", ProfileWords.Of(profile, job.Measuring.UncertaintyMm) } }
                 : [],
         ]);
         page.Line();
@@ -65,7 +66,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
     {
         { ReconstructionErrorMm: { } error } => $"as many points as {Mm(error)} takes",
         { PointsPerCurve: { } each } m => $"{m.Curves} curves of {each} points",
-        var m => $"{m.Points} points on {m.Curves} curves",
+        var m => $"{ReportNumber.Count(m.Points, "point")} on {ReportNumber.Count(m.Curves, "curve")}",
     };
 
     private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Jobs;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -76,7 +77,8 @@ internal sealed class JobBlocksAnswer(FoundBlocks found, string? written) : Docu
         var count = found.Features.Count(f => f.Refusal is null);
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
-            $"{found.Job.Name}: blocks of {count} of {found.Features.Count} features found in {found.Program} by their key points"));
+            $"{found.Job.Name}: blocks of {count} of {ReportNumber.Count(found.Features.Count, "feature")} found "
+                + $"in {found.Program} by their key points"));
         page.Line();
         page.Table(
             ["feature", "kind", "points", "blocks", "lines", "in the job"],

@@ -109,7 +109,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         : _report.IsUnchanged ? "nothing to compensate, the program stays as it is"
         : string.Create(
             CultureInfo.InvariantCulture,
-            $"{_report.Program.ChangedWords} words in {_report.Program.ChangedBlocks} blocks follow the measured "
+            $"{ReportNumber.Count(_report.Program.ChangedWords, "word")} in "
+                + $"{ReportNumber.Count(_report.Program.ChangedBlocks, "block")} changed to follow the measured "
                 + $"{ReportWords.Of(_report.Compensation.From)}");
 
     private void WriteBlocks(Page page)
@@ -127,7 +128,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         {
             page.Line(string.Create(
                 CultureInfo.InvariantCulture,
-                $"... and {_report.Program.Blocks.Count - BlocksShown} more blocks, all of them in the report."));
+                $"... and {_report.Program.Blocks.Count - BlocksShown} more lines, all of them in the report."));
         }
 
         page.Line();
@@ -138,7 +139,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
         var proof = _report.Proof;
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
+            $"Proof holds: of {ReportNumber.Count(proof.Motions, "motion")} {proof.MovedMotions} moved, none further than "
                 + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
         if (proof.Neighbors.Count > 0)
         {

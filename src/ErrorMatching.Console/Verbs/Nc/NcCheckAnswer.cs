@@ -39,6 +39,7 @@ internal sealed class NcCheckAnswer(string file, NcPath path, NcCensus census, b
         json.WriteStartObject("understanding");
         json.WriteNumber("blocksNotUnderstood", _understanding.Blocks.Count);
         json.WriteNumber("blocksSkipped", _understanding.Skipped);
+        json.WriteNumber("blocksEitherWay", path.UncertainBlocks.Count);
         json.WriteNumber("motionsOnlyTheMachineKnows", _understanding.OfMachine);
         json.WriteString("sentence", _understanding.Sentence);
         if (_otherDialect is { } other)

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -47,7 +48,10 @@ internal sealed class NcDiffAnswer(string before, string after, MotionComparison
     {
         page.Heading(comparison.IsSame
             ? $"{before} and {after} do the same"
-            : string.Create(CultureInfo.InvariantCulture, $"{comparison.Differences.Count} motions differ between {before} and {after}"));
+            : string.Create(
+                CultureInfo.InvariantCulture,
+                $"{ReportNumber.Count(comparison.Differences.Count, "motion differs", "motions differ")} "
+                + $"between {before} and {after}"));
         page.Line();
         page.Facts([.. Facts()]);
         ShownNotes.Write(page, (before, comparison.Before), (after, comparison.After));

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Security.Cryptography;
 using System.Text.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -54,7 +55,8 @@ internal sealed class NcDisplaceAnswer(string file, string? output, NcPath path,
     {
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
-            $"{output ?? "standard output"}: {rewrite.ChangedWords} words changed in {rewrite.ChangedBlocks.Count} blocks"));
+            $"{output ?? "standard output"}: {ReportNumber.Count(rewrite.ChangedWords, "word")} changed in "
+                + $"{ReportNumber.Count(rewrite.ChangedBlocks.Count, "block")}"));
         page.Line();
         if (rewrite.ChangedBlocks.Count > 0)
         {

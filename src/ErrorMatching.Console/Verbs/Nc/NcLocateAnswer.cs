@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -47,7 +48,7 @@ internal sealed class NcLocateAnswer(string file, NcPath path, IReadOnlyList<int
 
     public override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{blocks.Count} blocks of {file}"));
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{ReportNumber.Count(blocks.Count, "block")} of {file}"));
         page.Line();
         page.Table(
             ["line", "block", "text", "motion", "x", "y", "z"],

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -46,7 +47,7 @@ internal static class ShownProof
         page.Verdict(
             string.Create(
                 CultureInfo.InvariantCulture,
-                $"Proof holds: of {proof.Motions} motions {proof.MovedMotions} moved, none further than "
+                $"Proof holds: of {ReportNumber.Count(proof.Motions, "motion")} {proof.MovedMotions} moved, none further than "
                     + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."),
             isGood: true);
         foreach (var neighbor in proof.Neighbors)

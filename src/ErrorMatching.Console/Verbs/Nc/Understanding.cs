@@ -54,7 +54,12 @@ internal sealed class Understanding
             var refused = Refused.Length == 0 ? ""
                 : Invariant($"The control refuses {Refused.Length} of {_path.Program.BlockCount} blocks and stops at the first of them.");
             var others = Blocks.Count - Refused.Length;
+            var uncertain = _path.UncertainBlocks;
             var text = _path.Refusal is not null ? "The program is followed up to the block that is refused, and not behind it."
+                : Blocks.Count == 0 && uncertain.Count > 0
+                    ? Invariant($"Every block is understood. How {uncertain.Count} of {_path.Program.BlockCount} move, the first being ")
+                    + Invariant($"{_path.Program.NameOf(_path.Program[uncertain.Min()])}, depends on block skip or on a value of the ")
+                    + "machine: both ways meet again, and one is shown. State the other with --block-skip or --assume."
                 : Blocks.Count == 0 ? "Everything is understood."
                 : others == 0 ? refused
                 : Invariant($"{others} of {_path.Program.BlockCount} blocks {(others == 1 ? "is" : "are")} not understood.")

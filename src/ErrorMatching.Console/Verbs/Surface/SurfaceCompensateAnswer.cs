@@ -2,6 +2,7 @@ using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -38,7 +39,7 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
 
         // Green on a program that stops with an alarm would suggest cutting.
         page.Verdict(
-            ProfileLead.Of(result, report.Verdict, "um", report.CallsTool),
+            ProfileLead.Of(result, report.Verdict, report.CallsTool),
             report.Verdict?.Predicted.IsWithin is var isWithin && isWithin == true && !report.CallsTool ? null : isWithin);
         if (!report.CallsTool)
         {
@@ -49,11 +50,11 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
 
         page.Line();
         page.Line(
-            $"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} um; standard deviation "
-                + $"{Um(result.Before.StandardDeviationMm)} um, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} um");
+            $"{report.Job.Name}: the surface is moved by at most {Um(result.LargestMoveMm)} µm; standard deviation "
+                + $"{Um(result.Before.StandardDeviationMm)} µm, expected after {Um(result.Predicted.Statistics.StandardDeviationMm)} µm");
         page.Line();
         page.Table(
-            ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
+            ["", "points", "mean µm", "standard deviation µm", "profile ISO 1101 µm", "largest - smallest µm"],
             [
                 Row("measured", result.Before),
                 Row("expected, mirror", result.Mirror.Statistics),
@@ -62,12 +63,12 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
             "Errors along the normal, positive where material is left, less the stock of the stage. The job's method: "
                 + result.Predicted.Method + ".");
         page.Line(
-            $"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} um of the mean, "
-                + $"{Um(result.Predicted.PointUncertaintyMm)} um of a point.");
+            $"Standard uncertainty of what is expected: {Um(result.Predicted.MeanUncertaintyMm)} µm of the mean, "
+                + $"{Um(result.Predicted.PointUncertaintyMm)} µm of a point.");
         page.Line("Measured piece: " + report.CutBy.Sentence);
         if (result.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var uncertainty })
         {
-            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty, "um"));
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty));
         }
 
         page.Line("Alignment: " + AlignmentWords.Of(result.Alignment));
@@ -75,8 +76,9 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Tool path: {report.ToolPath.Passes} passes, {report.ToolPath.Points} points, {report.ToolPath.LengthMm:0} mm; chord at "
-                + $"most {Um(certificate.ChordMm)} um, scallop at most {Um(certificate.ScallopMm)} um{Gouges(certificate)}."));
+            $"Tool path: {ReportNumber.Count(report.ToolPath.Passes, "pass", "passes")}, "
+                + $"{ReportNumber.Count(report.ToolPath.Points, "point")}, {report.ToolPath.LengthMm:0} mm; chord at "
+                + $"most {Um(certificate.ChordMm)} µm, scallop at most {Um(certificate.ScallopMm)} µm{Gouges(certificate)}."));
         foreach (var warning in result.Warnings)
         {
             page.Warning(warning.ToString());
@@ -114,9 +116,10 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
     {
         { RaisedPoints: > 0 } => string.Create(
             CultureInfo.InvariantCulture,
-            $", {certificate.RaisedPoints} points raised by up to {Um(certificate.RaisedMm)} um where the ball does not fit"),
+            $", {ReportNumber.Count(certificate.RaisedPoints, "point")} raised by "
+                + $"up to {Um(certificate.RaisedMm)} µm where the ball does not fit"),
         { HasNoGouge: true } => ", no gouge",
-        _ => $", no gouge beyond the chord: a straight cut may lie up to {Um(certificate.ChordMm)} um inside the surface",
+        _ => $", no gouge beyond the chord: a straight cut may lie up to {Um(certificate.ChordMm)} µm inside the surface",
     };
 
     private static string Um(double mm) => (mm * 1000).ToString("0.00", CultureInfo.InvariantCulture);

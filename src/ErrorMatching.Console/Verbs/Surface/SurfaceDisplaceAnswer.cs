@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -13,25 +14,27 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
     {
         var report = surface.Report;
         var (displaced, compensation) = (report.Displaced, report.Compensation);
-        page.Verdict(ProfileLead.Of(compensation, report.Verdict, "um"), report.Verdict?.Predicted.IsWithin);
+        page.Verdict(ProfileLead.Of(compensation, report.Verdict), report.Verdict?.Predicted.IsWithin);
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"{report.Job.Name}: {displaced.OnSurface} points of {report.ProgramFile} follow the compensation, by at most "
-                + $"{displaced.LargestMoveMm * 1000:0.00} um; {displaced.Followed} near by go along"));
+            $"{report.Job.Name}: {ReportNumber.Count(displaced.OnSurface, "point of", "points of")} {report.ProgramFile} "
+                + $"{(displaced.OnSurface == 1 ? "follows" : "follow")} the compensation, by at most "
+                + $"{displaced.LargestMoveMm * 1000:0.00} µm; {displaced.Followed} near by go along"));
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Between two points a straight cut misses the compensation by at most {displaced.LargestMisfitMm * 1000:0.00} um."));
+            $"Between two points a straight cut misses the compensation by at most {displaced.LargestMisfitMm * 1000:0.00} µm."));
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Proof holds: of {displaced.Proof.Motions} motions {displaced.Proof.MovedMotions} moved, none further than "
+            $"Proof holds: of {ReportNumber.Count(displaced.Proof.Motions, "motion")} {displaced.Proof.MovedMotions} moved, "
+                + $"none further than "
                 + $"{displaced.Proof.MaxDeviationFromWantedMm:0.0000} mm from where it was wanted; every byte besides is the "
                 + $"original's{(displaced.Marker is null ? "" : ", but for the marker comment")}."));
         page.Line("Measured piece: " + report.CutBy.Sentence);
         if (compensation.Input.Job is { Profile: { } tolerance, Measuring.UncertaintyMm: var uncertainty })
         {
-            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty, "um"));
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, uncertainty));
         }
 
         page.Line("Alignment: " + AlignmentWords.Of(compensation.Alignment));

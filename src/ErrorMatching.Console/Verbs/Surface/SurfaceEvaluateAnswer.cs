@@ -20,7 +20,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
         ? new(ExitCode.Refused, [
             .. report.Measured.Pieces.Where(p => !p.Judgement!.IsWithin).Select(p => new Refusal(
                 "out-of-tolerance",
-                $"{p.File}: {ProfileWords.Of(report.Tolerance!, [(p.File, p.Judgement!)], "um")}",
+                $"{p.File}: {ProfileWords.Of(report.Tolerance!, [(p.File, p.Judgement!)])}",
                 new() { File = p.File }))])
         : null;
 
@@ -53,17 +53,17 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
 
     public override void WriteText(Page page)
     {
-        page.Verdict(ProfileLead.Of(report, "um"), report.IsInTolerance);
+        page.Verdict(ProfileLead.Of(report), report.IsInTolerance);
         page.Line();
         page.Line(report.Before is { } was
-            ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} um before, "
-                + $"{Um(report.Measured.Together.StandardDeviationMm)} um now; profile {Um(was.Together.ProfileIsoMm)} um before, "
-                + $"{Um(report.Measured.Together.ProfileIsoMm)} um now"
-            : $"{report.Job.Name}: standard deviation {Um(report.Measured.Together.StandardDeviationMm)} um, profile "
-                + $"{Um(report.Measured.Together.ProfileIsoMm)} um");
+            ? $"{report.Job.Name}: standard deviation {Um(was.Together.StandardDeviationMm)} µm before, "
+                + $"{Um(report.Measured.Together.StandardDeviationMm)} µm now; profile {Um(was.Together.ProfileIsoMm)} µm before, "
+                + $"{Um(report.Measured.Together.ProfileIsoMm)} µm now"
+            : $"{report.Job.Name}: standard deviation {Um(report.Measured.Together.StandardDeviationMm)} µm, profile "
+                + $"{Um(report.Measured.Together.ProfileIsoMm)} µm");
         page.Line();
         page.Table(
-            ["", "points", "mean um", "standard deviation um", "profile ISO 1101 um", "largest - smallest um"],
+            ["", "points", "mean µm", "standard deviation µm", "profile ISO 1101 µm", "largest - smallest µm"],
             [
                 .. Rows("before", report.Before),
                 .. Rows("measured", report.Measured),
@@ -85,7 +85,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
 
         if (report.Tolerance is { } tolerance)
         {
-            page.Line("Tolerance: " + ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm, "um"));
+            page.Line("Tolerance: " + ProfileWords.Of(tolerance, report.Measured.Pieces[0].Judgement!.UncertaintyMm));
         }
 
         // If one piece has no alignment, none has.

@@ -3,6 +3,7 @@ using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -58,7 +59,7 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
 
     public override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"Surface {Method}, {count} points of {file}"));
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"Surface {Method}, {ReportNumber.Count(count, "point")} of {file}"));
         page.Line();
         page.Table(
             ["", "degree", "poles", "breaks at"],
@@ -74,12 +75,12 @@ internal sealed class SurfaceFitAnswer(string file, int count, FittedSurface fit
         }
 
         rows.Add(["with whole lines left out", double.IsNaN(fit.LeaveLineOutMm) ? "too few lines" : Um(fit.LeaveLineOutMm), ""]);
-        page.Table(["distance along the normal in um", "mean", "largest"], rows);
+        page.Table(["distance along the normal in µm", "mean", "largest"], rows);
         page.Line();
         if (fit.MissedMm > 0)
         {
             page.Warning(
-                $"the points lie {Um(fit.MissedMm)} um off the best smooth surface, in the mean, and that is no noise: it has a "
+                $"the points lie {Um(fit.MissedMm)} µm off the best smooth surface, in the mean, and that is no noise: it has a "
                     + (fit.IsThroughPoints
                         ? "structure. The surface passes through every point instead, and so through the noise of each. Measure more "
                             + "points."

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -46,7 +47,7 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
                 + $"{plan.StockMm:0.###} mm; stylus ball {plan.Measuring.StylusDiameterMm:0.###} mm."));
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"The points alone know the nominal surface to {1000 * plan.ReconstructionErrorMm:0.000} um (predicted: piecewise cubic "
+            $"The points alone know the nominal surface to {1000 * plan.ReconstructionErrorMm:0.000} µm (predicted: piecewise cubic "
                 + $"through them, the fits are smoother)."));
         page.Line(plan.BreaksU.Count + plan.BreaksV.Count == 0
             ? "No curvature breaks."
@@ -93,7 +94,8 @@ internal sealed class SurfacePlanAnswer(FreeformJob job, MeasuringPlan plan, str
 
     public override void WriteText(Page page)
     {
-        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: {plan.Points.Count} points on {plan.Surface.Name}"));
+        page.Heading(string.Create(CultureInfo.InvariantCulture, $"{job.Name}: "
+            + $"{ReportNumber.Count(plan.Points.Count, "point")} on {plan.Surface.Name}"));
         page.Line();
         page.Table(
             ["point", "i", "j", "x", "y", "z", "nx", "ny", "nz", "reason"],

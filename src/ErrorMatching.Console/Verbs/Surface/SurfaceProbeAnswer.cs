@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -43,7 +44,9 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
     {
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
-            $"{job.Name}: {probing.Plan.Points.Count} points are touched by a program for {probing.Dialect.Name}"));
+            $"{job.Name}: "
+                + $"{ReportNumber.Count(probing.Plan.Points.Count, "point is", "points are")} touched "
+                + $"by a program for {probing.Dialect.Name}"));
         page.Line();
         SurfacePlanAnswer.WriteSummary(page, probing.Plan);
         page.Line($"Template {probing.Template.File}: {probing.Template.About}");

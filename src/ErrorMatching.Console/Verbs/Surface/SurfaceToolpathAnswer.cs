@@ -62,7 +62,8 @@ internal sealed class SurfaceToolpathAnswer(
 
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
-            $"{job.Name}: {Stage} in {path.Passes} passes with {path.Points} points, {path.LengthMm:0} mm or "
+            $"{job.Name}: {Stage} in {ReportNumber.Count(path.Passes, "pass", "passes")} with "
+                + $"{ReportNumber.Count(path.Points, "point")}, {path.LengthMm:0} mm or "
                 + $"{path.LengthMm / job.Tool.FeedMmPerMin:0.0} min at the feed"));
         page.Line();
         page.Table(
@@ -79,7 +80,8 @@ internal sealed class SurfaceToolpathAnswer(
         {
             page.Warning(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{c.RaisedPoints} points were raised by up to {c.RaisedMm:0.0000} mm where the ball does not fit, near x "
+                $"{ReportNumber.Count(c.RaisedPoints, "point was", "points were")} raised by up to "
+                    + $"{c.RaisedMm:0.0000} mm where the ball does not fit, near x "
                     + $"{c.RaisedAt.X:0.000}, y {c.RaisedAt.Y:0.000}: more stock is left there."));
         }
 

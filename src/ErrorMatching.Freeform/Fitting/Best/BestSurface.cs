@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Freeform;
 
@@ -84,7 +85,8 @@ internal static class BestSurface
                 "grid of points",
                 string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{grid.Curves.Count} curves with {count} points; a surface needs at least two curves of at least two points each"));
+                    $"{ReportNumber.Count(grid.Curves.Count, "curve")} with {ReportNumber.Count(count, "point")}; "
+                        + $"a surface needs at least two curves of at least two points each"));
         }
 
         if (count > FieldFit.MostSamples)
