@@ -137,7 +137,7 @@ public sealed class CellStatusTests : IDisposable
         Assert.Equal((1, "vmc1 is running."),
             (slot.GetProperty("waitsForMachine").GetProperty("correction").GetInt32(), slot.GetProperty("waitsForMachine").Text("reason")));
         var text = Shell.Run("cell", "status", _cell.Config).Output;
-        Assert.Contains("vmc1: running, \uFFFD[2J/nc/O2001.NC, since 2026-11-21 20:00:00Z", text, StringComparison.Ordinal);
+        Assert.Contains("vmc1: running, \\u001b[2J/nc/O2001.NC, since 2026-11-21 20:00:00Z", text, StringComparison.Ordinal);
         Assert.Contains("vmc1/A: correction 1 waits since 2026-11-21 20:00:00Z: vmc1 is running.", text, StringComparison.Ordinal);
     }
 
@@ -196,7 +196,7 @@ public sealed class CellStatusTests : IDisposable
         using var life = Alive();
         var (exit, output, error) = Shell.Run("cell", "status", _cell.Config);
         Assert.Equal(3, exit);
-        Assert.Contains("\uFFFD[2Jwell 0  fine\uFFFD.csv", output, StringComparison.Ordinal);
+        Assert.Contains("\\u001b[2Jwell\\n0  fine\\u202e.csv", output, StringComparison.Ordinal);
         Assert.DoesNotContain(output + error, c => c is '\u001b' or '\u202E');
         Assert.Single(error.Split('\n', StringSplitOptions.RemoveEmptyEntries));
     }

@@ -10,8 +10,8 @@ public sealed class SurfaceToleranceTests
     private const string Stated = "\"profileToleranceMm\": 0.02,";
 
     [Theory]
-    [InlineData("0.0044", 2, "Out of tolerance: profile 4.49 of 4.4 um; ")]
-    [InlineData("0.0046", 0, "In tolerance: profile 4.49 of 4.6 um at 70 points")]
+    [InlineData("0.0044", 2, "Out of tolerance: profile 4.49 of 4.4 µm; ")]
+    [InlineData("0.0046", 0, "In tolerance: profile 4.49 of 4.6 µm at 70 points")]
     public void Only_pieces_in_tolerance_pass_where_that_is_required(string width, int exit, string start)
     {
         using var folder = new TemporaryFolder();
@@ -19,7 +19,7 @@ public sealed class SurfaceToleranceTests
         var result = Evaluate(job, "--require-in-tolerance", "--out", folder["out"]);
         Assert.Equal(exit, result.Exit);
         Assert.StartsWith(start, result.Output, StringComparison.Ordinal);
-        Assert.Equal(exit == 2, result.Error.Contains("after.csv: Out of tolerance: profile 4.49 of 4.4 um", StringComparison.Ordinal));
+        Assert.Equal(exit == 2, result.Error.Contains("after.csv: Out of tolerance: profile 4.49 of 4.4 µm", StringComparison.Ordinal));
 
         // The evaluation says why, so it is there all the same; nothing else is.
         string[] written = [.. Directory.GetFiles(folder["out"]).Select(f => Path.GetFileName(f))];
@@ -58,10 +58,10 @@ public sealed class SurfaceToleranceTests
     }
 
     [Theory]
-    [InlineData("0.06", "Expected in tolerance: profile ", "As measured: in tolerance, profile 50.60 um. Cut it.")]
-    [InlineData("0.05", "Expected in tolerance: profile ", "As measured: out of tolerance, profile 50.60 um. Cut it.")]
-    [InlineData("0.004", "Not sure to be in tolerance: profile ", "As measured: out of tolerance, profile 50.60 um.")]
-    [InlineData(null, "Not judged: the job states no profile tolerance", "Profile as measured 50.60 um")]
+    [InlineData("0.06", "Expected in tolerance: profile ", "As measured: in tolerance, profile 50.60 µm. Cut it.")]
+    [InlineData("0.05", "Expected in tolerance: profile ", "As measured: out of tolerance, profile 50.60 µm. Cut it.")]
+    [InlineData("0.004", "Not sure to be in tolerance: profile ", "As measured: out of tolerance, profile 50.60 µm.")]
+    [InlineData(null, "Not judged: the job states no profile tolerance", "Profile as measured 50.60 µm")]
     public void A_compensation_begins_with_its_verdict(string? width, string start, string contained)
     {
         using var folder = new TemporaryFolder();

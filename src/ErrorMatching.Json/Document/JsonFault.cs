@@ -93,7 +93,8 @@ internal readonly record struct JsonFault(int At, string Found, string Expected)
         }
 
         var small = word.ToLowerInvariant();
-        return context.EndsValue ? new(at, $"{word} behind a value", Behind + " (units belong to the key)")
+        return context is { EndsValue: true, IsKey: true } ? new(at, word, "a colon between the key and its value")
+            : context.EndsValue ? new(at, $"{word} behind a value", Behind + " (units belong to the key)")
             : context.IsKeyNext ? new(at, word, $"a key in double quotes (\"{word}\")")
             : small is "true" or "false" or "null" ? new(at, word, $"{small} in small letters")
             : small is "nan" or "infinity" or "inf" ? new(at, word, "a number")

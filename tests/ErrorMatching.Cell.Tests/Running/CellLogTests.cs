@@ -61,7 +61,7 @@ public sealed partial class CellLogTests : IDisposable
         new CellLogLines().Format(
             new(new DateTimeOffset(2026, 11, 21, 22, 5, 6, TimeSpan.Zero), Serilog.Events.LogEventLevel.Warning, null, message, properties),
             text);
-        Assert.Equal("22:05:06 wrn a 23:00:00 inf well\uFFFD[2J\uFFFD.csv: so \"it\" is\n", text.ToString());
+        Assert.Equal("22:05:06 wrn a\\n23:00:00 inf well\\u001b[2J\\u202e.csv: so \"it\" is\n", text.ToString());
     }
 
     [Fact]

@@ -71,7 +71,7 @@ public sealed class SlotReversalTests
     // A program in a slot that held the original, and the machine's word that its piece is cut, which nobody has read yet.
     private static async Task<byte[]> SendOne(RunningCell cell)
     {
-        var original = File.ReadAllBytes(cell.PathOf("job/counterpart.nc"));
+        var original = File.ReadAllBytes(cell.PathOf("job/counterpart-b.nc"));
         cell.Machine["m1"].Files[Program] = original;
         cell.Start();
         cell.Drop("b_S1.csv", 1);

@@ -188,7 +188,7 @@ public sealed class BadInputTests
     [InlineData("N120 X-34.995", "N115 G68 X0. Y0. R10.\nN120 X-34.995", "active-transform|unknown-state|point-off-path")]
     [InlineData(
         "N120 X-34.995",
-        "N115 IF [#500 EQ 1] GOTO 120\nN120 X-34.995",
+        "N115 IF [#500 EQ 1] GOTO 130\nN120 X-34.995",
         "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
     [InlineData("N140 G3", "N130 G3", "block-ambiguous")]
     [InlineData("I6. J0.", "I5. J0.", "bad-arc|point-off-path")]

@@ -17,7 +17,7 @@ public sealed class CorporaTests
         folder.File("partly.nc", "G90 G17 G40 G0 X0. Y0. Z0.\nG999\nX1.\n");
         folder.File("macro.ngc", "o1 sub\ng0 x1\no1 endsub\n");
         folder.File("called.nc", "G90 G0 X0. Y0. Z0.\nM98 P1\n");
-        folder.File("skipped.nc", "G90 G0 X0. Y0. Z0.\n/X1.\n");
+        folder.File("skipped.nc", "G90 G0 X0. Y0. Z0.\n/G91\nG1 X1. F100.\n");
         folder.File("text.txt", "No program.\n");
         File.CreateSymbolicLink(folder["link.nc"], folder["partly.nc"]);
         var (exit, table) = Run(folder.Path);

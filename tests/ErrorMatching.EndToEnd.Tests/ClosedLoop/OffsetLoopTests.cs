@@ -89,7 +89,7 @@ public sealed class OffsetLoopTests
 
         TestContext.Current.TestOutputHelper?.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{offsets} of {jobs} by an offset, which leaves {1000 * Math.Sqrt(byOffset / offsets):0.00} um rms, and blocks "
+            $"{offsets} of {jobs} by an offset, which leaves {1000 * Math.Sqrt(byOffset / offsets):0.00} µm rms, and blocks "
                 + $"{1000 * Math.Sqrt(byBlocks / offsets):0.00}"));
         Assert.True(offsets > 0.8 * jobs, $"{offsets} of {jobs}");
         Assert.True(byOffset < 0.8 * byBlocks, $"{byOffset} and {byBlocks}");

@@ -66,7 +66,7 @@ public sealed class CompensationRefusalTests
                 string.Create(
                     CultureInfo.InvariantCulture,
                     $"Point {bad.Number} (near X{bad.Position.X:0.###} Y{bad.Position.Y:0.###} Z{bad.Position.Z:0.###}) is "
-                        + $"{um:+0.0;-0.0} um off along the normal, where the points around it say {said:+0.0;-0.0} um: "),
+                        + $"{um:+0.0;-0.0} µm off along the normal, where the points around it say {said:+0.0;-0.0} µm: "),
                 refusal.Message,
                 StringComparison.Ordinal);
             Assert.Contains("measure again", refusal.Message, StringComparison.Ordinal);

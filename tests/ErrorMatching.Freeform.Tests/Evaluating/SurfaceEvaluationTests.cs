@@ -54,7 +54,7 @@ public sealed class SurfaceEvaluationTests
         var warning = Assert.Single(e.Pieces[1].Warnings);
         Assert.Equal("outlying-point-measured", warning.Code);
         Assert.StartsWith($"bad.csv: Point {bad.Number} (near ", warning.Message, StringComparison.Ordinal);
-        Assert.Contains("is +480.0 um off", warning.Message, StringComparison.Ordinal);
+        Assert.Contains("is +480.0 µm off", warning.Message, StringComparison.Ordinal);
         Assert.Equal(0.96, e.Together.ProfileIsoMm, 9);
     }
 }

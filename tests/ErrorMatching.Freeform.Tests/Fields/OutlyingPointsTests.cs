@@ -208,8 +208,8 @@ public sealed class OutlyingPointsTests
     public void Words_name_the_furthest_with_its_place_and_the_others_by_number()
     {
         var samples = Spanning(1, 0.025).Samples();
-        Assert.Matches(@"^Point 35 \(near X33\.333 Y31\.5 Z0\) is \+\d+\.\d um off along the normal, "
-            + @"where the points around it say [+-]\d+\.\d um; likewise off is point 1$",
+        Assert.Matches(@"^Point 35 \(near X33\.333 Y31\.5 Z0\) is \+\d+\.\d µm off along the normal, "
+            + @"where the points around it say [+-]\d+\.\d µm; likewise off is point 1$",
             OutlyingPoint.Words(OutlyingPoints.Of(With(samples, (34, 0.15), (0, 0.06)))));
         Assert.EndsWith(
             "likewise off are points 1, 60",

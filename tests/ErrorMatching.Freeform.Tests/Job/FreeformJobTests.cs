@@ -69,7 +69,7 @@ public sealed class FreeformJobTests
     [Theory]
     [InlineData("0.4", "", null, "")]
     [InlineData("0.41", "", "limit-implausible", "at most 0.4 mm, twice compensation.limitMm")]
-    [InlineData("20", "", "limit-implausible", "um? 20 um are 0.02 mm")]
+    [InlineData("20", "", "limit-implausible", "µm? 20 µm are 0.02 mm")]
     [InlineData("0.02", "\"uncertaintyMm\": 0.01,", null, "")]
     [InlineData("0.02", "\"uncertaintyMm\": 0.010001,", "gauge-too-coarse", "at least 0.020002 mm")]
     [InlineData("0.0329, \"decision\": { \"rule\": \"guard-band\" }", "\"uncertaintyMm\": 0.01,", null, "")]

@@ -104,7 +104,7 @@ public sealed class CommentTextTests
         Assert.DoesNotContain(bytes.ToArray(), b => b > 126 || (b < 32 && b != 10));
         var run = NcInterpreter.Run(program, dialect);
         Assert.Null(run.Refusal);
-        Assert.Empty(run.Problems);
+        Assert.Empty(Plans.Faults(run));
         Assert.DoesNotContain(run.Motions, m => m.End.Z == -100);
         for (var i = 0; i < program.BlockCount; i++)
         {

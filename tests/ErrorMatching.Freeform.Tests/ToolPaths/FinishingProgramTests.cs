@@ -20,7 +20,7 @@ public sealed class FinishingProgramTests
 
         var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
         Assert.Null(read.Refusal);
-        Assert.Empty(read.Problems);
+        Assert.Empty(Plans.Faults(read));
         var moves = path.Moves().ToList();
         var offset = read.Motions.Length - moves.Count;
         Assert.Equal(1, offset);
@@ -120,7 +120,7 @@ public sealed class FinishingProgramTests
             CuttingStage.Roughing);
 
         var read = NcInterpreter.Run(NcProgram.Read(bytes), dialect);
-        Assert.Empty(read.Problems);
+        Assert.Empty(Plans.Faults(read));
         Assert.DoesNotContain(Enumerable.Range(0, read.Motions.Length).Select(i => read.Motions[i].End.X), x => x > 100);
         Assert.Contains("(ROUGHING, ", Encoding.ASCII.GetString(bytes), StringComparison.Ordinal);
     }
@@ -157,7 +157,7 @@ public sealed class FinishingProgramTests
         var bytes = FinishingProgram.Write(path, job, dialect, marker: marker);
         var program = NcProgram.Read(bytes, dialect.Syntax);
         Assert.Equal([(line, marker)], Marker.Find(program));
-        Assert.Empty(NcInterpreter.Run(program, dialect).Problems);
+        Assert.Empty(Plans.Faults(NcInterpreter.Run(program, dialect)));
 
         // Besides that line it is the program that follows none.
         var lines = Encoding.ASCII.GetString(bytes).Split('\n').ToList();

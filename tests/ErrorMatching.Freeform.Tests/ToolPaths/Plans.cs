@@ -31,6 +31,10 @@ internal static class Plans
         return result.Path;
     }
 
+    /// <summary>What is wrong with a program, but for the alarm by which it stops where no tool is named.</summary>
+    public static IEnumerable<NcProblem> Faults(NcPath read) => read.Problems.Where(
+        p => p.Code != NcRefusalCodes.RefusedByControl || read.Program.TextOf(read.Program[p.Block]).TrimEnd() != "T-1 M6");
+
     public static FreeformJob Job(JobToolpath toolpath, string dialect, string name = "Surface one") => FreeformJob.Parse(
         System.Text.Encoding.UTF8.GetBytes(
             $$"""

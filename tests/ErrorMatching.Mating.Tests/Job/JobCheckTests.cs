@@ -24,7 +24,7 @@ public sealed class JobCheckTests
     [InlineData("\"measured\": \"part.csv\"", "\"mesured\": \"part.csv\"", "missing-key", "$.part", "unknown-key", "$.part.mesured")]
     [InlineData("0.002", "-0.002", "too-small", "$.gauge.uncertaintyMm")]
     [InlineData("0.002", "[{ \"name\": \"a\" }]", "missing-key", "$.gauge.uncertaintyMm[0]")]
-    [InlineData("0.002", "\"2 um\"", "wrong-type", "$.gauge.uncertaintyMm")]
+    [InlineData("0.002", "\"2 µm\"", "wrong-type", "$.gauge.uncertaintyMm")]
     [InlineData("0.002", "0.002, \"stylusDiameterMm\": 0", "too-small", "$.gauge.stylusDiameterMm")]
     [InlineData("0.002", "0.002, \"reports\": \"stylus\"", "not-one-of", "$.gauge.reports")]
     [InlineData("0.002", "0.002, \"measuring\": { \"probingSpeedMmPerS\": 0 }", "too-small", "$.gauge.measuring.probingSpeedMmPerS")]

@@ -78,7 +78,7 @@ public sealed class MistakenUnitTests
         Assert.Equal(("limit-implausible", "L1", "$.features[0].toleranceMm"), (refusal.Code, refusal.Place.Feature, refusal.Place.Path));
         Assert.True(refusal.Place is { Line: > 1, Column: > 1 });
         Assert.Contains(
-            "allow 9.5 mm, and no point of it is more than 0.0900 mm off: are they in um", refusal.Message, StringComparison.Ordinal);
+            "allow 9.5 mm, and no point of it is more than 0.0900 mm off: are they in µm", refusal.Message, StringComparison.Ordinal);
     }
 
     // Wide beside what is off, and meant: one good piece, a general tolerance, a part as designed, what the gauge cannot see.

@@ -84,8 +84,10 @@ internal sealed class RandomBlock
             case 12: Words("G10", "L20", "P" + _random.Below(10), "X1", "Y2"); break;
             case 13: Words("G10", Any("L1", "L10", "L11"), "P" + (1 + _random.Below(9)), Any("Z5", "R3", "X1"), Any("Q1", "I10")); break;
             case 14: Words(Any("G28", "G30"), Any("X1", "Z5", "Y2")); break;
-            case 15: Words(Any("G28.1", "G30.1", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G95", "G98",
-                "G99")); break;
+            case 15:
+                Words(Any(
+                    "G28.1", "G30.1", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G95", "G98", "G99"));
+                break;
             case 16: Words(["G53", Any("G0", "G1"), .. Split(Axes())]); break;
             case 17: Words(["G92", .. Split(Axes())]); break;
             case 18: Words(Any("G92.1", "G92.2", "G92.3", "G49", "G40", "G80", "G61", "G61.1", "G64", "G97")); break;
@@ -107,8 +109,9 @@ internal sealed class RandomBlock
             case 34: Behind("G93"); Words("G1", "X5", "F" + Number(1, 9)); break;
             case 35: Behind("G95", "M3 S400"); Words("G1", "X5", "F0.1"); break;
             case 36: Words(Any("G96 D2000", "G96"), "S" + Number(1, 300)); break;
-            case 37: Words(Any("M0", "M1", "M3", "M4", "M5", "M7", "M8", "M9", "M48", "M49", "M60", "M70"),
-                Any("S800", "F90", "T3")); break;
+            case 37:
+                Words(Any("M0", "M1", "M3", "M4", "M5", "M7", "M8", "M9", "M48", "M49", "M60", "M70"), Any("S800", "F90", "T3"));
+                break;
             case 38:
                 Words(Any("M62 P1", "M63 P2", "M64 P0", "M65 P3", "M66 P1", "M66 E1", "M67 E1 Q5", "M68 E0 Q1", "M50 P1", "M52 P0",
                 "M61 Q2", "T4 M6", "M19 R90", "M19 R10 P1", "M66 P1 L3 Q2"));

@@ -66,7 +66,7 @@ internal sealed class FreeformCheckAnswer(FreeformJob job) : DocumentAnswer
     {
         { ReconstructionErrorMm: { } error } => $"as many points as {Mm(error)} takes",
         { PointsPerCurve: { } each } m => $"{m.Curves} curves of {each} points",
-        var m => $"{ReportNumber.Count(m.Points, "point")} on {ReportNumber.Count(m.Curves, "curve")}",
+        var m => $"{ReportNumber.Count(m.Points ?? 0, "point")} on {ReportNumber.Count(m.Curves ?? 0, "curve")}",
     };
 
     private IEnumerable<(string Role, string File)> Files => new (string Role, string? File)[]

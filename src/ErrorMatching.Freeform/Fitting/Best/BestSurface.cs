@@ -85,7 +85,7 @@ internal static class BestSurface
                 "grid of points",
                 string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{ReportNumber.Count(grid.Curves.Count, "curve")} with {ReportNumber.Count(count, "point")}; "
+                    $"{ReportNumber.Count(grid.Curves.Count, "curve")} with {count} {(count == 1 ? "point" : "points")}; "
                         + $"a surface needs at least two curves of at least two points each"));
         }
 
