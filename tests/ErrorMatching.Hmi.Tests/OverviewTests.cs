@@ -65,7 +65,7 @@ public sealed class OverviewTests
         var why = Recorded.All.Single(f => f.Name == "backlog-grows").With("cmm", 1069, 1);
         var trouble = new CellTrouble(CellTrouble.OfBacklog("cmm"), CellCodes.BacklogGrows, why.Sentence, now) { Recorded = why.Text };
         seat.WaitFor(() => Lives(trouble) && overview.Gauges[0].Severity == Severity.Alarm, "A backlog that grows is no alarm.");
-        Assert.StartsWith("More is measured than the cell computes.", overview.Gauges[0].State, StringComparison.Ordinal);
+        Assert.StartsWith("What waits has grown for a minute: more arrives th", overview.Gauges[0].State, StringComparison.Ordinal);
         Texts.Current.Language = Language.TraditionalChinese;
         try
         {
