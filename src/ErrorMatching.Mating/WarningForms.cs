@@ -50,11 +50,17 @@ public static class WarningForms
         "The gauge is coarse for {0}: its uncertainty (k = 2) is {1} mm, and the limits are {2} mm apart: {3} %. At most a third is "
             + "usual. A point near a limit may be decided wrongly: use a better gauge or wider limits.");
 
+    /// <summary>How many times the stated uncertainty the points scatter, and the ends of its 95 % interval.</summary>
+    public static SentenceForm UncertaintyContradicted { get; } = new(
+        "stated-uncertainty",
+        "The points scatter by {0} times the uncertainty that the job states ({1} to {2}, 95 %): the intervals and the risk are wrong by "
+            + "as much. Is uncertaintyMm right, or is the surface rough?");
+
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
             SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, ToolRadiusDiffers, Aligned, MeasuredNotThere, GaugeCoarse,
-            LotWords.Outlier, LotWords.Moved,
+            UncertaintyContradicted, LotWords.Outlier, LotWords.Moved,
         ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>

@@ -24,6 +24,9 @@ internal static class MatchVerdictText
             VerdictCode.Within => (Within(verdict, "Pair.AllWithin"), "Pair.Cut"),
             VerdictCode.NoLimits => (
                 verdict.Worst is { } worst ? texts.With("Pair.NoLimits", Size(worst)) : texts["Pair.NoPoints"], "Pair.Cut"),
+            VerdictCode.CheckOrigin => (
+                Sentence.Joined(Within(verdict, "Pair.AllWithin"), Origin(verdict.Trust!.Motion!)), "Pair.CutIfSo"),
+            VerdictCode.SuspectPoints => (Suspects(verdict.Trust!.Suspects), "Pair.NotBefore"),
             VerdictCode.NotAccepted => (
                 texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), VerdictParts.Names(verdict.NotAccepted)),
                 "Pair.AcceptRisk"),
@@ -63,9 +66,18 @@ internal static class MatchVerdictText
     public static Severity SeverityOf(VerdictCode code) => code switch
     {
         VerdictCode.Within => Severity.Quiet,
-        VerdictCode.Outside or VerdictCode.ProofFails => Severity.Alarm,
+        VerdictCode.Outside or VerdictCode.SuspectPoints or VerdictCode.ProofFails => Severity.Alarm,
         _ => Severity.Attention,
     };
+
+    // The first of them with its size; what to do is the same for all.
+    private static string Suspects(IReadOnlyList<SuspectPoint> suspects) => Texts.Current.Counted(
+        "Pair.Suspects", suspects.Count, suspects[0].Point, suspects[0].Feature, Shown.SignedMm(suspects[0].StandsOutMm),
+        VerdictParts.Names([.. suspects.Select(s => s.Point)]));
+
+    private static string Origin(CommonMotion motion) => Texts.Current.With(
+        "Pair.CheckOrigin", Shown.SignedMm(motion.ShiftMm.X), Shown.SignedMm(motion.ShiftMm.Y),
+        Shown.Number(motion.TurnDeg), Shown.Percent(100 * motion.Explains));
 
     private static string Within(MatchVerdict verdict, string key = "Pair.Within") => Texts.Current.With(
         key,

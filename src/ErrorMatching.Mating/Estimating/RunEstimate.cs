@@ -47,6 +47,32 @@ internal sealed class RunEstimate
     /// <summary>Root mean square of what the last comparison found, mm.</summary>
     public double LeftMm { get; private set; }
 
+    /// <summary>What the measured points say about the elements as the program before cuts them, with the point of each row. Without
+    /// elements, a row is the deviation of its point alone.</summary>
+    public (BoundaryRow[] Rows, RunPoint[] Points) MeasuredRows()
+    {
+        var rows = new List<(BoundaryRow Row, RunPoint Point)>();
+        for (var i = 0; i < Points.Count; i++)
+        {
+            var point = Points[i];
+            if (point.Beside is { } beside)
+            {
+                rows.Add((new([new(IndexOf(beside.Element), beside.AlongMm, 1)], point.Deviation.Dot(point.Normal)), point));
+                continue;
+            }
+
+            var foot = _before.FootOf(point.Theoretical + point.Deviation, point.Normal);
+            RowTerm[] terms = [
+                .. Run.SharesAt(Run.Path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
+            if (terms.Length > 0 || Run.Elements.Count == 0)
+            {
+                rows.Add((new(terms, Nominal[i].DistanceMm - foot.DistanceMm), point));
+            }
+        }
+
+        return ([.. rows.Select(r => r.Row)], [.. rows.Select(r => r.Point)]);
+    }
+
     /// <summary>Compares the places that the key points want with a path, exactly.</summary>
     /// <param name="path">The program before, or one with the displacement that <see cref="Cuts"/> follow.</param>
     /// <param name="isWhole">True for the measured places themselves; false for those that the compensation wants.</param>

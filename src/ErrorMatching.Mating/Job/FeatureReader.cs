@@ -8,7 +8,8 @@ namespace ErrorMatching.Mating;
 /// <summary>Reads the features of a job.</summary>
 /// <param name="problems">The problems of the job.</param>
 /// <param name="tolerances">Reads their limits.</param>
-internal sealed class FeatureReader(JobProblems problems, ToleranceReader tolerances)
+/// <param name="without">The key points that somebody took out of the job.</param>
+internal sealed class FeatureReader(JobProblems problems, ToleranceReader tolerances, IReadOnlyList<JsonItem> without)
 {
     private readonly Dictionary<string, JobFeature> _byName = new(StringComparer.Ordinal);
 
@@ -16,7 +17,7 @@ internal sealed class FeatureReader(JobProblems problems, ToleranceReader tolera
     public IReadOnlyDictionary<string, JobFeature> ByName => _byName;
 
     /// <summary>The labels of their key points.</summary>
-    public KeyPointLabels Labels { get; } = new(problems);
+    public KeyPointLabels Labels { get; } = new(problems, without);
 
     /// <summary>Reads a feature.</summary>
     /// <param name="item">The feature in the job.</param>

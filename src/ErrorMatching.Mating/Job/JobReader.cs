@@ -21,7 +21,7 @@ internal sealed class JobReader(JsonItem root)
     public MatingJob Read(string file, string sha256)
     {
         var tolerances = new ToleranceReader(_problems);
-        var features = new FeatureReader(_problems, tolerances);
+        var features = new FeatureReader(_problems, tolerances, root.Find("without")?.Items ?? []);
 
         // Read the chain first, because features may take their limits from it.
         var chain = root.Find("toleranceChain") is { } links ? tolerances.ReadChain(links) : null;
@@ -36,6 +36,8 @@ internal sealed class JobReader(JsonItem root)
             Alignment = root.Find("alignment") is { } alignment ? ReadAlignment(alignment) : JobAlignment.None,
             OriginCheck = root.Find("originCheck") is { } origin ? new(origin["point"].Text, origin["limitMm"].Number) : null,
             Features = [.. root["features"].Items.Select(f => features.Read(f, chain))],
+            Without = [.. (root.Find("without")?.Items ?? []).Select(i => i.Text)],
+            CommonMotionMm = root.Find("commonMotionMm")?.Number,
             Counterpart = ReadCounterpart(root["counterpart"]),
             Compensation = root.Find("compensation") is { } compensation ? ReadCompensation(compensation) : JobCompensation.Default,
             Correction = root.Find("correction") is { } correction ? ReadCorrection(correction) : JobCorrection.Default,
@@ -63,6 +65,7 @@ internal sealed class JobReader(JsonItem root)
                 NcDialects.ExpectedInsteadOf(job.Counterpart.Dialect));
         }
 
+        features.Labels.CheckWithout();
         new LimitCheck(_problems).Check(root, job);
         return job;
     }

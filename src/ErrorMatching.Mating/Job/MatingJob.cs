@@ -52,6 +52,13 @@ public sealed record MatingJob
     /// <summary>The mating boundary in the order of cutting; at least one feature.</summary>
     public required IReadOnlyList<JobFeature> Features { get; init; }
 
+    /// <summary>Labels of key points that somebody took out of the job because their reading did not fit; no feature has them.</summary>
+    public IReadOnlyList<string> Without { get; init; } = [];
+
+    /// <summary>The largest motion of the part as a whole that is taken for the part's own, mm; null for the largest limit. A larger one
+    /// asks whether the origin is right.</summary>
+    public double? CommonMotionMm { get; init; }
+
     /// <summary>The piece to be cut, and its program.</summary>
     public required JobCounterpart Counterpart { get; init; }
 

@@ -33,6 +33,9 @@ public sealed record MatchResult(
     /// <summary>In feedback, the counterparts measured so far, and what the program to cut corrects; otherwise null.</summary>
     public CounterpartLot? Lot { get; init; }
 
+    /// <summary>What the measured points say about each other.</summary>
+    public required MeasurementTrust Trust { get; init; }
+
     /// <summary>By what the correction is made; null if the job allows blocks alone.</summary>
     public CorrectionChoice? Correction { get; init; }
 

@@ -54,9 +54,33 @@ public static class Matcher
             return Outcome.Refused<MatchResult>(decision.Refusals);
         }
 
-        return decision.Compensates
-            ? Compensate(input, path, maps, part, counterpart, lot, decision)
-            : Unchanged(input, path, maps, part, counterpart, lot, decision);
+        var known = new Known(input, path, maps, part, counterpart, lot, decision);
+        return decision.Compensates ? Compensate(known) : Unchanged(known);
+    }
+
+    // What is known before anything is corrected.
+    private sealed record Known(
+        MatchInput Input,
+        NcPath Path,
+        IReadOnlyList<FeatureMap> Maps,
+        AlignedMeasurement Part,
+        AlignedMeasurement? Counterpart,
+        CounterpartLot? Lot,
+        MatingDecision Decision)
+    {
+        public Marker Marker => new(Input.Compensated.Sha256, Path.Sha256);
+
+        public CourseEstimator Estimator() => new(Input.Job, Path, Maps, Decision, Input.Theoretical);
+
+        public OffsetChooser Chooser(CourseEstimator estimator, NcPath? after) => new(
+            Input.Job, Path, Maps, Decision, estimator, after, OffsetsBefore(Input), OffsetsFile(Input, Path), Marker);
+
+        public MatchResult Result(
+            NcPath after, MatingPrediction prediction, NcProof proof, DisplacementWish? wish, Rewrite? rewrite, Marker? marker) =>
+            new(Input, Path, after, Maps, Part, Counterpart, Decision, prediction, wish, rewrite, marker, proof)
+            {
+                Trust = Estimator().Trust(),
+            };
     }
 
     private static Refusal? CheckBefore(MatchInput input, NcPath path)
@@ -114,72 +138,52 @@ public static class Matcher
         })])];
     }
 
-    private static Outcome<MatchResult> Compensate(
-        MatchInput input,
-        NcPath path,
-        IReadOnlyList<FeatureMap> maps,
-        AlignedMeasurement part,
-        AlignedMeasurement? counterpart,
-        CounterpartLot? lot,
-        MatingDecision decision)
+    private static Outcome<MatchResult> Compensate(Known known)
     {
-        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
+        var (path, job) = (known.Path, known.Input.Job);
+        var estimator = known.Estimator();
         var outcome = estimator.Estimate();
         if (!outcome.IsUsable)
         {
-            return ByOffset(input, path, maps, part, counterpart, lot, decision, estimator) ?? Named(outcome.Refusal, maps);
+            return ByOffset(known, estimator) ?? Named(outcome.Refusal, known.Maps);
         }
 
         var (wish, rewrite) = (outcome.Result.Wish, outcome.Result.Rewrite);
         if (rewrite.Patches.Count == 0)
         {
             // Every correction is less than half an increment, so the program is already right.
-            return Unchanged(input, path, maps, part, counterpart, lot, decision);
+            return Unchanged(known);
         }
 
-        var marker = MarkerOf(input, path);
+        var marker = known.Marker;
         var program = NcProgram.Read(marker.InsertInto(rewrite.Program), path.Dialect.Syntax);
         var proof = Prover.Check(path, program, wish, rewrite.LeastIncrementMm, marker.TextIn(path.Dialect.Syntax));
         if (!proof.Holds)
         {
-            return Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, maps))]);
+            return Outcome.Refused<MatchResult>([.. proof.Failures.Select(f => Named(f, known.Maps))]);
         }
 
         var after = NcInterpreter.Run(program, path);
         var prediction = estimator.Predict(after);
         CorrectionChoice? correction = null;
-        if (input.Job.Correction.AllowsOffsets)
+        if (job.Correction.AllowsOffsets)
         {
-            var chooser = new OffsetChooser(
-                input.Job, path, maps, decision, estimator, after, OffsetsBefore(input), OffsetsFile(input, path), marker);
+            var chooser = known.Chooser(estimator, after);
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
-                return Unchanged(
-                    input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!));
+                return Unchanged(known, correction, estimator.PredictOn(chooser.Chosen!));
             }
 
-            if (!input.Job.Correction.Allows(CorrectionKind.Blocks))
+            if (!job.Correction.Allows(CorrectionKind.Blocks))
             {
                 return Insufficient(correction);
             }
         }
 
-        return new MatchResult(
-                input,
-                path,
-                after,
-                maps,
-                part,
-                counterpart,
-                decision,
-                prediction,
-                wish,
-                rewrite,
-                marker,
-                proof)
+        return known.Result(after, prediction, proof, wish, rewrite, marker) with
         {
-            Lot = After(lot, prediction),
+            Lot = After(known.Lot, prediction),
             Correction = correction,
         };
     }
@@ -188,30 +192,21 @@ public static class Matcher
         lot?.After(prediction.Features.SelectMany(f => f.Points.Select(p => p.AfterMm - p.BeforeMm)));
 
     // Blocks cannot follow; an offset that brings the boundary to where it should be may.
-    private static Outcome<MatchResult>? ByOffset(
-        MatchInput input,
-        NcPath path,
-        IReadOnlyList<FeatureMap> maps,
-        AlignedMeasurement part,
-        AlignedMeasurement? counterpart,
-        CounterpartLot? lot,
-        MatingDecision decision,
-        CourseEstimator estimator)
+    private static Outcome<MatchResult>? ByOffset(Known known, CourseEstimator estimator)
     {
-        if (!input.Job.Correction.AllowsOffsets || input.Job.Compensation is not { Gain: 1, Amount: CompensationAmount.Whole })
+        var job = known.Input.Job;
+        if (!job.Correction.AllowsOffsets || job.Compensation is not { Gain: 1, Amount: CompensationAmount.Whole })
         {
             return null;
         }
 
-        estimator.Predict(path);
-        var chooser = new OffsetChooser(
-            input.Job, path, maps, decision, estimator, null, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path));
+        // Offsets are compared by the boundary of the piece as it is.
+        estimator.Predict(known.Path);
+        var chooser = known.Chooser(estimator, null);
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
-            ? Unchanged(input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!))
+            ? Unchanged(known, correction, estimator.PredictOn(chooser.Chosen!))
             : null;
     }
-
-    private static Marker MarkerOf(MatchInput input, NcPath path) => new(input.Compensated.Sha256, path.Sha256);
 
     // In feedback the counterpart was cut with the offsets of the match before. In feed-forward each piece starts from none.
     private static OffsetTotals? OffsetsBefore(MatchInput input) =>
@@ -233,30 +228,21 @@ public static class Matcher
                 refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
 
     private static Outcome<MatchResult> Unchanged(
-        MatchInput input,
-        NcPath path,
-        IReadOnlyList<FeatureMap> maps,
-        AlignedMeasurement part,
-        AlignedMeasurement? counterpart,
-        CounterpartLot? lot,
-        MatingDecision decision,
-        CorrectionChoice? correction = null,
-        MatingPrediction? predicted = null)
+        Known known, CorrectionChoice? correction = null, MatingPrediction? predicted = null)
     {
+        var path = known.Path;
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Elementary.Pow(10, -path.Dialect.MetricDecimals));
-        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
+        var estimator = known.Estimator();
         var prediction = predicted ?? estimator.Predict(path);
-        if (correction is null && input.Job.Correction.AllowsOffsets)
+        if (correction is null && known.Input.Job.Correction.AllowsOffsets)
         {
-            correction = new OffsetChooser(
-                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path))
-                .Choose(compensates: false);
+            correction = known.Chooser(estimator, path).Choose(compensates: false);
         }
 
-        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof)
+        return known.Result(path, prediction, proof, null, null, null) with
         {
-            Lot = predicted is null ? lot : After(lot, prediction),
+            Lot = predicted is null ? known.Lot : After(known.Lot, prediction),
             Correction = correction,
         };
     }

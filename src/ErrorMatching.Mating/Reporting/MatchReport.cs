@@ -33,6 +33,12 @@ public sealed record MatchReport
     /// versions.</summary>
     public double? ProbabilityAfter { get; init; }
 
+    /// <summary>What the measured points say about each other; null in reports of earlier versions.</summary>
+    public MeasurementTrust? Trust { get; init; }
+
+    /// <summary>Labels of the key points that somebody took out of the job.</summary>
+    public IReadOnlyList<string> Without { get; init; } = [];
+
     /// <summary>The gauge's uncertainty and its contributions.</summary>
     public required UncertaintyBudget Uncertainty { get; init; }
 

@@ -23,6 +23,7 @@ public static class MatchReportJson
             w.Inputs(report.Inputs);
             w.Object("alignment", () => WriteAlignments(w, report.Alignments));
             w.Optional("originCheck", report.OriginCheck, c => WriteOriginCheck(w, c));
+            w.Texts("without", report.Without);
             w.Object("compensation", () => WriteCompensation(w, report.Compensation));
             w.Optional("decisionRule", report.Rule, r => WriteRule(w, r));
             w.Number("probabilityBefore", report.ProbabilityBefore);
@@ -67,6 +68,8 @@ public static class MatchReportJson
             Rule = document.OptionalObject("decisionRule") is { } rule ? ReadRule(rule) : null,
             ProbabilityBefore = document.OptionalNumber("probabilityBefore"),
             ProbabilityAfter = document.OptionalNumber("probabilityAfter"),
+            Trust = document.OptionalObject("verdict") is { } verdict ? MeasurementTrust.Read(verdict) : null,
+            Without = document.OptionalTexts("without"),
             Uncertainty = ReadUncertainty(document.Object("uncertainty")),
             Chain = document.OptionalObject("toleranceChain") is { } chain ? ReportChain.Read(chain) : null,
             Features = features,

@@ -39,6 +39,8 @@ public static class MatchReporter
             Rule = job.Rule,
             ProbabilityBefore = result.Decision.ProbabilityBefore,
             ProbabilityAfter = Conformance.OfIndependent(after),
+            Trust = result.Trust,
+            Without = job.Without,
             Uncertainty = job.Gauge.Uncertainty,
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
             Features = [.. result.Maps.Select((map, i) => Feature(result, map, i, evaluations[i]))],
@@ -255,6 +257,15 @@ public static class MatchReporter
         foreach (var warning in GaugeCapability.WarningsOf(result.Input.Job))
         {
             yield return warning;
+        }
+
+        if (result.Trust.Scatter is { IsContradicted: true } scatter)
+        {
+            yield return WarningForms.Warning(
+                WarningForms.UncertaintyContradicted,
+                ReportNumber.Rough(scatter.Ratio),
+                ReportNumber.Rough(scatter.From),
+                ReportNumber.Rough(scatter.To));
         }
 
         foreach (var (form, values) in result.Lot?.Next is { } lot ? LotWords.Warnings(lot) : [])

@@ -17,7 +17,10 @@ public sealed record MatchVerdict
     public required VerdictCode Code { get; init; }
 
     /// <summary>True if the counterpart can be cut; false if somebody has to decide first.</summary>
-    public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits;
+    public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.CheckOrigin;
+
+    /// <summary>What the measured points say about each other; null in reports of earlier versions.</summary>
+    public required MeasurementTrust? Trust { get; init; }
 
     /// <summary>True if something is corrected, by the program or by an offset.</summary>
     public required bool IsCompensated { get; init; }
@@ -77,11 +80,14 @@ public sealed record MatchVerdict
         return new()
         {
             Code = !report.Proof.Holds ? VerdictCode.ProofFails
+                : report.Trust is { Suspects.Count: > 0 } ? VerdictCode.SuspectPoints
                 : outside.Count > 0 ? VerdictCode.Outside
                 : between.Count > 0 ? VerdictCode.OutsideBetween
                 : notAccepted.Count > 0 ? VerdictCode.NotAccepted
+                : report.Trust is { Motion.AsksForOrigin: true } ? VerdictCode.CheckOrigin
                 : judged.Length == 0 ? VerdictCode.NoLimits
                 : VerdictCode.Within,
+            Trust = report.Trust,
             IsCompensated = report.IsCorrected,
             OffsetsToDo = CorrectionWords.ToDo(report.Correction),
             Points = judged.Length,
@@ -115,6 +121,7 @@ public sealed record MatchVerdict
         w.Optional("worst", Worst, e => e.Write(w));
         w.Optional("worstBetween", WorstBetween, e => e.Write(w));
         w.Number("probabilityAfter", ProbabilityAfter);
+        Trust?.Write(w);
         w.Text("sentence", VerdictWords.Of(this));
     }
 
@@ -167,6 +174,10 @@ public enum VerdictCode
     /// <summary>No feature has limits with a width: cut, as far as limits tell.</summary>
     NoLimits,
 
+    /// <summary>Every key point will be within its limits, but one motion of the whole part explains nearly all that was measured: cut, if
+    /// the origin is right.</summary>
+    CheckOrigin,
+
     /// <summary>A key point will be within its limits, but inside the guard band of the job's rule.</summary>
     NotAccepted,
 
@@ -175,6 +186,9 @@ public enum VerdictCode
 
     /// <summary>A key point will be outside its limits.</summary>
     Outside,
+
+    /// <summary>A measured point does not fit the others: measure it again.</summary>
+    SuspectPoints,
 
     /// <summary>The proof of the program does not hold: do not use it.</summary>
     ProofFails,

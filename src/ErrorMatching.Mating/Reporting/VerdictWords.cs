@@ -19,6 +19,10 @@ public static class VerdictWords
             VerdictCode.NoLimits => (verdict.Worst is { } worst
                 ? $"No feature has limits with a width; the worst error left will be {Size(worst)}."
                 : "There are no key points.") + $"{unchanged} Cut it.",
+            VerdictCode.CheckOrigin =>
+                $"{Within(verdict)}.{unchanged} But {Motion(verdict.Trust!.Motion!)} of what was measured: is the origin right? "
+                    + "Cut it if so.",
+            VerdictCode.SuspectPoints => $"{Suspects(verdict.Trust!.Suspects)} Do not cut it before.",
             VerdictCode.NotAccepted =>
                 $"{Within(verdict)}, but the decision rule does not accept {Points(verdict.NotAccepted)}: too near the "
                     + $"{(verdict.NotAccepted.Count == 1 ? "limit" : "limits")}.{unchanged} Do not cut it unless you accept the risk.",
@@ -32,6 +36,57 @@ public static class VerdictWords
                     + $"{unchanged} Do not cut it unless that is acceptable there.",
             _ => "The proof of the program does not hold. Do not use it.",
         };
+    }
+
+    /// <summary>Points that do not fit the others: which, how far they stand out, and what to do.</summary>
+    public static string Suspects(IReadOnlyList<SuspectPoint> suspects)
+    {
+        ArgumentNullException.ThrowIfNull(suspects);
+        var first = suspects[0];
+        var others = suspects.Count == 1 ? ""
+            : $" Nor {(suspects.Count == 2 ? "does" : "do")} {Points([.. suspects.Skip(1).Select(s => s.Point)])}.";
+        return $"Point {first.Point} of {first.Feature} does not fit the others: it stands out by "
+            + $"{ReportNumber.SignedMm(first.StandsOutMm)}.{others} Measure {Points([.. suspects.Select(s => s.Point)])} again, or take "
+            + $"{(suspects.Count == 1 ? "it" : "them")} out of the job (\"without\").";
+    }
+
+    /// <summary>One motion of the whole part, as the subject of a sentence, and the share that it explains.</summary>
+    public static string Motion(CommonMotion motion)
+    {
+        ArgumentNullException.ThrowIfNull(motion);
+        var turn = Math.Abs(motion.TurnDeg) <= 2 * motion.Uncertainty.TurnDeg ? ""
+            : $" and a turn of {Turn(motion.TurnDeg)} ± {Turn(2 * motion.Uncertainty.TurnDeg).TrimStart('+')} degrees";
+        return $"one shift of x {Shift(motion.ShiftMm.X, motion.Uncertainty.X)}, y {Shift(motion.ShiftMm.Y, motion.Uncertainty.Y)}{turn} "
+            + $"{(turn.Length == 0 ? "explains" : "explain")} {ReportNumber.WholePercent(100 * motion.Explains)} %";
+
+        static string Shift(double mm, double uncertainty) => $"{ReportNumber.Signed(mm)} ± {ReportNumber.Plain(2 * uncertainty)}";
+        static string Turn(double degrees) => degrees.ToString("+0.0000;-0.0000;0.0000", CultureInfo.InvariantCulture);
+    }
+
+    /// <summary>What the points say about each other beside the verdict, in sentences.</summary>
+    public static IEnumerable<string> Trust(MatchVerdict verdict)
+    {
+        ArgumentNullException.ThrowIfNull(verdict);
+        if (verdict.Trust is not { } trust)
+        {
+            yield break;
+        }
+
+        if (trust.Suspects.Count > 0 && verdict.Code != VerdictCode.SuspectPoints)
+        {
+            yield return Suspects(trust.Suspects);
+        }
+
+        if (trust.Motion is { AsksForOrigin: true } motion && verdict.Code != VerdictCode.CheckOrigin)
+        {
+            yield return $"O{Motion(motion)[1..]} of what was measured: is the origin right?";
+        }
+
+        if (trust.Unchecked.Count > 0)
+        {
+            yield return $"The points of {ReportNames.Of(trust.Unchecked)} are too few to contradict each other: a wrong reading there "
+                + "would not be noticed.";
+        }
     }
 
     /// <summary>The risk that a point will be outside its limits, with the program and without compensation; null if it is not

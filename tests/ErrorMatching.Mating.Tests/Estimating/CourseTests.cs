@@ -120,7 +120,7 @@ public sealed class CourseTests
 
     private static FeaturePass Pass(double length) => new(0, 0, [0, length], []);
 
-    private static (Func<double, double> Truth, double[] Along, double[] Values) Curve(int seed, double noise)
+    internal static (Func<double, double> Truth, double[] Along, double[] Values) Curve(int seed, double noise)
     {
         var random = new Random(seed);
         var (length, count) = (Between(35, 45), random.Next(5, 15));

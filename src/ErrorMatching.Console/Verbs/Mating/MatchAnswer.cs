@@ -98,7 +98,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     {
         var verdict = _report.Verdict;
         page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
-        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>())
+        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>()
+            .Concat(VerdictWords.Trust(verdict)))
         {
             page.Line(sentence);
         }

@@ -1,0 +1,126 @@
+using ErrorMatching.Geometry;
+using MathNet.Numerics.LinearAlgebra;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Finds the key points of one run that do not fit the others: each is predicted from the others, and named if it is further
+/// off than they allow.</summary>
+internal static class SuspectSearch
+{
+    /// <summary>Fewest points of a run that can contradict each other.</summary>
+    public const int Fewest = 5;
+
+    // Beside a bad point its neighbors look bad, too: the worst few are tried.
+    private const int Tried = 3;
+
+    // A direction that the points do not determine.
+    private const double LeastShare = 1e-6;
+
+    /// <summary>How many standard deviations a point may be off: few points know their own scales less well. With them, 1 of 400 random
+    /// parts with smooth errors has a false name (<c>SuspectSearchTests</c>).</summary>
+    public static double MostSigmas(int points) => points switch { <= 5 => 6, 6 => 5, _ => 4.3 };
+
+    /// <summary>Searches the points of a run that has elements with a course.</summary>
+    /// <remarks>With the covariance K of all values, point i is off by r = [K^-1 y]_i / [K^-1]_ii with the standard deviation
+    /// s = [K^-1]_ii^-1/2 (Rasmussen and Williams 2006, section 5.4.2; method, section 11). The scales of K are learned without the
+    /// point, because a bad point widens them until it fits.</remarks>
+    /// <param name="elements">The elements of the run.</param>
+    /// <param name="rows">What its key points say.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
+    public static IReadOnlyList<Suspect> AlongCourse(
+        IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
+        All(rows.Count, left => WorstAlongCourse(elements, [.. left.Select(i => rows[i])], uncertaintyMm));
+
+    /// <summary>Searches the points around a feature without a course, such as a bore: what they have in common is a shift, a turn and a
+    /// growth.</summary>
+    /// <remarks>Deleted residuals of least squares (Cook and Weisberg 1982, section 2.2), with the noise of the others, and at least the
+    /// stated uncertainty.</remarks>
+    /// <param name="points">The key points.</param>
+    /// <param name="values">Their deviations along the normal.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of a deviation.</param>
+    public static IReadOnlyList<Suspect> AroundShape(IReadOnlyList<RunPoint> points, IReadOnlyList<double> values, double uncertaintyMm) =>
+        All(points.Count, left => WorstAroundShape(
+            [.. left.Select(i => points[i])], [.. left.Select(i => values[i])], Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm)));
+
+    // If more than a fifth of the points do not fit, the model is wrong, not the points.
+    private static List<Suspect> All(int count, Func<IReadOnlyList<int>, Suspect?> worst)
+    {
+        var found = new List<Suspect>();
+        List<int> left = [.. Enumerable.Range(0, count)];
+        while (left.Count >= Fewest && worst(left) is { } next && Math.Abs(next.Sigmas) >= MostSigmas(left.Count))
+        {
+            found.Add(next with { Row = left[next.Row] });
+            left.RemoveAt(next.Row);
+            if (5 * found.Count > count)
+            {
+                return [];
+            }
+        }
+
+        return found;
+    }
+
+    private static Suspect? WorstAlongCourse(IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, double uncertaintyMm)
+    {
+        var all = LeftOut(PriorChoice.Of(elements, rows, uncertaintyMm).OfPiece, rows, uncertaintyMm);
+        return Enumerable.Range(0, rows.Length).OrderByDescending(i => Math.Abs(all[i].Off / all[i].Sigma)).Take(Tried).Select(i =>
+        {
+            BoundaryRow[] others = [.. rows.Where((_, k) => k != i)];
+            var (off, sigma) = LeftOut(PriorChoice.Of(elements, others, uncertaintyMm).OfPiece, rows, uncertaintyMm)[i];
+            return new Suspect(i, off, off / sigma);
+        }).MaxBy(s => Math.Abs(s.Sigmas));
+    }
+
+    private static (double Off, double Sigma)[] LeftOut(DeviationPrior[] priors, BoundaryRow[] rows, double uncertaintyMm)
+    {
+        var n = rows.Length;
+        var inverse = Matrix<double>.Build.Dense(n, n, DeviationField.CovarianceOf(priors, rows, uncertaintyMm)).Cholesky()
+            .Solve(Matrix<double>.Build.DenseIdentity(n));
+        var weights = inverse * Vector<double>.Build.Dense(n, i => rows[i].ValueMm);
+        return [.. Enumerable.Range(0, n).Select(i => (weights[i] / inverse[i, i], 1 / Math.Sqrt(inverse[i, i])))];
+    }
+
+    private static Suspect? WorstAroundShape(RunPoint[] points, double[] values, double noise)
+    {
+        var n = points.Length;
+        var middle = new Point2(points.Average(p => p.Theoretical.X), points.Average(p => p.Theoretical.Y));
+        var size = points.Max(p => (p.Theoretical - middle).Length);
+        var svd = Matrix<double>.Build.Dense(n, 4, (i, k) => k switch
+        {
+            0 => points[i].Normal.X,
+            1 => points[i].Normal.Y,
+            2 => (points[i].Theoretical - middle).Cross(points[i].Normal) / Math.Max(size, 1e-9),
+            _ => 1,
+        }).Svd();
+        int[] told = [.. Enumerable.Range(0, Math.Min(4, n)).Where(k => svd.S[k] > LeastShare * svd.S[0])];
+
+        // Two degrees of freedom tell the noise without the point.
+        var free = n - told.Length - 1;
+        if (free < 2)
+        {
+            return null;
+        }
+
+        var y = Vector<double>.Build.Dense(values);
+        var fitted = told.Aggregate(Vector<double>.Build.Dense(n), (sum, k) => sum + (svd.U.Column(k) * svd.U.Column(k).DotProduct(y)));
+        var left = y - fitted;
+        var squares = left.DotProduct(left);
+        return Enumerable.Range(0, n).Select(i =>
+        {
+            var own = 1 - told.Sum(k => svd.U[i, k] * svd.U[i, k]);
+            if (own < LeastShare)
+            {
+                return new Suspect(i, 0, 0);
+            }
+
+            var others = Math.Sqrt(Math.Max(0, squares - (left[i] * left[i] / own)) / free);
+            return new Suspect(i, left[i] / own, left[i] / (Math.Max(others, noise) * Math.Sqrt(own)));
+        }).MaxBy(s => Math.Abs(s.Sigmas));
+    }
+
+    /// <summary>A point that may not fit.</summary>
+    /// <param name="Row">Its index.</param>
+    /// <param name="OffMm">How far it is off what the others say.</param>
+    /// <param name="Sigmas">The same in standard deviations.</param>
+    internal sealed record Suspect(int Row, double OffMm, double Sigmas);
+}
