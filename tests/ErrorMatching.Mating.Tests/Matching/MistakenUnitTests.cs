@@ -18,7 +18,7 @@ public sealed class MistakenUnitTests
         var problems = Problems(Limited(toleranceMm) with { Compensation = $"{{ {compensation} }}" });
         Assert.Equal(expected, string.Join('|', problems.Select(p => $"{p.Place.Path} {p.Found}")));
         Assert.All(problems, p => Assert.Equal("limit-implausible", p.Code));
-        Assert.All(problems, p => Assert.Contains("(\"limitMm\"). um? ", p.Message, StringComparison.Ordinal));
+        Assert.All(problems, p => Assert.Contains("(\"limitMm\"). µm? ", p.Message, StringComparison.Ordinal));
         Assert.All(problems, p => Assert.True(p.Place.Line > 1 && p.Place.Column > 1));
     }
 
