@@ -11,7 +11,8 @@ internal static class MatchLead
         using (html.In("p", ("id", "verdict"), ("class", verdict.IsToCut ? "verdict holds" : "verdict fails")))
         {
             html.Put("strong", $"{(verdict.IsToCut ? "✓" : "✗")} {VerdictWords.Of(verdict)}");
-            html.Text(string.Join(" ", new[] { VerdictWords.Risk(report), VerdictWords.Worst(verdict) }.OfType<string>()));
+            string?[] more = [report.Acceptance.Sentence, VerdictWords.Risk(report), VerdictWords.Worst(verdict)];
+            html.Text(string.Join(" ", more.OfType<string>()));
             if (report.Warnings.Count > 0)
             {
                 html.Text(" ");
